@@ -19,6 +19,7 @@
 #include "betwixt/language.h"
 #include "betwixt/program.h"
 #include "betwixt/session.h"
+#include "editor/editor.h"
 #include "timing.h"
 
 using namespace betwixt;
@@ -76,6 +77,7 @@ struct Row {
   const char* said = nullptr;               // one line about all; @ is how many there are …
   const char* each = nullptr;               // … or a line for each
   void (*done)(const Document&) = nullptr;  // … or something else
+  bool again = false;                       // the lines are a bundle of an earlier session, done again
 };
 
 const Row rows[] = {
@@ -169,6 +171,16 @@ const Row rows[] = {
     {"make, each", film, nullptr, "make s#\n  point (0 0)"},
     {"rename below, each", nested, nullptr, "create q# sphere\nrename q# g1/q#"},
     {"make, each", film, nullptr, "make s#\n  point (0 0)"},
+    // The bundle of an earlier session.
+    {"bundle of create", film, nullptr, "create p# sphere", nullptr, true},
+    {"bundle of set", balls, nullptr, "set o#.color gold", nullptr, true},
+    {"bundle of sheets", balls, nullptr, "o#.position\n  1f (i 0 0)\n  24f (i 1 0)", nullptr, true},
+    {"bundle of hang", balls, nullptr, "hang o# on hand", nullptr, true},
+    {"bundle of remove", balls, nullptr, "remove o#", nullptr, true},
+    {"bundle of animate", film, nullptr, "animate e# every 1t by rotate(6deg, z)", nullptr, true},
+    {"bundle of note", film, nullptr, "at #f note \"#\"", nullptr, true},
+    {"bundle of alias", balls, nullptr, "alias a# = o#", nullptr, true},
+    {"bundle of make", film, nullptr, "make s#\n  point (0 0)", nullptr, true},
     // Words of the shell.
     {"list", balls, "list"},
     {"list pattern", balls, "list o*"},
@@ -213,10 +225,26 @@ double loading(const std::string& text) {
   return processor_milliseconds([&] { keep(load_text(text, "").diagnostics.size()); });
 }
 
+// One step of a history; it makes what a script with its lines does.
+double doing_again(const std::string& before, const std::string& text) {
+  Step bundle;
+  for (Size at = 0, end; at < text.size(); at = end + 1) {
+    end = std::min(text.find('\n', at), text.size());
+    bundle.lines.push_back(text.substr(at, end - at));
+  }
+  Editor editor;
+  editor.begin(before, "");
+  const double ms = processor_milliseconds([&] { insist(editor.restore({&bundle, 1}, 1).empty(), "done again"); });
+  insist(editor.now().document == load_text(before + text, "").document, "the same film");
+  return ms;
+}
+
 Spent spent(const Row& row, Size n) {
   Spent out;
   const std::string before = row.before(n);
-  if (row.each) {
+  if (row.again) {
+    out.ms = doing_again(before, lines(n, row.each));
+  } else if (row.each) {
     const Loaded all = load_text(before + lines(3, row.each), "");
     for (const Diagnostic& d : all.diagnostics)
       if (d.severity == Severity::error) return std::fputs(to_string(d).c_str(), stderr), Spent{0, false};

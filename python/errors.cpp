@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "base/utf8.h"
 #include "says.h"
 
 namespace betwixt::python {
@@ -46,7 +47,8 @@ void raise(const Error& e, std::string_view word) {
 
 void warn(const std::string& message) {
   const py::object category = classes().attr("Warning");
-  const std::string_view text = without_newline(message);
+  const std::string shown_lines = visible_lines(message);
+  const std::string_view text = without_newline(shown_lines);
   if (PyErr_WarnEx(category.ptr(), py::str(shown(text)).cast<std::string>().c_str(), 2) < 0)
     throw py::error_already_set();
 }

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The house stands: no room includes a lower one, public headers include no third party, every file says its licence,
-# and the page of what the tests show is that of these tests.
+# The rules of the house: no room includes a lower one, public headers include no third party, every file has its licence
+# and its layout, every item has a test, and the prose is plain.
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
 rooms=(base algebra track scene program procedure exchange language commands editor export render film server app studio)
 passed=0 failed=0
@@ -83,6 +83,7 @@ verdict "a file that is not laid out as .clang-format says (tools/format.sh does
 )"
 [ "$failed" != 0 ] || { mkdir -p build && mv "$begun" "$laid_out"; }
 rm -f "$begun"
+verdict "turns of phrase that are hard to read (tests/plain_words.py)" "$(python3 tests/plain_words.py)"
 verdict "what the tests show" "$(tools/coverage.sh --check 2>&1)"
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" = 0 ]

@@ -82,7 +82,7 @@ def pages():
 
 
 def peers():
-    return [Job(name, ["tests/peers/run.sh", PROGRAM, name]) for name in ("gltf", "usda", "lottie", "web", "typescript", "editor")]
+    return [Job(name, ["tests/peers/run.sh", PROGRAM, name]) for name in ("gltf", "usda", "lottie", "drawings", "web", "typescript", "editor")]
 
 
 def one(*command):

@@ -8,7 +8,7 @@
 #   <!-- live: in place of LINE -->           in place of that line and what is indented below it (a time: of that row)
 #   <!-- live: with WORDS for WORDS -->       a mistake, which the next film has not
 #   tutorial_page.py PROGRAM PAGE.html     PROGRAM checks each film; betwixt-player.js is put beside the page
-import html, os, re, subprocess, sys, tempfile
+import base64, hashlib, html, os, re, subprocess, sys, tempfile
 
 program, out = sys.argv[1:]
 root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -118,16 +118,21 @@ def body(markdown):
     return "\n".join(written) + "\n"
 
 
-style = """<link rel="stylesheet" href="betwixt-page.css">
-<style>
+style = """
 pre, code { font: 0.86em/1.55 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
 pre { max-width: 44rem; overflow: auto; margin: 0 0 1.2rem; padding: 0.7rem 1rem; border-radius: 8px; background: light-dark(#f1efeb, #1d2025); }
 code { color: light-dark(#23262b, #dde0e4); }
 a { color: light-dark(#0b5394, #8fc3f5); }
 betwixt-editor { margin: 0 0 1.8rem; --betwixt-text-height: 26rem; }
-</style>"""
+"""
+look = f'<link rel="stylesheet" href="betwixt-page.css">\n<style>{style}</style>'
+# As src/app/page_policy.cpp says it of pages with their files beside them.
+hashed = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
+policy = ("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; "
+          f"style-src 'self' 'sha256-{hashed}'; connect-src 'self'; img-src 'self'; base-uri 'none'; form-action 'none'; "
+          "require-trusted-types-for 'script'; trusted-types 'none'\">")
 version = subprocess.run([program, "--version"], capture_output=True, text=True).stdout.split()[-1]
-parts = {"version": version, "title": "The tutorial", "look": style, "class": "edited", "films": body(read("docs/tutorial.md")),
+parts = {"policy": policy, "version": version, "title": "The tutorial", "look": look, "class": "edited", "films": body(read("docs/tutorial.md")),
          "files": files_of(films), "player": '<script src="betwixt-player.js"></script>'}
 page = re.sub(r"\{\{(\w+)\}\}", lambda m: parts[m[1]], read("web/page.html"))
 with open(out + ".new", "w", encoding="utf-8") as file:

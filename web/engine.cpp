@@ -50,10 +50,12 @@ void keep_spare(Easel&& easel) {
 std::string json(const Diagnostic& d) {
   static constexpr const char* severities[] = {"notice", "warning", "error"};
   const Place& place = d.what.place;
+  const ShownLine shown = shown_line(d);
   return fmt::format(
       R"({{"severity":"{}","text":{},"hint":{},"file":{},"line":{},"column":{},"length":{},"source":{},"caret":{}}})",
-      severities[static_cast<int>(d.severity)], json_text(d.what.message), json_text(d.what.hint),
-      json_text(place.file), place.line, place.column, place.length, json_text(d.line), d.caret);
+      severities[static_cast<int>(d.severity)], json_words(d.what.message), json_words(d.what.hint),
+      json_text(place.file), place.line, place.column, shown.length, json_text(shown.line),
+      count_characters(shown.before));
 }
 
 struct Film {

@@ -10,7 +10,9 @@ const svgSpace = byId("play").querySelector("svg").namespaceURI;
 const put = (parent, name, attributes = {}, text) => {
   const space = parent.namespaceURI === svgSpace || name === "svg" ? svgSpace : parent.namespaceURI;
   const element = parent.appendChild(document.createElementNS(space, name));
-  for (const key in attributes) element.setAttribute(key, attributes[key]);
+  for (const key in attributes)
+    if (key === "style") element.style.cssText = attributes[key];  // as an attribute it would be against the page's policy
+    else element.setAttribute(key, attributes[key]);
   if (text !== undefined) element.textContent = text;
   return element;
 };

@@ -28,8 +28,8 @@ Result<std::shared_ptr<const Outline>> set_by_tex(const std::string&, std::chron
   return not_here("formulas of TeX are not set");
 }
 
-Status decode_sound(const std::string&, const Listener&) { return not_here("sounds are not decoded"); }
-Result<std::shared_ptr<const Sound>> read_sound(const std::string&) { return std::make_shared<const Sound>(); }
+Status decode_sound(const std::string&, const Listener&, double) { return not_here("sounds are not decoded"); }
+Result<std::shared_ptr<const Sound>> read_sound(const std::string&, bool) { return std::make_shared<const Sound>(); }
 
 Result<Plugin> load_plugin(const std::string&) { return not_here("plug-ins are not loaded"); }
 

@@ -23,9 +23,13 @@
 
 namespace betwixt {
 
+class Beside;  // src/program/beside.h
+
 class Evaluation {
  public:
   explicit Evaluation(const Program&);
+  // Each frame is ready in time: `beside` works out what may take long, and a slow value is the last one that has come.
+  Evaluation(const Program&, Beside& beside);
   Evaluation(Evaluation&&) noexcept;
   Evaluation& operator=(Evaluation&&) noexcept;
   ~Evaluation();

@@ -83,7 +83,7 @@ int complain_about(const std::string& text, const Error& e, const char* name) {
       std::string_view(text).substr(first_characters(text, static_cast<std::size_t>(from)).size());
   Diagnostic d{Severity::error, e, std::string(first_characters(rest, width)), e.place.column - 1 - from};
   d.what.place.file = name;
-  fmt::print(stderr, "{}", to_string(d));
+  tell_user(d);
   return wrong_input;
 }
 

@@ -9,6 +9,7 @@
 #include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/tell_user.h"
+#include "base/utf8.h"
 
 namespace betwixt {
 namespace {
@@ -26,7 +27,7 @@ int check(const CheckCall& call) {
   const Loaded loaded = load_script(file);
   std::size_t errors = 0, warnings = 0;
   for (const Diagnostic& d : loaded.diagnostics) {
-    tell_user(to_string(d));
+    tell_user(d);
     errors += d.severity == Severity::error;
     warnings += d.severity == Severity::warning;
   }
@@ -34,14 +35,14 @@ int check(const CheckCall& call) {
     const auto [first, last] = loaded.document.range();
     const Findings found =
         look_through(Program::compile(loaded.document), file, first, last, loaded.document.frame_count());
-    for (const Diagnostic& d : found.errors) tell_user(to_string(d));
+    for (const Diagnostic& d : found.errors) tell_user(d);
     for (const std::string& p : found.warnings) tell_user(fmt::format("{}: warning: {}\n", name, p));
     errors += found.errors.size(), warnings += found.warnings.size();
   }
   if (errors + warnings > 0)
     fmt::print(stderr, "{}, {}\n", counted(errors, "error"), counted(warnings, "warning"));
   else
-    fmt::print("{}: no errors, {}, {}\n", name, counted(loaded.document.names().size(), "object"),
+    fmt::print("{}: no errors, {}, {}\n", visible(name), counted(loaded.document.names().size(), "object"),
                counted(static_cast<std::size_t>(loaded.document.frame_count()), "frame"));
   return errors ? wrong_input : all_done;
 }

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/command.h"
 #include "app/streams.h"
 #include "base/diagnostic.h"
 #include "base/files.h"
@@ -93,7 +94,7 @@ Findings look_through(const Program& program, const std::string& file, Time firs
 bool stopped_by(const Findings& found, bool keep_going) {
   for (Diagnostic d : found.errors) {
     if (keep_going) d.severity = Severity::warning;
-    tell_user(to_string(d));
+    tell_user(d);
   }
   if (found.errors.empty() || keep_going) return false;
   tell_user(

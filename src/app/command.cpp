@@ -24,6 +24,8 @@ int complain(const Error& e, int otherwise) {
   return e.code == ErrorCode::machine ? static_cast<int>(machine_failed) : otherwise;
 }
 
+void tell_user(const Diagnostic& d) { tell_user((d.what.place.file.empty() ? "betwixt: " : "") + to_string(d)); }
+
 LoadOptions& load_options() {
   static LoadOptions options;
   return options;
@@ -39,7 +41,7 @@ Loaded load_script(const std::string& file) {
 std::optional<Document> open_script(const std::string& file) {
   Loaded loaded = load_script(file);
   for (const Diagnostic& d : loaded.diagnostics)
-    if (d.severity != Severity::notice) tell_user(to_string(d));
+    if (d.severity != Severity::notice) tell_user(d);
   if (has_errors(loaded.diagnostics)) return std::nullopt;
   return std::move(loaded.document);
 }

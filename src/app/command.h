@@ -22,6 +22,9 @@ enum Exit { all_done = 0, wrong_input = 1, wrong_call = 2, machine_failed = 3, i
 // given one.
 int complain(const Error&, int otherwise);
 
+// Prints a diagnostic of a script to standard error. One without a place begins with the program's name.
+void tell_user(const Diagnostic&);
+
 // The options --read-anywhere and --tex.
 LoadOptions& load_options();
 

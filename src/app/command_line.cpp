@@ -100,6 +100,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& e) {
     if (!asked.empty()) return fmt::format("'{}' is one word too many", word);
     std::vector<std::string> names;
     for (const Subcommand& s : subcommands()) names.push_back(s.name);
+    if (word.ends_with(".bx")) return fmt::format("no such command '{0}'\n  to see it: betwixt play {0}", word);
     return hinted("no such command", word, names);
   }
   return e.what();

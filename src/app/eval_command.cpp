@@ -41,6 +41,10 @@ int eval(const EvalCall& call) {
   const auto document = open_script(call.file);
   if (!document) return wrong_input;
   std::vector<std::pair<std::string, Time>> times;
+  if (call.times.empty()) {
+    const Time first = document->range().first;
+    times.emplace_back(write_number(document->rate().frame_number(first)) + "f", first);
+  }
   for (const auto& text : call.times) {
     const auto t = read_time(text, *document, "--at");
     if (!t) return complain(t.error(), wrong_call);
@@ -85,9 +89,8 @@ const Enlisted enlisted_eval(eval, [](EvalCall& call) -> Subcommand {
                 targets_parameter(call.targets, "ball.position, wheel*.color, ball; all by default"),
                 {.name = "--at",
                  .value = "T[,T…]",
-                 .sentence = "the times: 24f, 2.5s, …",
+                 .sentence = "the times: 24f, 2.5s, …; usually the film's first frame",
                  .into = &call.times,
-                 .required = true,
                  .separated = true},
                 flag("--json", "one JSON object", call.json),
                 flag("--stats", "prints the times of the parts of a frame, and the memory of the film", call.stats)},

@@ -97,8 +97,8 @@ int export_motion(ExportCall& call) {
   if (made->baked > 0)
     fmt::print(stderr, " ({:.0f} % of one a frame)",
                100.0 * static_cast<double>(made->keys) / static_cast<double>(made->baked));
-  fmt::print(stderr, ", {:.0f} kB, {}\n", std::ceil(static_cast<double>(made->bytes) / 1000),
-             *outgoing ? "standard output" : call.out);
+  tell_user(fmt::format(", {:.0f} kB, {}\n", std::ceil(static_cast<double>(made->bytes) / 1000),
+                        *outgoing ? "standard output" : call.out));
   return all_done;
 }
 

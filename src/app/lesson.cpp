@@ -9,6 +9,7 @@
 #include "algebra/study.h"
 #include "app/lesson_page.h"
 #include "app/markup.h"
+#include "app/page_policy.h"
 #include "app/player_file.h"
 #include "base/files.h"
 #include "base/json.h"
@@ -42,15 +43,20 @@ Status write_lesson(const std::string& path, const Motion& motion, const LessonO
   const auto player = read_player();
   if (!player) return player.error();
   const std::string text = to_string(motion);
-  std::string script;
+  std::string script = "\n\"use strict\";\n(() => {\n";
   for (const char* part : {lesson_pictures_js, lesson_words_js, lesson_handles_js, lesson_methods_js, lesson_js})
     script += part;
-  const std::string page = filled(lesson_html, {{"title", escaped(text.empty() ? "no factors" : text)},
+  script += "\n})();\n";
+  PagePolicy policy;
+  const std::string look = policy.style("\n" + std::string(lesson_css) + "\n"),
+                    plays = policy.script("\n" + *player + "\n"), works = policy.script(script);
+  const std::string page = filled(lesson_html, {{"policy", policy.said()},
+                                                {"title", escaped(text.empty() ? "no factors" : text)},
                                                 {"string", escaped(text)},
-                                                {"style", lesson_css},
+                                                {"style", look},
                                                 {"data", begins_with(text, options)},
-                                                {"player", *player},
-                                                {"script", script}});
+                                                {"player", plays},
+                                                {"script", works}});
   return write_whole(path, page, true);
 }
 

@@ -3,11 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <exception>
+#include <string>
 
 #include "app/command.h"
 #include "app/command_line.h"
+#include "base/tell_user.h"
 
 namespace {
 
@@ -24,7 +25,7 @@ int main(int argc, char** argv) {
   try {
     return betwixt::command_line(argc, argv);
   } catch (const std::exception& e) {  // above all, out of memory
-    std::fprintf(stderr, "betwixt: error: the machine failed: %s\n", e.what());
+    betwixt::tell_user(std::string("betwixt: error: the machine failed: ") + e.what() + "\n");
     return betwixt::machine_failed;
   }
 }

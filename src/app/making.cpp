@@ -90,16 +90,17 @@ void say_not_clear(const std::string& path) {
 
 int say_made(const Result<FilmStats>& made, const FilmOptions& options) {
   if (!made && stop_requested()) {
-    fmt::print(
-        stderr, "betwixt: stopped; {}\n",
-        options.missing ? "what is made so far is there, and the same call goes on" : options.path + " was not made");
+    tell_user(fmt::format("betwixt: stopped; {}\n", options.missing
+                                                        ? "what is made so far is there, and the same call goes on"
+                                                        : options.path + " was not made"));
     if (const auto place = read_output(options.path); place && !place->format && !options.missing)
       fmt::print(stderr, "  with --missing each picture is there as soon as it is made\n");
     return interrupted;
   }
   if (!made) return complain(made.error(), wrong_call);
   const int painted = made->frames - made->found;
-  fmt::print(stderr, "{} frame{} in {}, {}", painted, painted == 1 ? "" : "s", duration(made->seconds), options.path);
+  tell_user(
+      fmt::format("{} frame{} in {}, {}", painted, painted == 1 ? "" : "s", duration(made->seconds), options.path));
   if (made->found > 0) fmt::print(stderr, "; {} {} there", made->found, made->found == 1 ? "was" : "were");
   fmt::print(stderr, "\n");
   return all_done;

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/markup.h"
 
+#include "base/utf8.h"
+
 namespace betwixt {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : visible(text)) {
     if (c == '<')
       out += "&lt;";
     else if (c == '>')
@@ -15,7 +17,7 @@ std::string escaped(std::string_view text) {
       out += "&amp;";
     else if (c == '"')
       out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 32)
+    else
       out += c;
   }
   return out;

@@ -11,7 +11,8 @@
 
 namespace betwixt {
 
-// Escapes a text for XML and HTML. Characters that they do not allow are left out.
+// Escapes a text for XML and HTML. Characters that they do not allow, and those that change the direction of writing,
+// are made visible (utf8.h).
 std::string escaped(std::string_view text);
 
 // Replaces each {{name}} by its text, in one pass: text filled in is not searched again.

@@ -13,10 +13,12 @@
 #include "app/hearing.h"
 #include "app/live_input.h"
 #include "app/playhead.h"
+#include "app/streams.h"
 #include "app/studio.h"
 #include "app/subcommand.h"
 #include "app/terminal.h"
 #include "base/files.h"
+#include "base/tell_user.h"
 #include "base/utf8.h"
 #include "betwixt/program.h"
 #include "editor/controls.h"
@@ -236,8 +238,7 @@ class Player {
     if (!note_.empty()) left += "  " + note_;
     const std::string keys = terminal_.has_keys() ? "space pause  arrows step  s style  q quit " : "";
     const std::size_t columns = static_cast<std::size_t>(size_.columns);
-    std::string line;
-    for (const char c : left) line += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+    std::string line = visible(left);
     const std::size_t used = count_characters(line);
     if (used > columns)
       line = first_characters(line, columns);
@@ -297,7 +298,7 @@ Result<std::string> record_place(const Document& document, const PlayCall& call)
 // that would be another film; then it writes the recorded document without comments.
 Status write_recording(const Take& take, const std::string& script, const std::string& place, bool overwrite) {
   std::string text;
-  if (const auto read = read_whole(script)) text = take.text(*read);
+  if (const auto read = script_text(script)) text = take.text(*read);
   if (!(load_text(text, script, load_options()).document == take.document())) {
     fmt::print(stderr, "the script has changed meanwhile: comments are not in the recording\n");
     text = write(take.document());
@@ -330,13 +331,14 @@ Status play(const Document& document, PlayCall& call) {
     return played;
   }
   if (Status s = write_recording(take, call.file, *place, call.overwrite); !s) return s;
-  fmt::print(stderr, "{} messages recorded in '{}'\n", player.turned(), *place);
+  tell_user(fmt::format("{} messages recorded in '{}'\n", player.turned(), *place));
   return played;
 }
 
 // Returns whether to play in a window: there is a display and a studio, and the call needs no terminal.
 bool in_a_window(const PlayCall& call) {
-  return !call.terminal && call.listen.empty() && call.frames.empty() && has_display() && has_studio();
+  return !call.terminal && !is_stream(call.file) && call.listen.empty() && call.frames.empty() && has_display() &&
+         has_studio();
 }
 
 int play(PlayCall& call) {

@@ -175,7 +175,7 @@ int serve(ServeCall& call) {
   const auto begun = imaging.begin(call.file, call.save, call.overwrite, monotonic_now());
   if (!begun) return complain(begun.error(), wrong_input);
   for (const Diagnostic& d : *begun)
-    if (d.severity != Severity::notice) tell_user(to_string(d));
+    if (d.severity != Severity::notice) tell_user(d);
   if (has_errors(*begun)) return wrong_input;
   if (goes_on) tell_user(fmt::format("goes on with '{}', as it was left\n", call.save));
 
@@ -223,6 +223,7 @@ int serve(ServeCall& call) {
   if (const Status whole = served ? imaging.finish(monotonic_now()) : Status(Nothing{}); !whole)
     call.imaging.warn(whole.error().message + "; the journal beside it has all that was answered");
   if (served) end_soon();
+  doors.clear();  // hosts see the end at once, even if a worker takes long
   clock.reset();  // completes the film or picture
   ::close(call.serve.stop);
   if (!served) return complain(served.error(), machine_failed);
@@ -238,6 +239,7 @@ std::vector<Parameter> ceiling_parameters(Imaging::Options& options) {
   return {ceiling("--ceiling", "environments", most.environments),
           ceiling("--objects", "environments and removed ones included", most.objects),
           ceiling("--events", "on tracks", most.events),
+          ceiling("--values", "bytes of texts, points, lists of names and code", most.values),
           ceiling("--history", "bytes of accepted commands", most.history),
           ceiling("--undo", "commands that can be taken back", options.undo.steps),
           ceiling("--checkpoint", "bytes of log after which the script is written anew", options.checkpoint)};
@@ -261,6 +263,7 @@ std::vector<Parameter> clock_parameters(ServeCall& call) {
            .words = {"fifo", "nice", "ordinary"}},
           flag("--sweep", "contacts are noticed even between two frames", call.imaging.sweep),
           flag("--wait", "time stands at 0 until a host says start", call.imaging.wait),
+          flag("--from-start", "time begins at 0, not where it was in the history", call.imaging.from_start),
           {.name = "--latency",
            .value = "N",
            .sentence = "ticks from a command to its effect; by default 1",

@@ -23,6 +23,7 @@
 #include <sstream>
 
 #include "app/command.h"
+#include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/utf8.h"
 #include "betwixt/session.h"
@@ -48,6 +49,11 @@ class LineSource {
   virtual bool person() const { return false; }
 };
 
+// Makes control characters visible on a terminal. Files and other programs get the text unchanged.
+void put(const std::string& text, std::FILE* to) {
+  std::fputs((::isatty(::fileno(to)) == 1 ? visible_lines(text) : text).c_str(), to);
+}
+
 class Pipe : public LineSource {
  public:
   std::optional<std::string> line(const std::string&) override {
@@ -61,7 +67,7 @@ class Pipe : public LineSource {
     return line;
   }
   std::optional<std::string> answer(const std::string& question) override {
-    fmt::print("{}\n", question);
+    put(question + "\n", stdout);
     std::fflush(stdout);
     return line("");
   }
@@ -170,7 +176,8 @@ class Keyboard : public LineSource {
     return *static_cast<Keyboard*>(self);
   }
 
-  std::optional<std::string> read(const std::string& prompt) {
+  std::optional<std::string> read(const std::string& asked) {
+    const std::string prompt = visible_lines(asked);
     // The editor's prompt has one line; print the lines above it first.
     const std::size_t nl = prompt.rfind('\n');
     if (nl != std::string::npos) fmt::print("{}", prompt.substr(0, nl + 1));
@@ -209,7 +216,8 @@ class Keyboard : public LineSource {
     if (all.size() == 1 && !inside && !open && !wants_dot(before, common)) more += ' ';
     if (!more.empty()) return el_insertstr(edit_, more.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
     constexpr std::size_t shown = 200;
-    fmt::print("\n{}{}\n", fmt::join(all.begin(), all.begin() + static_cast<long>(std::min(shown, all.size())), "  "),
+    const auto end = all.begin() + static_cast<long>(std::min(shown, all.size()));
+    fmt::print("\n{}{}\n", visible(fmt::format("{}", fmt::join(all.begin(), end, "  "))),
                all.size() > shown ? fmt::format("  … {} more", all.size() - shown) : "");
     std::fflush(stdout);
     return CC_REDISPLAY;
@@ -291,6 +299,10 @@ std::optional<std::string> read_line(LineSource& in, const std::string& prompt) 
 }
 
 int shell(const ShellCall& call) {
+  if (is_stream(call.file))
+    return complain(fail(ErrorCode::range, "a film is made in a file, which standard input is not",
+                         "its lines are commands: betwixt shell film.bx < lines.txt"),
+                    wrong_call);
   std::unique_ptr<LineSource> in;
   Session::Doors doors;
   doors.ask = [&in](const std::string& question) { return in->answer(question); };
@@ -326,7 +338,7 @@ int shell(const ShellCall& call) {
     if (person)
       page(visible_lines(a.said));
     else
-      std::fputs(a.said.c_str(), a.refused ? stderr : stdout);
+      put(a.said, a.refused ? stderr : stdout);
     if (a.done && acknowledge && !person) std::fputs("ok\n", stdout);
     std::fflush(stdout);
   };

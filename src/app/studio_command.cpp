@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "app/streams.h"
 #include "app/studio.h"
 #include "app/subcommand.h"
 #include "app/window.h"
@@ -35,6 +36,8 @@ struct StudioCall {
 };
 
 int studio(StudioCall& call) {
+  if (is_stream(call.file))
+    return complain(fail(ErrorCode::range, "a film is worked on in a file, which standard input is not"), wrong_call);
   // Qt would abort with a message of its own.
   if (call.screenshot.empty() && !std::getenv("QT_QPA_PLATFORM") && !has_display())
     return complain(fail(ErrorCode::machine, "there is no display for a window",

@@ -9,6 +9,7 @@
 
 #include "app/command.h"
 #include "app/player_file.h"
+#include "app/streams.h"
 #include "app/subcommand.h"
 #include "app/web_page.h"
 #include "base/files.h"
@@ -65,6 +66,10 @@ Status put_beside(const fs::path& page, std::string_view name, std::string_view 
 
 int web(WebCall& call) {
   call.out = output_or(call.out, call.files.front(), "html");
+  const Result<Outgoing> outgoing = Outgoing::begin(call.out, "html");
+  if (!outgoing) return complain(outgoing.error(), wrong_call);
+  if (*outgoing && call.link)
+    return complain(fail(ErrorCode::range, "nothing can lie beside standard output", "without --link"), wrong_call);
   if (const Status s = ready(call); !s) return complain(s.error(), wrong_call);
   const auto player = read_player();
   if (!player) return complain(player.error(), machine_failed);
@@ -79,9 +84,9 @@ int web(WebCall& call) {
   }
   if (const Status s = no_two_of_one_name(films); !s) return complain(s.error(), wrong_input);
   PageOptions options;
-  options.title = !call.title.empty() ? call.title
-                  : films.size() == 1 ? fs::path(films[0].name).stem().string()
-                                      : fs::path(call.out).stem().string();
+  options.title = !call.title.empty()              ? call.title
+                  : films.size() == 1 || *outgoing ? fs::path(films[0].name).stem().string()
+                                                   : fs::path(call.out).stem().string();
   options.size = call.size, options.edit = !call.no_edit;
   if (!call.link) options.player = *player;
   const std::string page = web_page(films, options);
@@ -94,10 +99,12 @@ int web(WebCall& call) {
                             Beside{"betwixt-page.css", page_look(), "/* SPDX-FileCopyrightText: 2026 The Betwixt"}})
       if (const Status s = put_beside(call.out, b.name, b.text, b.mark, !call.keep_old); !s)
         return complain(s.error(), wrong_call);
+  if (const Status sent = outgoing->send(); !sent) return complain(sent.error(), machine_failed);
   for (const PageFilm& film : films)
     for (const std::string& lost : film.lost) tell_user(fmt::format("betwixt: notice: {}: {}\n", film.name, lost));
-  fmt::print(stderr, "{} film{}, {} file{}, {:.0f} kB, {}\n", films.size(), films.size() == 1 ? "" : "s", files,
-             files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000), call.out);
+  tell_user(fmt::format("{} film{}, {} file{}, {:.0f} kB, {}\n", films.size(), films.size() == 1 ? "" : "s", files,
+                        files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000),
+                        *outgoing ? "standard output" : call.out));
   return all_done;
 }
 
@@ -107,11 +114,11 @@ const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
       .name = "web",
       .sentence = "makes a page that plays films in any browser and lets you edit them",
       .takes = {{.name = "FILE",
-                 .sentence = "the scripts, in the order in which they stand on the page",
+                 .sentence = "the scripts, in the order in which they stand on the page; - is standard input",
                  .into = &call.files,
                  .required = true,
                  .offer = Offer::scripts},
-                output_parameter(call.out, "PAGE.html", "the page", "html"),
+                output_parameter(call.out, "PAGE.html", "the page; - is standard output", "html"),
                 option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
                 size_parameter(call.size, "the size of the pictures; by default as wide as there is room"),
                 flag("--no-edit", "shows the films without their scripts", call.no_edit),

@@ -13,7 +13,9 @@
 
 #include "app/command.h"
 #include "app/markup.h"
+#include "app/page_policy.h"
 #include "app/player_file.h"
+#include "app/streams.h"
 #include "app/web_page_text.h"
 #include "base/base64.h"
 #include "base/files.h"
@@ -161,9 +163,7 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
 
 std::string player_markup(const PageFilm& film, const PageOptions& options, bool alone) {
   const auto [width, height] = options.size.value_or(film.size);
-  // If a page's policy forbids inline styles, the player has the page's width and the film's aspect ratio.
-  const std::string fixed =
-      options.size ? fmt::format(" class=\"fixed\" style=\"width: {}px; height: {}px\"", width, height) : "";
+  const std::string fixed = options.size ? " class=\"fixed\"" : "";
   const std::string alt = film.about.empty() ? "" : fmt::format(" alt=\"{}\"", escaped(film.about));
   // HTML drops a newline at the start of an element, so give it one to drop.
   return fmt::format(
@@ -198,10 +198,10 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
   if (!document) return std::nullopt;
   if (!document->scene().formulas->empty())
     return fail(ErrorCode::type, fmt::format("{} has formulas of TeX, which no page can set", script));
-  const auto text = read_whole(script);
+  const auto text = script_text(script);
   if (!text) return text.error();
   PageFilm film;
-  film.name = fs::path(script).filename().string();
+  film.name = is_stream(script) ? "film.bx" : fs::path(script).filename().string();
   film.text = *text + (text->ends_with('\n') ? "" : "\n");
   film.about = first_comment(*text);
   film.size = document->size().value_or(film.size);
@@ -221,12 +221,16 @@ std::string web_page(const std::vector<PageFilm>& films, const PageOptions& opti
     all += film_markup(film, options, alone);
     files.insert(film.files.begin(), film.files.end());
   }
+  PagePolicy policy;
   const bool beside = options.player.empty();
-  const std::string player =
-      beside ? "<script src=\"betwixt-player.js\"></script>" : "<script>\n" + options.player + "</script>";
-  const std::string look =
-      beside ? "<link rel=\"stylesheet\" href=\"betwixt-page.css\">" : fmt::format("<style>\n{}</style>", page_css);
-  return filled(page_html, {{"version", BETWIXT_VERSION},
+  const std::string player = beside ? policy.script_beside("betwixt-player.js") : policy.script("\n" + options.player);
+  std::string look = beside ? policy.style_beside("betwixt-page.css") : policy.style("\n" + std::string(page_css));
+  // If a server's policy forbids styles in a page, the player keeps the page's width and the film's aspect ratio.
+  if (options.size)
+    look += "\n" + policy.style(fmt::format(".fixed {{ width: {}px; height: {}px; }}", options.size->first,
+                                            options.size->second));
+  return filled(page_html, {{"policy", policy.said()},
+                            {"version", BETWIXT_VERSION},
                             {"title", escaped(options.title)},
                             {"look", look},
                             {"class", options.edit ? "edited" : "alone"},

@@ -8,8 +8,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdlib>
+#include <string_view>
 #include <thread>
+
+#include "base/files.h"
 
 extern char** environ;
 
@@ -40,6 +45,16 @@ int start_child(pid_t& pid, const std::vector<std::string>& arguments, ChildFile
   posix_spawnattr_destroy(&ways);
   posix_spawn_file_actions_destroy(&actions);
   return failed;
+}
+
+std::string find_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  for (std::string_view rest = path ? path : "/bin:/usr/bin"; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    if (std::string there = std::string(rest.substr(0, end)) + "/" + name; end > 0 && can_be_run(there)) return there;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return {};
 }
 
 int wait_for_child(pid_t pid) {

@@ -22,6 +22,14 @@ std::string spaces_below(std::string_view shown) {
 
 }  // namespace
 
+ShownLine shown_line(const Diagnostic& d) {
+  const std::string_view line = d.line, before = first_characters(line, static_cast<std::size_t>(std::max(d.caret, 0)));
+  const std::string_view marked =
+      first_characters(line.substr(before.size()), static_cast<std::size_t>(std::clamp(d.what.place.length, 1, 60)));
+  return {visible(line, true), visible(before, true),
+          std::clamp<std::size_t>(count_characters(visible(marked, true)), 1, 60)};
+}
+
 std::string to_string(const Diagnostic& d) {
   static constexpr const char* words[] = {"notice", "warning", "error"};
   const Place& at = d.what.place;
@@ -31,13 +39,8 @@ std::string to_string(const Diagnostic& d) {
   if (!out.empty()) out += " ";
   out += fmt::format("{}: {}\n", words[static_cast<int>(d.severity)], visible_lines(d.what.message));
   if (at.line > 0 && !d.line.empty()) {
-    const std::string_view line = d.line,
-                           before = first_characters(line, static_cast<std::size_t>(std::max(d.caret, 0)));
-    const std::string_view marked =
-        first_characters(line.substr(before.size()), static_cast<std::size_t>(std::clamp(at.length, 1, 60)));
-    const std::size_t length = std::clamp<std::size_t>(count_characters(visible(marked, true)), 1, 60);
-    out += "  " + visible(line, true) + "\n  " + spaces_below(visible(before, true)) + "^" +
-           std::string(length - 1, '~') + "\n";
+    const ShownLine shown = shown_line(d);
+    out += "  " + shown.line + "\n  " + spaces_below(shown.before) + "^" + std::string(shown.length - 1, '~') + "\n";
   }
   if (!d.what.hint.empty()) out += "  " + visible_lines(d.what.hint) + "\n";
   return out;

@@ -19,7 +19,8 @@ std::string json_text(std::string_view s) {
     if (n == 0)
       out += "\uFFFD";
     else if (n > 1)
-      out += s.substr(i, n);
+      out += is_hidden(character_at(s, i, n)) ? fmt::format("\\u{:04x}", static_cast<unsigned>(character_at(s, i, n)))
+                                              : std::string(s.substr(i, n));
     else if (c == '"' || c == '\\')
       out += '\\', out += c;
     else if (c == '\n')
@@ -32,6 +33,8 @@ std::string json_text(std::string_view s) {
   }
   return out + "\"";
 }
+
+std::string json_words(std::string_view s) { return json_text(visible_lines(s)); }
 
 std::size_t json_depth(std::string_view s) {
   std::size_t depth = 0, most = 0;

@@ -47,6 +47,9 @@ bool whole_number(std::string_view s, long& out) {
   return r.ec == std::errc{} && r.ptr == s.data() + s.size();
 }
 
+// Matching takes its length times that of a name.
+constexpr std::size_t longest_pattern = 4000;
+
 // One brace group's alternatives: the numbers of a..b, or the parts between commas.
 Result<std::vector<std::string>> alternatives(std::string_view body, std::size_t most) {
   std::vector<std::string> out;
@@ -119,8 +122,12 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
       }
     }
     done = std::move(next);
-    if (!any) return done;
+    if (!any) break;
   }
+  for (const std::string& word : done)
+    if (word.size() > longest_pattern && is_pattern(word))
+      return fail(ErrorCode::range, fmt::format("a pattern has at most {} characters", longest_pattern));
+  return done;
 }
 
 std::vector<std::size_t> brace_ranges(std::string_view pattern) {
@@ -215,6 +222,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
   std::string_view found;
   std::vector<std::size_t> before, row, next;  // optimal string alignment, three rows
   for (auto c : candidates) {
+    StillWanted::ask();
     if (c == word || c.size() > word.size() + best || word.size() > c.size() + best) continue;
     row.assign(c.size() + 1, 0);
     before = next = row;

@@ -35,8 +35,10 @@ class StillWanted {
 
   // Call it between two pieces of any work that may take long.
   static void ask() {
-    if (current) current->look();
+    if (!wanted()) throw NotWanted{};
   }
+  // The same, where nothing may be thrown.
+  static bool wanted() { return !current || current->goes_on(); }
   // What this thread has taken of a processor.
   static std::chrono::nanoseconds used() {
     timespec t{};
@@ -45,9 +47,9 @@ class StillWanted {
   }
 
  private:
-  void look() {
-    if (gone_ || over_) throw NotWanted{};
-    if (end_.count() > 0 && ++looks_ % looks_a_time == 0 && others_ > 0 && used() > end_) throw NotWanted{};
+  bool goes_on() {
+    if (gone_ || over_) return false;
+    return end_.count() == 0 || ++looks_ % looks_a_time != 0 || others_ == 0 || used() <= end_;
   }
 
   static constexpr unsigned looks_a_time = 64;  // queries the system's time only once in this many calls

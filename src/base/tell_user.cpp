@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/utf8.h"
+
 namespace betwixt {
 namespace {
 
@@ -69,7 +71,8 @@ std::string in_colours(std::string_view text) {
 
 void choose_colours(Colours how) { chosen = how; }
 
-void tell_user(std::string_view text) {
+void tell_user(std::string_view said) {
+  const std::string text = visible_lines(said);
   if (!colours_wanted()) return (void)std::fwrite(text.data(), 1, text.size(), stderr);
   const std::string painted = in_colours(text);
   (void)std::fwrite(painted.data(), 1, painted.size(), stderr);

@@ -9,7 +9,8 @@
 
 namespace betwixt {
 
-// In colours where that is wanted: "error:", "warning:" and "notice:", what stands before them, and carets.
+// With all that a terminal would obey made visible (utf8.h). In colours where that is wanted: "error:", "warning:" and
+// "notice:", what stands before them, and carets.
 void tell_user(std::string_view text);
 
 enum class Colours { automatic, always, never };

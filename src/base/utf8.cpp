@@ -32,15 +32,12 @@ std::size_t character_length(std::string_view text, std::size_t i) {
   return more == 0 || too_long || surrogate || beyond ? 0 : more + 1;
 }
 
-namespace {
-
-// Characters that nobody sees, and that change how others are shown.
-bool hidden(char32_t c) {
+bool is_hidden(char32_t c) {
   struct Range {
     char32_t first, last;
   };
-  static constexpr Range ranges[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0x61C, 0x61C},  {0x200E, 0x200F},
-                                     {0x2028, 0x202E}, {0x2066, 0x206F}, {0xFFF9, 0xFFFB}};
+  static constexpr Range ranges[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0x61C, 0x61C},   {0x200E, 0x200F},
+                                     {0x2028, 0x202E}, {0x2066, 0x206F}, {0xFFF9, 0xFFFB}, {0xFFFE, 0xFFFF}};
   return std::any_of(std::begin(ranges), std::end(ranges), [c](const Range& r) { return c >= r.first && c <= r.last; });
 }
 
@@ -51,8 +48,6 @@ char32_t character_at(std::string_view text, std::size_t i, std::size_t length) 
   return c;
 }
 
-}  // namespace
-
 std::string visible(std::string_view text, bool tabs) {
   std::string out;
   out.reserve(text.size());
@@ -61,7 +56,7 @@ std::string visible(std::string_view text, bool tabs) {
     const char32_t c = length > 0 ? character_at(text, i, length) : 0;
     if (length == 0)
       out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
-    else if (!hidden(c) || (tabs && c == '\t'))
+    else if (!is_hidden(c) || (tabs && c == '\t'))
       out += text.substr(i, length);
     else
       out += c == '\n'  ? "\\n"

@@ -209,7 +209,8 @@ bool read_side(Command& k, const char* what, bool centre, Side& out) {
     if (side.word == w) return out = side, true;
     words.push_back(side.word);
   }
-  return k.cursor.fail(ErrorCode::syntax, fmt::format("{} is {}", what, fmt::join(words, ", ")),
+  return k.cursor.fail(w.empty() ? ErrorCode::syntax : ErrorCode::type,
+                       fmt::format("{} is {}", what, fmt::join(words, ", ")),
                        w.empty() ? std::string_view(k.cursor.at, 0) : w, did_you_mean(w, words));
 }
 

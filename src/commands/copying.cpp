@@ -97,7 +97,7 @@ Type type_of(const Scene& s, const Target& t) {
 // The shift for values of one type.
 bool read_shift(Command& k, const Target& of, Value& out) {
   Cursor& c = k.cursor;
-  const FunctionSpec free = unbounded(spec_of(k.scene, of.function));  // a shift may be of any size
+  const FunctionSpec free = difference_of(spec_of(k.scene, of.function));
   c.space();
   const char* at = c.at;
   if (!values(k).value(free, of.component, out)) return false;
@@ -110,7 +110,7 @@ bool shift(Command& k, Copying& how) {
   Cursor& c = k.cursor;
   if (how.from.of.targets.empty()) {
     Value unused;
-    const FunctionSpec free = unbounded(how.from.spec());
+    const FunctionSpec free = difference_of(how.from.spec());
     return how.shifted = true, values(k).value(free, how.from.of.component, unused);
   }
   const char *const start = c.at, *behind = nullptr;

@@ -232,17 +232,25 @@ bool laws_of(Command& k, Laws& laws) {
   return true;
 }
 
-// A fall is of three components, which code that says the whole knows nothing of.
+// A fall writes three components. Code that gives the whole position would not see them. A track that repeats would
+// repeat the fall, and change the values before it.
 bool in_plain_rows(Command& k, ObjectId id, std::string_view word) {
   const Object& o = k.scene.objects[id.index];
   const Slot* slot = o.find(fn::position);
-  if (!slot || !slot->components.empty()) return true;
-  const bool set = slot->set && std::holds_alternative<Procedure>(*slot->set);
-  if (!set && !has_code(*slot->track)) return true;
-  return k.cursor.fail(
-      ErrorCode::type,
-      fmt::format("code says all of {}.position at once: a fall of its components finds no place", o.name), word,
-      fmt::format("bake {}.position A..{} makes plain rows of it", o.name, format_time(*k.time, k.scene.rate)));
+  if (!slot) return true;
+  const bool whole = slot->components.empty(), set = slot->set && std::holds_alternative<Procedure>(*slot->set);
+  const auto tracks = tracks_of(k.scene, {id, fn::position});
+  const bool again = std::any_of(tracks.begin(), tracks.end(), [](const Track* t) {
+    return t->after >= Extrapolation::cycle || t->before >= Extrapolation::cycle;
+  });
+  const std::string why =
+      whole && (set || has_code(*slot->track))
+          ? fmt::format("code says all of {}.position at once: a fall of its components finds no place", o.name)
+      : again ? fmt::format("{}.position repeats, and would repeat the fall", o.name)
+              : "";
+  return why.empty() || k.cursor.fail(ErrorCode::type, why, word,
+                                      fmt::format("bake {}.position A..{} makes plain rows of it", o.name,
+                                                  format_time(*k.time, k.scene.rate)));
 }
 
 // What else moves the thing while it falls, and what falls no way at all.

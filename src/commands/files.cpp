@@ -206,7 +206,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
     s.meshes.edit()[path] = *mesh;
   } else if (f == fn::sound_file) {
     if (s.sounds->contains(path)) return true;
-    auto sound = read_sound(where.string());
+    auto sound = read_sound(where.string(), script.options.read_anywhere);
     if (!sound) return failed(sound.error());
     s.sounds.edit()[path] = *sound;
   } else {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/names.h"
+#include "base/still_wanted.h"
 #include "commands/command.h"
 #include "commands/look_over.h"
 #include "commands/reader.h"
@@ -108,6 +109,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   if (const auto objects = select(scene, word);
       !objects.empty()) {  // an object: all that has been said of it, and where it is
     for (ObjectId id : objects) {
+      StillWanted::ask();
       for (const Slot& slot : scene.objects[id.index].slots)
         if (!slot.layer) out.push_back({id, slot.function, -1});
       out.push_back({id, Query::world});
@@ -116,15 +118,18 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   }
   if (word.find('.') == std::string_view::npos) {  // meant as an object, but there is none
     if (is_pattern(word) || scene.aliases->contains(std::string(word))) return out;
-    const auto names = d.names();
-    return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
-                did_you_mean(word, {names.begin(), names.end()}));
+    return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)), near_object(scene, word));
   }
   if (!targets(asking, word, found, Meant::asked)) return c.error.value_or(fail(ErrorCode::name, "this names nothing"));
-  const Program program = found.component < 0 ? Program() : Program::compile(d);
+  const auto turns = [&](const Target& t) {
+    if (t.component < 0 || t.velocity || t.query()) return false;
+    const Type type = spec_of(scene, t.function).type;
+    return type == Type::rotation || type == Type::orientation;
+  };
+  if (std::none_of(found.targets.begin(), found.targets.end(), turns)) return found.targets;
+  const Program program = Program::compile(d);
   for (const Target& t : found.targets)
-    if (t.component >= 0 && !t.velocity && !t.query() &&
-        program.compiled().find(t.object.index, t.function).orientation &&
+    if (turns(t) && program.compiled().find(t.object.index, t.function).orientation &&
         program.compiled().find(t.object.index, t.function).live < 0)
       return fail(ErrorCode::type,
                   fmt::format("'{}' holds orientations, which have no separate angles",

@@ -133,6 +133,25 @@ bool line(Command& k, const char* line_start) {
   return done;
 }
 
+// The name that begins there, up to a '/' in it; empty: none does.
+std::string_view name_at(const char* from, const char* end) {
+  std::size_t length = 0;
+  if (from != nullptr)
+    while (from + length < end && is_name({from, length + 1})) ++length;
+  return {from, length};
+}
+
+// Whether an error is about what a line above should have made, which was refused: its name, a thing below it, or the
+// word that is marked (what `let` names may stand where a number does, and is then no number).
+bool follows(const Script& script, const Error& e, const Cursor& c) {
+  if (script.failed.empty() && !script.file_missing) return false;
+  const std::string_view missed = name_missed(e);
+  const auto failed = [&](std::string_view name) { return script.failed.contains(name); };
+  const std::vector<std::string_view> above = with_those_above(missed);
+  return (script.file_missing && !missed.empty()) || std::any_of(above.begin(), above.end(), failed) ||
+         failed(name_at(c.where.data(), c.end));
+}
+
 // What went wrong in the line that began there; reading goes on behind it.
 void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
   Error e = c.error.value_or(fail(ErrorCode::syntax, "this cannot be carried out"));
@@ -144,11 +163,12 @@ void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
     c.where = {c.brackets[std::min(static_cast<std::size_t>(c.depth), c.brackets.size()) - 1], 1};
   }
   const std::string_view whole(line_start, static_cast<std::size_t>(one.end - line_start));
-  const bool followed = !script.live && script.failed.contains(name_missed(e));
+  const bool followed = !script.live && follows(script, e, c);
   const bool ignored = e.code == ErrorCode::type && s.policy == Policy::ignore;
   if (ignored) e.message = "ignored: " + e.message;
   for (std::string& name : ignored ? std::vector<std::string>() : names_missed(s, whole))
     script.failed.insert(std::move(name));
+  script.file_missing |= Cursor(whole).next_word() == "use";
   if (!followed) script.report(ignored ? Severity::warning : Severity::error, std::move(e), c.where);
   c.at = next;
 }
@@ -262,7 +282,10 @@ std::vector<std::string> names_made(std::string_view line) {
   static constexpr std::string_view makers[] = {"create", "layer",     "alias",   "let",
                                                 "define", "procedure", "animate", "make"};
   Cursor c(line);
-  const std::string_view verb = c.next_word(), word = c.next_word();
+  const std::string_view verb = c.next_word();
+  std::string_view word = c.next_word();
+  if (verb == "let" && word == "again") word = c.next_word();
+  if (verb == "split") return word.empty() ? std::vector<std::string>() : std::vector{std::string(word) + '/'};
   if (word.empty() || std::find(std::begin(makers), std::end(makers), verb) == std::end(makers)) return {};
   auto names = expand_braces(word, 10'000);
   return names ? *std::move(names) : std::vector<std::string>();
@@ -284,6 +307,14 @@ std::string_view name_missed(const Error& e) {
   const auto close = message.rfind('\''), open = message.rfind('\'', close - 1);
   if (close == std::string_view::npos || close == 0 || open == std::string_view::npos) return {};
   return message.substr(open + 1, close - open - 1);
+}
+
+std::vector<std::string_view> with_those_above(std::string_view name) {
+  std::vector<std::string_view> all;
+  if (!name.empty()) all.push_back(name);
+  for (std::size_t at = name.rfind('/'); at != name.npos && at > 0; at = name.rfind('/', at - 1))
+    all.push_back(name.substr(0, at + 1)), all.push_back(name.substr(0, at));
+  return all;
 }
 
 void read_text(Scene& s, Script& script, std::string_view text, const std::string& name) {

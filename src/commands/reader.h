@@ -25,9 +25,12 @@ Loaded load_text_again(std::string_view text, const std::string& name, const Loa
 void read_line(Scene&, Script&, std::string_view line, const std::string& name);
 
 // The names that a line makes, or would have made, had it not been refused, those that nothing had in the scene; and
-// the name that an error of a name is about. Where they are the same, the one follows from the other.
+// the name that an error of a name is about. Where they are the same, the one follows from the other. "title/" stands
+// for all that `split title` makes.
 std::vector<std::string> names_made(std::string_view line);
 std::vector<std::string> names_missed(const Scene&, std::string_view line);
 std::string_view name_missed(const Error&);
+// "man/arm/hand" is below "man/arm/", "man/arm", "man/" and "man": all of them, itself first.
+std::vector<std::string_view> with_those_above(std::string_view name);
 
 }  // namespace betwixt

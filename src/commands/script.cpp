@@ -8,6 +8,7 @@
 
 #include "base/names.h"
 #include "commands/plugins.h"
+#include "commands/reader.h"
 
 namespace betwixt {
 namespace {
@@ -102,9 +103,12 @@ void Script::names_nothing(std::string_view pattern) {
       live || failed.empty() ? Result<std::vector<std::string>>(std::vector<std::string>()) : expand_braces(pattern);
   const bool followed =
       braces && std::any_of(braces->begin(), braces->end(), [&](const std::string& one) {
-        return std::any_of(failed.begin(), failed.end(), [&](const std::string& name) { return matches(one, name); });
+        const std::vector<std::string_view> above = with_those_above(one);
+        return std::any_of(failed.begin(), failed.end(), [&](const std::string& name) {
+          return std::any_of(above.begin(), above.end(), [&](std::string_view part) { return matches(part, name); });
+        });
       });
-  if (!followed) note(Severity::notice, fmt::format("'{}' names nothing", pattern), pattern);
+  if (!followed && !file_missing) note(Severity::notice, fmt::format("'{}' names nothing", pattern), pattern);
 }
 
 void Script::note(Severity severity, std::string message, std::string_view about, std::string hint) {

@@ -163,6 +163,7 @@ struct Script : SoFar {
 
   // Names that lines would have made which were refused: what lines below lack then is said once.
   std::set<std::string, std::less<>> failed;
+  bool file_missing = false;  // a line `use` was refused: any name may be what it would have made
 
   // Who may speak of these, and all that is named below an object (man/arm and man/arm/hand of man; `drawn`: what
   // display lists draw too), in the order of creation.

@@ -84,14 +84,17 @@ bool operate(Command& k, const Stretch& on, const Work& work, bool along = true)
   return true;
 }
 
-// TARGET A..B, and what stands behind it once for each type of numbers that the pattern names.
+// Types with arithmetic: numbers and points.
+bool calculable(Type type) { return has_velocity(type) || type == Type::aim || type == Type::points; }
+
+// Reads TARGET A..B, and the rest once for each such type that the pattern names.
 bool change_values(Command& k, const char* changed, const std::function<bool(Stretch&, Changed&)>& rest) {
   Stretch on;
   if (!on_segment(k, on)) return false;
   Changed sum{0, 0};
   const auto one = [&](const Selected& of) {
     Stretch part{on.word, of, on.segment};
-    if (of.spec && !has_velocity(of.spec->type))  // that is: numbers that can be calculated with
+    if (of.spec && !calculable(of.spec->type))
       return k.cursor.fail(ErrorCode::type, fmt::format("{} cannot be {}", to_string(of.spec->type), changed), on.word);
     return rest(part, sum);
   };
@@ -228,7 +231,7 @@ bool scale(Command& k) {
 bool translate(Command& k) {
   return change_values(k, "moved", [&](Stretch& on, Changed& sum) {
     Value by;
-    if (!values(k).value(unbounded(on.spec()), on.of.component, by)) return false;
+    if (!values(k).value(difference_of(on.spec()), on.of.component, by)) return false;
     for (const Target& t : on.of.targets)
       if (!reaches(k, on, t, by, "moved")) return false;
     const auto add = [&](Track& t, Type, int component, const Target&) {
@@ -248,7 +251,8 @@ bool turn_values(Command& k, Stretch& on, Changed& sum) {
   const Type whole = on.of.spec ? on.type() : Type::vector;
   if (!row_of(whole).rotates)
     return c.fail(ErrorCode::type,
-                  fmt::format("only vectors and orientations can be rotated; this is {}", to_string(whole)), on.word);
+                  fmt::format("only vectors, points and orientations can be rotated; this is {}", to_string(whole)),
+                  on.word);
   const auto turn = [&](Track& t, Type type, int component, const Target& of) -> Result<Changed> {
     if (component >= 0)
       return fail(ErrorCode::type,
@@ -386,6 +390,11 @@ void fill_in_kept(Track& track, Segment s, Type of_function, bool velocity, bool
   bool any = false;
   track.events.each_between(s.from, s.to, [&](const Event& e) { any = any || e.keep; });
   if (any) fill_in_kept(track, type_of_track(of_function, velocity, part), part);
+}
+
+FunctionSpec difference_of(FunctionSpec spec) {
+  if (spec.type == Type::points) spec.type = Type::vector;
+  return unbounded(spec);
 }
 
 Value part_of(const Value& v, int component) {

@@ -27,6 +27,9 @@ Type type_of_track(Type of_function, bool velocity, bool part);
 // or of its velocity.
 void fill_in_kept(Track&, Segment, Type of_function, bool velocity, bool part);
 
+// The description of a difference between two values of a function: any size, and for points a vector.
+FunctionSpec difference_of(FunctionSpec);
+
 // What belongs to a component, of a value for all of them.
 Value part_of(const Value&, int component);
 

@@ -77,12 +77,8 @@ bool no_object(const Search& q) {
     if (const auto braces = expand_braces(object); !braces)
       return q.fail(braces.error().code, braces.error().message, object);
   if (is_pattern(object) || s.aliases->contains(std::string(object))) return q.names_nothing(object);
-  std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < s.objects.size() && i < 10000; ++i)
-    if (!s.objects[i].removed) names.push_back(s.objects[i].name);
-  for (const auto& a : *s.aliases) names.push_back(a.first);
   return q.fail(ErrorCode::name, fmt::format("there is no object '{}'", object.substr(0, 60)), object,
-                did_you_mean(object, names));
+                near_object(s, object));
 }
 
 // What can be asked for only: the world matrix and the like, or where an object is: world.x

@@ -9,12 +9,14 @@
 #include <unordered_map>
 
 #include "base/names.h"
+#include "base/still_wanted.h"
 #include "betwixt/environment.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
 #include "editor/help.h"
 #include "editor/plain_values.h"
 #include "language/values.h"
+#include "scene/names.h"
 
 namespace betwixt {
 namespace {
@@ -34,15 +36,23 @@ std::size_t events_of(const Object& o) {
 std::unordered_map<std::uint32_t, std::size_t> events_of_layers(const Scene& s) {
   std::unordered_map<std::uint32_t, std::size_t> all;
   for (std::size_t i = 0; i < s.objects.size(); ++i)
-    for (const Slot& slot : s.objects[i].slots)
+    for (StillWanted::ask(); const Slot& slot : s.objects[i].slots)
       if (slot.layer) all[slot.layer.index] += events_of(slot);
   return all;
 }
 
 Error no_object(const Document& d, const std::string& word) {
-  const auto names = d.names();
   return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
-              did_you_mean(word, {names.begin(), names.end()}));
+              near_object(d.scene(), word));
+}
+
+constexpr std::size_t longest_description = 32 << 20;  // bytes
+
+Error too_long(const std::string& word) {
+  return fail(
+      ErrorCode::range,
+      fmt::format("what '{}' names takes more than {} bytes to describe", word.substr(0, 60), longest_description),
+      "describe fewer at a time");
 }
 
 // From when on it hangs on what, and when that ends.
@@ -102,8 +112,8 @@ std::string in_brief(const Document& d, const Object& o, FunctionId f) {
 // Who is about an object, found once for all that are described: by the number of an environment or a layer.
 using Lists = std::unordered_map<std::uint32_t, std::string>;
 struct About {
-  const Document& d;
-  const Program program = Program::compile(d);
+  const Program& program;
+  const Document& d = program.document();
   const Time first = d.range().first;
   std::optional<Lists> moved = {}, driven = {}, laid = {};
 
@@ -113,6 +123,7 @@ struct About {
     if (!lists) {
       lists.emplace();
       for (const std::string& name : d.names()) {
+        StillWanted::ask();
         std::set<std::uint32_t> all;
         for (const EnvironmentSpan& span : spans_of(d, d.find(name)))
           for (const ObjectId id : span.environments) all.insert(id.index);
@@ -152,7 +163,6 @@ std::string environment_lines(About& about, ObjectId id) {
 
 std::string object_lines(About& about, ObjectId id) {
   const Document& d = about.d;
-  const Program& program = about.program;
   const Time first = about.first;
   const Object& o = d.scene().objects[id.index];
   std::string said = fmt::format("{}, {}\n", o.name, a_kind(o.kind)) + attachment_lines(d, o);
@@ -167,7 +177,7 @@ std::string object_lines(About& about, ObjectId id) {
       continue;
     }
     const Target t{id, *f, -1};
-    said += fmt::format("  {:16} {}", name, plain_value(program.read(t, first), t, d));
+    said += fmt::format("  {:16} {}", name, plain_value(about.program.read(t, first), t, d));
     if (!brief.empty()) said += fmt::format(" at {}; {}", format_time(first, d), brief);
     said += "\n";
   }
@@ -246,6 +256,7 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
   }
   const auto laid = events_of_layers(d.scene());
   for (ObjectId id : ids) {
+    StillWanted::ask();
     const Object& o = d.scene().objects[id.index];
     std::size_t events = events_of(o);
     if (const auto on = laid.find(id.index); on != laid.end()) events += on->second;
@@ -254,29 +265,35 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
   return said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has such a name\n") : said;
 }
 
-Result<std::string> describe(const Document& d, const std::string& word) {
+Result<std::string> describe(const Document& d, const std::string& word) { return describe(Program::compile(d), word); }
+
+Result<std::string> describe(const Program& program, const std::string& word) {
+  const Document& d = program.document();
   if (word.empty()) return fail(ErrorCode::name, "what shall be described?", "usage: describe NAME");
   if (const auto all = versions(d.scene(), word); !all.empty()) return list_lines(d, word, all);
   const auto ids = select(d.scene(), word);
+  std::string said;
+  const auto put = [&](const std::string& one) {
+    StillWanted::ask();
+    said += one;
+    return said.size() <= longest_description;
+  };
   if (ids.empty()) {
     if (word.find('.') == std::string::npos) return no_object(d, word);
     const auto targets = find_targets(word, d);
     if (!targets) return targets.error();
-    std::string said;
-    const Program program = Program::compile(d);
     const Time first = d.range().first;
     for (const Target& t : *targets) {
       const std::string events = track_lines(d, t);
-      said += d.name(t);
       const bool rows = !t.query() && !write_rows(d, t).empty();
-      if (const std::string now = plain_value(program.read(t, first), t, d); !rows && !now.empty()) said += "  " + now;
-      said += "\n" + events;
+      const std::string now = rows ? std::string() : plain_value(program.read(t, first), t, d);
+      if (!put(fmt::format("{}{}{}\n{}", d.name(t), now.empty() ? "" : "  ", now, events))) return too_long(word);
     }
     return said;
   }
-  About about{d};
-  std::string said;
-  for (ObjectId id : ids) said += object_lines(about, id);
+  About about{program};
+  for (ObjectId id : ids)
+    if (!put(object_lines(about, id))) return too_long(word);
   return said;
 }
 

@@ -7,14 +7,15 @@
 #include <optional>
 #include <string>
 
-#include "betwixt/document.h"
+#include "betwixt/program.h"
 
 namespace betwixt {
 
 // Objects, their kinds and how many events they have; "": all. Errors: name.
 Result<std::string> list_objects(const Document&, const std::string& pattern);
-// What an object is, has and hangs on; of a target, its events. Errors: name.
+// What an object is, has and hangs on; of a target, its events. Errors: name, range (it would be very much).
 Result<std::string> describe(const Document&, const std::string& word);
+Result<std::string> describe(const Program&, const std::string& word);
 std::string list_notes(const Document&);
 // The notes that playing says at a time: all that stand behind the time that was shown before, or, none, those that
 // stand exactly there. In quotes, one behind the other; nothing where the film says `notes off`.

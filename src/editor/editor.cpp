@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/memory.h"
 #include "language/line_words.h"
 #include "scene/document.h"
 #include "scene/memory.h"
@@ -45,6 +46,11 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   if (translated) scene.policy = Policy::translate;
   read_line(scene, script, line, home_.name);
   if (translated) scene.policy = policy;
+  if (script.in_time && !in_reach(*now))  // the history would have a time that no reader accepts
+    script.report(Severity::error,
+                  fail(ErrorCode::range, "it is later now than times reach (146 years, 4.6e9 s)",
+                       "seek an earlier time, or say one: at TIME …"),
+                  {});
   for (Diagnostic& d : deed.said)
     if (d.what.place.file == home_.name) d.what.place.file.clear();
   deed.done = !has_errors(deed.said);
@@ -59,12 +65,27 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   return deed;
 }
 
+std::optional<Point> Editor::carried_out(const Point& from, const std::string& lines) const {
+  Scene scene = from.document.scene();
+  Diagnostics said;
+  Script script(scene, said, options_, from.script, home_);
+  script.live = false;  // many lines ask for the same things
+  read_line(scene, script, lines, home_.name);
+  if (has_errors(said)) return std::nullopt;
+  return Point{Document(std::make_shared<const Scene>(std::move(scene))), script};
+}
+
 Deed Editor::carry_out(const Step& step) const {
-  const Step* above = standing_ > 0 ? &steps_[standing_ - 1] : nullptr;
+  const std::vector<std::string> lines = lines_of(step, last_step());
   Deed deed;
   Point at = now_;
-  if (step.lines.size() > 1 || (!step.sheet.empty() && !stands_below(step, above))) at.script.left.reset();
-  for (const std::string& line : lines_of(step, above)) {
+  if (step.lines.size() > 1 || (!step.sheet.empty() && !stands_below(step, last_step()))) at.script.left.reset();
+  if (lines.size() > 1)
+    if (auto after = carried_out(at, fmt::format("{}", fmt::join(lines, "\n")))) {
+      deed.done = true, deed.after = *std::move(after);
+      return deed;
+    }
+  for (const std::string& line : lines) {  // one by one, to find the line that is wrong
     deed = carry_out(at, line);
     if (!deed.done) return deed;
     at = deed.after;
@@ -72,36 +93,54 @@ Deed Editor::carry_out(const Step& step) const {
   return deed;
 }
 
-void Editor::push(Point after, Step step) {
-  const std::size_t bytes = bytes_of(step) + bytes_apart(now_.document.scene(), after.document.scene());
+std::size_t Editor::bytes_kept(const Point& before, const Point& after) {
+  std::size_t n = sizeof(Past) + bytes_apart(before.document.scene(), after.document.scene());
+  const auto& left = before.script.left;
+  if (!left || left == after.script.left) return n;
+  const Sheet& sheet = left->sheet;
+  n += shared_bytes<OpenSheet> + bytes_held(left->opener) + bytes_held(left->pattern) + bytes_held(sheet.opener);
+  return n + bytes_held(sheet.on.targets) + bytes_held(sheet.tracks) + bytes_held(sheet.each_above) +
+         bytes_held(sheet.versions) + bytes_held(sheet.spots);
+}
+
+void Editor::push(Point after, Step step, std::optional<std::size_t> known) {
+  const std::size_t bytes = memory_of(step) + (known ? *known : bytes_kept(now_, after));
   steps_.resize(standing_);
   steps_.push_back(std::move(step));
   ++standing_;
-  for (const Past& p : undone_) bytes_ -= p.bytes;
+  for (Past& p : undone_) forget(p);
   undone_.clear();
   before_.push_back({std::exchange(now_, std::move(after)), bytes});
   bytes_ += bytes;
+}
+
+void Editor::forget(Past& past) {
+  bytes_ -= past.bytes;
+  if (free_) free_(std::exchange(past.point, {}));
 }
 
 // What is older than may be kept is not gone back to any more.
 void Editor::shorten() {
   while (before_.size() > 1 && (before_.size() > depth_.steps || bytes_ > depth_.bytes)) {
     heavy_ = before_.size() <= depth_.steps;
-    bytes_ -= before_.front().bytes;
+    forget(before_.front());
     before_.pop_front();
   }
 }
 
-Status Editor::take(Point after, Step step) {
+Status Editor::take(Point after, Step step, std::optional<std::size_t> bytes) {
   if (Status s = tell(Did::command, step); !s) return s;
-  push(std::move(after), std::move(step));
+  push(std::move(after), std::move(step), bytes);
   shorten();
   return Nothing{};
 }
 
 void Editor::step_back() {
   --standing_;
-  undone_.push_back({std::exchange(now_, std::move(before_.back().point)), before_.back().bytes});
+  Past& before = before_.back();
+  const std::size_t bytes = memory_of(steps_[standing_]) + bytes_kept(now_, before.point);
+  bytes_ = bytes_ - before.bytes + bytes;
+  undone_.push_back({std::exchange(now_, std::move(before.point)), bytes});
   before_.pop_back();
 }
 
@@ -120,24 +159,62 @@ Status Editor::undo() {
 Status Editor::redo() {
   if (undone_.empty()) return fail(ErrorCode::range, "there is nothing to redo");
   if (Status s = tell(Did::redo, steps_[standing_]); !s) return s;
-  ++standing_;
-  before_.push_back({std::exchange(now_, std::move(undone_.back().point)), undone_.back().bytes});
+  Past& after = undone_.back();
+  const std::size_t bytes = memory_of(steps_[standing_]) + bytes_kept(now_, after.point);
+  bytes_ = bytes_ - after.bytes + bytes;
+  before_.push_back({std::exchange(now_, std::move(after.point)), bytes});
   undone_.pop_back();
+  ++standing_;
   return Nothing{};
 }
 
-std::optional<std::pair<std::size_t, Diagnostics>> Editor::restore(const std::vector<Step>& steps,
-                                                                   std::size_t standing) {
-  for (std::size_t i = 0; i < steps.size(); ++i) {
+// Keeps no document between two steps, so that they take as long as a script with the same lines. If one step fails,
+// each half is carried out by itself.
+void Editor::settle_all(std::span<const Step> steps, std::size_t number, std::vector<LeftOut>& left_out) {
+  if (steps.empty()) return;
+  if (steps.size() == 1) {
+    Deed deed = carry_out(steps[0]);
+    if (!deed.done) {
+      left_out.push_back({number, steps[0], std::move(deed.said)});
+      return;
+    }
+    now_ = std::move(deed.after);
+  } else {
+    std::string text;
+    const Step* above = last_step();
+    for (const Step& step : steps) {
+      for (const std::string& line : lines_of(step, above)) text += line + "\n";
+      above = &step;
+    }
+    auto after = carried_out(now_, text);
+    if (!after) {
+      const std::size_t half = steps.size() / 2;
+      settle_all(steps.first(half), number, left_out);
+      return settle_all(steps.subspan(half), number + half, left_out);
+    }
+    now_ = *std::move(after);
+  }
+  steps_.insert(steps_.end(), steps.begin(), steps.end());
+  standing_ = steps_.size();
+}
+
+std::vector<LeftOut> Editor::restore(std::span<const Step> steps, std::size_t standing) {
+  std::vector<LeftOut> out;
+  const std::size_t settled = standing - std::min(standing, depth_.steps);  // they cannot be undone
+  settle_all(steps.first(settled), 0, out);
+  for (std::size_t i = settled; i < steps.size(); ++i) {
     Deed deed = carry_out(steps[i]);
-    if (!deed.done && i < standing) return std::pair(i, std::move(deed.said));
-    if (!deed.done) break;  // it was undone anyhow
+    if (!deed.done && i >= standing) break;
+    if (!deed.done) {
+      out.push_back({i, steps[i], std::move(deed.said)});
+      continue;
+    }
     push(std::move(deed.after), steps[i]);
     if (i < standing) shorten();
   }
-  while (standing_ > standing) step_back();
+  while (standing_ > standing - out.size()) step_back();
   shorten();
-  return std::nullopt;
+  return out;
 }
 
 std::vector<Step> Editor::settle(std::string base, std::size_t steps) {

@@ -21,10 +21,16 @@
 
 namespace betwixt {
 
+// How much a document holds.
+struct Counts {
+  std::size_t events = 0, values = 0;  // bytes of these
+};
+
 // What can be gone back to: a document and what the next line must know, the sheet that is open among it.
 struct Point {
   Document document;
   SoFar script;
+  std::optional<Counts> counts = {};  // of the document, where they are known
 };
 
 // What a line does. Nothing has changed yet.
@@ -37,6 +43,13 @@ struct Deed {
   bool opens = false;       // a sheet is open behind it that was not before
   std::size_t touched = 0;  // how many its pattern named, where that is more than one
   Diagnostics said;         // a place without a file is of the line itself
+};
+
+// A step of an earlier session that cannot be carried out any more.
+struct LeftOut {
+  std::size_t number = 0;  // of the step, from 0
+  Step step;
+  Diagnostics why;
 };
 
 // So many steps can be taken back, and no more than hold so many bytes, by estimate; the last one always can.
@@ -59,10 +72,13 @@ class Editor {
   // names too are as they were when they were read.
   Point read(std::string_view text, Diagnostics&) const;
   void keep(Sink sink) { sink_ = std::move(sink); }
+  // Frees the points that undo and redo cannot reach any more. Without it, they are freed at once.
+  void free_with(std::function<void(Point)> free) { free_ = std::move(free); }
   void rename(const std::string& name) { home_ = Home(name); }
   void allow(const LoadOptions& options) { options_ = options; }
 
   const Point& now() const { return now_; }
+  void count(const Counts& counts) { now_.counts = counts; }                  // of the document that there is
   const std::string& base() const { return base_; }                           // the author's text
   std::span<const Step> steps() const { return {steps_.data(), standing_}; }  // that stand …
   std::span<const Step> undone() const {
@@ -75,12 +91,15 @@ class Editor {
   Deed carry_out(const Point& from, std::string_view line, std::optional<Time> now = {}, bool translated = false) const;
   // A step of a history, on what there is now: all its lines, below its sheet. On failure what is said is of one line.
   Deed carry_out(const Step&) const;
-  // The steps of an earlier session, of which so many stand; the sink is told nothing. The first that cannot be done
-  // any more, and why; it and those behind it are left out.
-  std::optional<std::pair<std::size_t, Diagnostics>> restore(const std::vector<Step>& steps, std::size_t standing);
+  // Carries out the steps of an earlier session. The first `standing` of them stand, the others were undone. The sink
+  // hears nothing. Returns the steps that fail among those that stand; they are left out. A step that fails among those
+  // that were undone is forgotten, with all behind it.
+  std::vector<LeftOut> restore(std::span<const Step> steps, std::size_t standing);
 
-  // The sink's errors.
-  Status take(Point after, Step step);
+  // Bytes that undo keeps for a step between the two. This may take long, so it can be called before take().
+  static std::size_t bytes_kept(const Point& before, const Point& after);
+  // The sink's errors. `bytes`: those that undo keeps for it, where they are known.
+  Status take(Point after, Step step, std::optional<std::size_t> bytes = {});
   // Errors: range (there is nothing to take back, or no document of that time), the sink's.
   Status undo();
   Status redo();
@@ -99,13 +118,19 @@ class Editor {
     std::size_t bytes = 0;
   };
   Status tell(Did what, const Step& step) const { return sink_ ? sink_(what, step) : Status(Nothing{}); }
-  void push(Point after, Step step);
+  void push(Point after, Step step, std::optional<std::size_t> bytes = {});
+  void forget(Past& past);
+  // Carries out lines of a history on one copy of a document. Returns nullopt if one of them fails.
+  std::optional<Point> carried_out(const Point& from, const std::string& lines) const;
+  void settle_all(std::span<const Step> steps, std::size_t number, std::vector<LeftOut>& left_out);
+  const Step* last_step() const { return standing_ > 0 ? &steps_[standing_ - 1] : nullptr; }
   void step_back();
   void shorten();
 
   LoadOptions options_;
   UndoDepth depth_;
   Sink sink_;
+  std::function<void(Point)> free_;
   Home home_;
   std::string base_;
   Point now_;

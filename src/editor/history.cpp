@@ -178,6 +178,16 @@ void History::go_on(std::span<const Step> steps, std::span<const Step> undone, c
   measure(steps, undone);
 }
 
+Status History::go_on_with(const std::string& base, std::span<const Step> steps, std::span<const Step> undone,
+                           const std::string& script) {
+  std::vector<Record> records = records_of(steps, undone);
+  // The file holds more than the base. This record comes before the steps, so that a shell counts them as unsaved.
+  if (script != base) records.insert(records.begin(), {Did::save, to_string(fingerprint(script))});
+  if (Status s = journal_->begin(fingerprint(base), records); !s) return s;
+  go_on(steps, undone, script);
+  return Nothing{};
+}
+
 Status History::note(Did what, const Step& step) {
   const std::size_t more = bytes_of(step);
   if (what != Did::undo && bytes_ + more > longest_)

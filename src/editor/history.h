@@ -65,6 +65,9 @@ class History {
   Status keep(const std::string& base);
   // … and they do so already: a history that was found goes on.
   void go_on(std::span<const Step> steps, std::span<const Step> undone, const std::string& script);
+  // The same with other steps than the journal has: it begins anew with these.
+  Status go_on_with(const std::string& base, std::span<const Step> steps, std::span<const Step> undone,
+                    const std::string& script);
 
   // On failure (the disk is full, the history is too long) nothing has changed.
   Status note(Did what, const Step& step);

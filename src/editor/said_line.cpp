@@ -7,9 +7,9 @@
 #include "language/lines.h"
 
 namespace betwixt {
-SaidLine look_at(std::string_view text) {
+SaidLine look_at(std::string_view text, std::size_t most) {
   const LogicalLine line = logical_line(text);
-  return {text,           first_word(text), line_words(text),
+  return {text,           first_word(text), line_words(text.substr(0, most)),
           indented(text), line.open,        !line.open && line.end != text.data() + text.size()};
 }
 

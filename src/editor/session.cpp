@@ -89,8 +89,9 @@ std::string Session::State::told(const Diagnostics& all, std::string_view line) 
 // The same with ways out that only the session knows.
 Diagnostics Session::State::hinted(Diagnostics all, std::string_view line) const {
   for (Diagnostic& d : all) {
-    if (const auto made = failed.find(name_missed(d.what)); made != failed.end())
-      d.what.hint = fmt::format("line {}, which should have made it, was refused", made->second);
+    for (const std::string_view name : with_those_above(name_missed(d.what)))
+      if (const auto made = failed.find(name); made != failed.end())
+        d.what.hint = fmt::format("line {}, which should have made it, was refused", made->second);
     if (d.what.hint.empty() && d.what.message.starts_with("there is no command")) {
       std::vector<std::string_view> known;
       for (const Word& w : words()) known.push_back(w.word);

@@ -8,6 +8,7 @@
 #include "editor/describe.h"
 #include "editor/history.h"
 #include "editor/session_state.h"
+#include "editor/trial.h"
 
 namespace betwixt {
 
@@ -139,50 +140,77 @@ std::string Session::State::recorded() const {
   return all;
 }
 
-Session::Answer Session::State::replay(Opening o, const std::string& base) {
-  start(o, base);
-  editor.keep({});  // it is in the journal
-  const std::string now_saved = to_string(fingerprint(o.text));
-  for (std::size_t i = 0; i < journal->records().size(); ++i) {
-    const Record& r = journal->records()[i];
-    if (r.what == Did::undo) (void)go_back();
-    if (r.what == Did::redo) (void)go_again();
-    if (r.what == Did::command && is_rewriting(r.text)) {
-      go_in_place();
-      const Answer again = rewrite(r.text);
-      o.said += again.done ? "" : again.said;
-      continue;
-    }
+// A command may fail now, as a file that it needs is missing. It is left out, with the undo and redo records about it.
+Session::State::Replayed Session::State::carry_out(std::span<const Record> records, const Killers& killers,
+                                                   const std::string& now_saved) {
+  Replayed out;
+  // For each command, first those that stand, then those that were undone: nullopt if it was carried out.
+  std::vector<std::optional<SetAside>> failed;
+  std::size_t standing = 0, number = 0;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Record& r = records[i];
+    const auto killer = killers.find(i);
+    bool keep = killer == killers.end();
     if (r.what == Did::command) {
-      Step step = unpacked(r.text);
-      Deed deed = editor.carry_out(step);
-      if (!deed.done) {
-        // A file that it needs is not there any more, say. What came before it stands; the rest is kept.
-        const auto kept = journal->keep_aside();
-        if (!kept) return refused(kept.error());
-        const std::string lines = fmt::format("{}", fmt::join(step.lines, "\n"));
-        o.said += told(deed.said, lines) +
-                  fmt::format(
-                      "this command of the journal cannot be carried out any more: {}\nwhat came before it is "
-                      "recovered; the whole journal is kept as '{}'\n",
-                      trimmed(lines), *kept);
-        if (!rewrite(i)) return refused("the journal cannot be written");
-        break;
-      }
-      (void)take(std::move(deed.after), std::move(step));
+      std::string why = keep ? again(r.text) : fmt::format("it ends the program ({})", killer->second);
+      keep = why.empty();
+      failed.resize(standing++), failed.emplace_back();
+      ++number;
+      if (!keep) failed.back() = {fmt::format("command {} of the journal", number), unpacked(r.text), std::move(why)};
+    } else if (r.what == Did::undo && keep && standing > 0) {
+      if ((keep = !failed[--standing])) (void)go_back();
+    } else if (r.what == Did::redo && keep && standing < failed.size()) {
+      if ((keep = !failed[standing++])) (void)go_again();
     }
+    if (!keep) continue;
+    out.records.push_back(r);
     if (r.what != Did::save || r.text == now_saved) tally.count(r.what);
   }
+  for (std::size_t i = 0; i < standing; ++i)
+    if (failed[i]) out.aside.push_back(*std::move(failed[i]));
+  return out;
+}
+
+// A command of the journal. Returns why it cannot be carried out.
+std::string Session::State::again(const std::string& command) {
+  if (is_rewriting(command)) {
+    go_in_place();
+    const Answer answer = rewrite(command);
+    return answer.done ? "" : why_refused(answer.why);
+  }
+  Step step = unpacked(command);
+  Deed deed = editor.carry_out(step);
+  if (!deed.done) return why_refused(deed.said);
+  const Status taken = take(std::move(deed.after), std::move(step));
+  return taken ? "" : taken.error().message;
+}
+
+Session::Answer Session::State::replay(Opening o, const std::string& base) {
+  const std::string now_saved = to_string(fingerprint(o.text));
+  const std::vector<Record> records = journal->records();
+  Killers killers;
+  Replayed replayed;
+  const auto carry_out_first = [&](std::size_t n) {
+    start(o, base);
+    editor.keep({});  // it is in the journal
+    replayed = carry_out(std::span(records).first(n), killers, now_saved);
+    (void)Program::compile(document()).frame(document().range().first);
+  };
+  {
+    const StartMark mark(o.name);
+    while (const auto culprit = mark.found() ? find_culprit(records.size(), carry_out_first) : std::nullopt)
+      if (!killers.emplace(culprit->number, culprit->how).second) break;
+    carry_out_first(records.size());
+  }
+  if (const std::vector<SetAside>& aside = replayed.aside; !aside.empty()) {
+    if (Status s = set_aside(o.name, aside); !s) return refused(s.error());
+    o.said += fmt::format("warning: {}\n", set_aside_message(o.name, aside));
+  }
+  if (replayed.records.size() < records.size())
+    if (Status s = journal->begin(fingerprint(base), replayed.records); !s) return refused(s.error());
   keep_journal();
   journal_knows = editor.steps().size(), journal_undid = editor.undone().size();
   return done(o.said + fmt::format("recovered; {} not saved yet\n", counted(tally.unsaved(), "command")));
-}
-
-// The journal with its first records only.
-bool Session::State::rewrite(std::size_t n) {
-  std::vector<Record> records = journal->records();
-  records.resize(n);
-  return static_cast<bool>(journal->begin(fingerprint(editor.base()), records));
 }
 
 }  // namespace betwixt

@@ -21,6 +21,7 @@
 #include "editor/editor.h"
 #include "editor/journal.h"
 #include "editor/placing.h"
+#include "editor/set_aside.h"
 #include "language/line_words.h"
 
 namespace betwixt {
@@ -131,7 +132,14 @@ struct Session::State {
   std::string recorded() const;
   void start(Opening&, const std::string& base);
   Answer replay(Opening, const std::string& base);
-  bool rewrite(std::size_t n);
+  // Records of a journal that were carried out again, and those that could not be.
+  struct Replayed {
+    std::vector<Record> records;
+    std::vector<SetAside> aside;
+  };
+  using Killers = std::map<std::size_t, std::string>;  // records that end the program, and how
+  Replayed carry_out(std::span<const Record>, const Killers&, const std::string& now_saved);
+  std::string again(const std::string& command);
 
   // session_words.cpp: what only looks
   Answer help(const Words&);

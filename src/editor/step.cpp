@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/memory.h"
 #include "editor/said_line.h"
 
 namespace betwixt {
@@ -41,6 +42,12 @@ std::vector<std::string> lines_of(const Step& step, const Step* above) {
 std::size_t bytes_of(const Step& step) {
   std::size_t n = step.sheet.size() + 1;
   for (const std::string& line : step.lines) n += line.size() + 1;
+  return n;
+}
+
+std::size_t memory_of(const Step& step) {
+  std::size_t n = sizeof(Step) + bytes_held(step.sheet) + bytes_held(step.lines);
+  for (const std::string& line : step.lines) n += bytes_held(line);
   return n;
 }
 

@@ -25,7 +25,8 @@ enum class Did : char { command = 'c', undo = 'u', redo = 'r', save = 's', check
 bool stands_below(const Step&, const Step* above);
 // The lines of a history, each by itself: rows follow those of their sheet, unless they already stand below them.
 std::vector<std::string> lines_of(const Step&, const Step* above);
-std::size_t bytes_of(const Step&);
+std::size_t bytes_of(const Step&);   // of its text
+std::size_t memory_of(const Step&);  // of the step and all that it holds
 
 // A script: the author's text, and below it every step.
 std::string as_script(std::string_view base, std::span<const Step> steps);

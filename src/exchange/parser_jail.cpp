@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exchange/parser_jail.h"
 
-#include <linux/audit.h>
-#include <linux/filter.h>
-#include <linux/landlock.h>
-#include <linux/seccomp.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstddef>
-#include <vector>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "exchange/jail_parts.h"
 
 namespace betwixt {
 namespace {
@@ -32,11 +33,6 @@ constexpr bool watched = false;
 constexpr bool watched = false;
 #endif
 
-void limit(__rlimit_resource what, rlim_t most) {
-  const rlimit both{most, most};
-  ::setrlimit(what, &both);
-}
-
 // The end of all its time comes as a signal that nobody can put off.
 void end_after(std::uint64_t seconds) {
   sigevent event{};
@@ -48,25 +44,6 @@ void end_after(std::uint64_t seconds) {
   if (::timer_create(CLOCK_MONOTONIC, &event, &timer) == 0) ::timer_settime(timer, 0, &when, nullptr);
 }
 
-void lock_folders() {
-#ifdef SYS_landlock_create_ruleset
-  landlock_ruleset_attr all{};
-  all.handled_access_fs = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;  // whatever the first version knows
-  const auto rules = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &all, sizeof all, 0));
-  if (rules < 0) return;
-  ::syscall(SYS_landlock_restrict_self, rules, 0);  // no rule: nothing may be opened
-  ::close(rules);
-#endif
-}
-
-#if defined(__x86_64__)
-constexpr std::uint32_t machine = AUDIT_ARCH_X86_64;
-#elif defined(__aarch64__)
-constexpr std::uint32_t machine = AUDIT_ARCH_AARCH64;
-#else
-constexpr std::uint32_t machine = 0;
-#endif
-
 // Memory, time, and what is open already.
 constexpr int allowed_calls[] = {
     SYS_read,          SYS_write,        SYS_readv,        SYS_writev,          SYS_pread64,      SYS_pwrite64,
@@ -76,24 +53,140 @@ constexpr int allowed_calls[] = {
     SYS_clock_gettime, SYS_gettimeofday, SYS_nanosleep,    SYS_clock_nanosleep, SYS_getrandom,    SYS_getpid,
     SYS_gettid,        SYS_exit,         SYS_exit_group,   SYS_restart_syscall};
 
-void filter_calls() {
-  if (machine == 0) return;
-  std::vector<sock_filter> program;
-  const auto add = [&](int code, std::uint32_t k, int yes = 0, int no = 0) {
-    program.push_back(
-        {static_cast<std::uint16_t>(code), static_cast<std::uint8_t>(yes), static_cast<std::uint8_t>(no), k});
-  };
-  add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch));
-  add(BPF_JMP | BPF_JEQ | BPF_K, machine, 1, 0);
-  add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
-  add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr));
-  for (const int call : allowed_calls) {
-    add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1);
-    add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+// What a program that reads one file has no use for: the network, other processes, the machine's settings, and changes
+// to files that Landlock does not know of.
+constexpr int refused_calls[] = {
+    SYS_socket,
+    SYS_socketpair,
+    SYS_ptrace,
+    SYS_process_vm_readv,
+    SYS_process_vm_writev,
+    SYS_kill,
+    SYS_tkill,
+    SYS_rt_sigqueueinfo,
+    SYS_rt_tgsigqueueinfo,
+    SYS_mount,
+    SYS_umount2,
+    SYS_pivot_root,
+    SYS_chroot,
+    SYS_unshare,
+    SYS_setns,
+    SYS_bpf,
+    SYS_perf_event_open,
+    SYS_userfaultfd,
+    SYS_keyctl,
+    SYS_add_key,
+    SYS_request_key,
+    SYS_init_module,
+    SYS_finit_module,
+    SYS_delete_module,
+    SYS_kexec_load,
+    SYS_reboot,
+    SYS_swapon,
+    SYS_swapoff,
+    SYS_acct,
+    SYS_quotactl,
+    SYS_settimeofday,
+    SYS_clock_settime,
+    SYS_clock_adjtime,
+    SYS_adjtimex,
+    SYS_sethostname,
+    SYS_setdomainname,
+    SYS_personality,
+    SYS_fanotify_init,
+    SYS_open_by_handle_at,
+    SYS_setpriority,
+    SYS_ioprio_set,
+    SYS_shmget,
+    SYS_shmat,
+    SYS_shmctl,
+    SYS_msgget,
+    SYS_msgsnd,
+    SYS_msgctl,
+    SYS_semget,
+    SYS_semctl,
+    SYS_mq_open,
+    SYS_truncate,
+    SYS_fchmod,
+    SYS_fchmodat,
+    SYS_fchown,
+    SYS_fchownat,
+    SYS_setxattr,
+    SYS_lsetxattr,
+    SYS_fsetxattr,
+    SYS_removexattr,
+    SYS_lremovexattr,
+    SYS_fremovexattr,
+    SYS_utimensat,
+#ifdef SYS_fork  // on x86-64, beside newer ones
+    SYS_fork,
+    SYS_vfork,
+    SYS_chmod,
+    SYS_chown,
+    SYS_lchown,
+    SYS_utime,
+    SYS_utimes,
+    SYS_futimesat,
+#endif
+#ifdef SYS_io_uring_setup
+    SYS_io_uring_setup,
+    SYS_io_uring_enter,
+    SYS_io_uring_register,
+#endif
+#ifdef SYS_pidfd_open
+    SYS_pidfd_open,
+    SYS_pidfd_send_signal,
+#endif
+#ifdef SYS_pidfd_getfd
+    SYS_pidfd_getfd,
+    SYS_process_madvise,
+#endif
+#ifdef SYS_open_tree
+    SYS_open_tree,
+    SYS_move_mount,
+    SYS_fsopen,
+    SYS_fsconfig,
+    SYS_fsmount,
+    SYS_fspick,
+#endif
+#ifdef SYS_mount_setattr
+    SYS_mount_setattr,
+#endif
+};
+
+// Where programs and their libraries lie, and what the loader and the C library look up.
+constexpr const char* of_all_programs[] = {"/usr",
+                                           "/bin",
+                                           "/lib",
+                                           "/lib32",
+                                           "/lib64",
+                                           "/opt",
+                                           "/nix/store",
+                                           "/gnu/store",
+                                           "/etc/ld.so.cache",
+                                           "/etc/ld.so.preload",
+                                           "/dev/null",
+                                           "/dev/urandom",
+                                           "/sys/devices/system/cpu"};
+
+// The program itself, and its libraries where they lie beside its folder or where the environment says.
+void may_run(const Folders& folders, const std::string& program) {
+  std::error_code ignored;
+  const auto itself = std::filesystem::canonical(program, ignored);
+  folders.may_read(itself);
+  if (const auto folder = itself.parent_path(); folder.filename() == "bin")
+    folders.may_read(folder.parent_path() / "lib");
+  const char* path = std::getenv("LD_LIBRARY_PATH");
+  for (std::string_view rest = path ? path : ""; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    if (end > 0) folders.may_read(std::string(rest.substr(0, end)));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  add(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM);
-  const sock_fprog all{static_cast<unsigned short>(program.size()), program.data()};
-  ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &all);
+}
+
+bool give_up_rights() {
+  ::prctl(PR_SET_DUMPABLE, 0);
+  return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
 }
 
 }  // namespace
@@ -101,16 +194,43 @@ void filter_calls() {
 void give_up_all_but_reading(const ParserCeilings& most) {
   ::signal(SIGXFSZ, SIG_IGN);
   end_after(most.wall);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, most.seconds);
-  if (!watched) limit(RLIMIT_AS, most.memory);
-  limit(RLIMIT_FSIZE, most.memory);  // what is handed over; there is nothing else to write to
-  limit(RLIMIT_NOFILE, 64);
-  limit(RLIMIT_NPROC, 0);
-  ::prctl(PR_SET_DUMPABLE, 0);
-  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return;
-  lock_folders();
-  filter_calls();
+  set_ceiling(RLIMIT_CORE, 0);
+  set_ceiling(RLIMIT_CPU, most.seconds);
+  if (!watched) set_ceiling(RLIMIT_AS, most.memory);
+  set_ceiling(RLIMIT_FSIZE, most.memory);  // what is handed over; there is nothing else to write to
+  set_ceiling(RLIMIT_NOFILE, 64);
+  set_ceiling(RLIMIT_NPROC, 0);
+  if (!give_up_rights()) return;
+  Folders().close_others();  // no rule: nothing may be opened
+  CallFilter calls;
+  calls.allow(allowed_calls);
+  calls.begin(false);
+}
+
+void give_up_all_but_one_file(const std::string& file, const std::string& program, const ParserCeilings& most) {
+  set_ceiling(RLIMIT_CORE, 0);
+  set_ceiling(RLIMIT_CPU, most.seconds);
+  set_ceiling(RLIMIT_FSIZE, 0);  // pipes are no files
+  set_ceiling(RLIMIT_NOFILE, 64);
+  if (!give_up_rights()) return;
+  {
+    const Folders folders;
+    for (const char* path : of_all_programs) folders.may_read(path);
+    may_run(folders, program);
+    folders.may_read(file);
+    folders.close_others();
+  }
+  CallFilter calls;
+  calls.refuse(refused_calls, EPERM);
+  calls.refuse_unless_first_is(SYS_tgkill, static_cast<std::uint32_t>(::getpid()));
+  calls.refuse_unless_first_is(SYS_prlimit64, 0);
+  calls.refuse_without_bit(SYS_clone, CLONE_THREAD);
+#ifdef SYS_clone3
+  constexpr int in_memory[] = {SYS_clone3};  // its flags cannot be seen; the C library then takes clone
+  calls.refuse(in_memory, ENOSYS);
+#endif
+  calls.begin(true);
+  set_ceiling(RLIMIT_AS, most.memory);  // last: this process may have more, and the program begins anew
 }
 
 }  // namespace betwixt

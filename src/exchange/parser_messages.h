@@ -27,8 +27,10 @@ struct ParserRequest {
   std::uint32_t any_size = 0;  // whatever it unpacks to (unpacking.h)
   ParserCeilings most;
 };
-constexpr char parser_version[] = "4";  // of all this; its argument
-constexpr int parser_control = 3;       // the socket that requests come by
+constexpr char parser_version[] = "5";  // of all this; its first argument
+constexpr char parser_runs[] = "run";   // its second one: it becomes another program, in a jail (parser_program.cpp)
+constexpr int parser_of_another_version = 3, parser_started_nothing = 126;  // its exit codes
+constexpr int parser_control = 3;                                           // the socket that requests come by
 
 // The first letter of what is said over a job's socket. A path is said behind `has` and `read`.
 constexpr char says_begun = 'b', says_done = 'd', asks_has = 'h', asks_read = 'r';

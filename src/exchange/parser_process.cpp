@@ -95,7 +95,7 @@ class Waiting {
     pid_t ended = 0;
     while ((ended = ::waitpid(pid, &status, 0)) < 0 && errno == EINTR) {
     }
-    missing_ = ended == pid && WIFEXITED(status) && WEXITSTATUS(status) == 3;
+    missing_ = ended == pid && WIFEXITED(status) && WEXITSTATUS(status) == parser_of_another_version;
     if (missing_) return ENOENT;
     if (ended == pid && status != 0) return EAGAIN;
     control_ = std::exchange(line.ends[0], -1);
@@ -167,10 +167,12 @@ Error machine_error(const std::string& path, int reason) {
 
 }  // namespace
 
-ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size) {
+ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size, bool any_size) {
   const std::uint64_t seconds = 20 + size / megabyte;
-  const bool alone = ending(path) != "gltf";  // else what is large is in other files
-  return {(alone ? 3 : 6) * gigabyte + 32 * size, seconds, 3 * seconds};
+  const bool alone = ending(path) != "gltf" && ending(path) != "obj";  // else what is large may be in other files
+  const std::uint64_t plenty = (alone ? 3 : 6) * gigabyte + 32 * size;
+  const std::uint64_t becomes = gigabyte + 200 * std::min(size, gigabyte);  // with what it is made from
+  return {any_size || !alone ? plenty : std::min(plenty, becomes), seconds, 3 * seconds};
 }
 
 std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read, bool any_size,
@@ -179,8 +181,8 @@ std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, cons
   if (!file) return file.error();
   struct stat about {};
   if (::fstat(file->fd(), &about) != 0) return machine_error(path, errno);
-  const ParserRequest request{task, any_size,
-                              most.value_or(parser_ceilings(path, static_cast<std::uint64_t>(about.st_size)))};
+  const ParserRequest request{
+      task, any_size, most.value_or(parser_ceilings(path, static_cast<std::uint64_t>(about.st_size), any_size))};
   const OpenFile memory(::memfd_create("betwixt-parsed", MFD_CLOEXEC));
   if (!memory) return machine_error(path, errno);
   Line line;

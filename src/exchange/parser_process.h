@@ -17,8 +17,9 @@
 
 namespace betwixt {
 
-// So much that no good file of this size comes near it.
-ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size);
+// So much that no good file of this size comes near it. Unless any size is allowed, memory is what a file may unpack to
+// (unpacking.h), twice, and a gigabyte to read it with.
+ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size, bool any_size);
 // None: there is no such program on this machine. Errors: what the file is; machine. Ceilings of its own for tests.
 std::optional<Parsed> parse_apart(ParserTask, const std::string& path, const MayRead&, bool any_size = false,
                                   std::optional<ParserCeilings> = {});

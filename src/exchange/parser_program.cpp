@@ -3,10 +3,15 @@
 //
 // betwixt-parser: waits for work, and does each piece of it in a process of its own that can do nothing else. It has
 // one thread and is never the author's own program, so that it can be copied at any time, at once.
+//   betwixt-parser VERSION                                            waits for work on file 3
+//   betwixt-parser VERSION run MEMORY SECONDS FILE PROGRAM WORD…      becomes a program that can read that file only
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -74,12 +79,24 @@ int wait_for_work() {
   return 0;
 }
 
+// Returns only if the program cannot be started. What is open but standard input, output and error is closed.
+int run_in_jail(char** words) {
+  const std::string file = words[2], program = words[3];
+  ::close_range(parser_control, ~0U, 0);
+  give_up_all_but_one_file(file, program, {std::strtoull(words[0], nullptr, 10), std::strtoull(words[1], nullptr, 10)});
+  ::execv(program.c_str(), words + 3);
+  fmt::print(stderr, "{} cannot be started: {}\n", program, std::strerror(errno));
+  return parser_started_nothing;
+}
+
 }  // namespace
 }  // namespace betwixt
 
 int main(int count, char** words) {
   using namespace betwixt;
-  if (count != 2 || std::strcmp(words[1], parser_version) != 0) return 3;
+  if (count < 2 || std::strcmp(words[1], parser_version) != 0) return parser_of_another_version;
+  if (count > 6 && std::strcmp(words[2], parser_runs) == 0) return run_in_jail(words + 3);
+  if (count != 2) return parser_of_another_version;
   ::close_range(parser_control + 1, ~0U, 0);
   // Nobody's child and in nobody's terminal: who uses the library need not know of it, and Ctrl-C is not for it.
   if (const pid_t waits = ::fork(); waits != 0) ::_exit(waits < 0 ? 1 : 0);

@@ -52,6 +52,8 @@ Result<Raw<Channel>> read_png(std::span<const std::uint8_t> bytes, const std::st
   const Png png(spng_ctx_new(0));
   if (!png) return fail(ErrorCode::machine, "out of memory");
   spng_ihdr head{};
+  constexpr std::size_t most_beside = std::size_t{64} << 20;  // bytes of texts and profiles, which are packed too
+  spng_set_chunk_limits(png.get(), most_beside, most_beside);
   int error = spng_set_png_buffer(png.get(), bytes.data(), bytes.size());
   if (error == 0) error = spng_get_ihdr(png.get(), &head);
   if (error != 0) return broken(name, spng_strerror(error));

@@ -7,21 +7,25 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 
 #include "base/child.h"
 #include "base/files.h"
+#include "exchange/parser_process.h"
 
 namespace betwixt {
 namespace {
 
-constexpr double longest = 4 * 3600;             // seconds
-constexpr rlim_t most_memory = rlim_t{4} << 30;  // of the program's own
+constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;  // of the program's own
 constexpr std::size_t samples_at_once = 1 << 15;
 constexpr std::size_t most_words = 4096;  // of what it says
 
@@ -38,6 +42,39 @@ Error no_sound(const std::string& path, std::string why) {
               fmt::format("{} is broken or no sound: {}", path, why.empty() ? "nothing is heard" : why));
 }
 
+std::vector<std::string> ffmpeg_call(const std::string& program, const std::string& path) {
+  return {program,
+          "-hide_banner",
+          "-nostdin",
+          "-loglevel",
+          "error",
+          "-protocol_whitelist",
+          "file,pipe",
+          "-format_whitelist",
+          kinds_of_files,
+          "-i",
+          "file:" + path,
+          "-map",
+          "0:a:0",
+          "-f",
+          "f32le",
+          "-ac",
+          "2",
+          "-ar",
+          std::to_string(sound_rate),
+          "pipe:1"};
+}
+
+// Five minutes, and a second more for every 100 bytes: speech takes 700 bytes a second where it is packed best.
+double longest_of(std::uint64_t size, bool any_size) {
+  return any_size ? longest_sound : std::min(longest_sound, 300 + static_cast<double>(size) / 100);
+}
+// Ten times what a slow machine takes.
+ParserCeilings ceilings_of(std::uint64_t size, double longest) {
+  const auto seconds = 5 + size / (std::uint64_t{1} << 20) + static_cast<std::uint64_t>(longest / 100);
+  return {most_memory, seconds, 3 * seconds};
+}
+
 // The program, and our ends of its output and of its standard error.
 class Decoder {
  public:
@@ -50,7 +87,12 @@ class Decoder {
       if (file >= 0) ::close(file);
   }
 
-  Status start(const std::string& path) {
+  Status start(const std::string& path, const ParserCeilings& most) {
+    most_ = most;
+    const std::string ffmpeg = find_program("ffmpeg");
+    if (ffmpeg.empty())
+      return fail(ErrorCode::machine, "sounds need the program ffmpeg, which is not installed",
+                  "sudo apt-get install ffmpeg");
     std::array<int, 2> out{-1, -1}, err{-1, -1};
     if (::pipe2(out.data(), O_CLOEXEC) != 0) return system_error(errno, "read", path);
     out_ = out[0];
@@ -58,41 +100,26 @@ class Decoder {
     if (::pipe2(err.data(), O_CLOEXEC) != 0) return system_error(errno, "read", path);
     err_ = err[0];
     const OpenFile its_err(err[1]);
-    const std::vector<std::string> words{"ffmpeg",
-                                         "-hide_banner",
-                                         "-nostdin",
-                                         "-loglevel",
-                                         "error",
-                                         "-protocol_whitelist",
-                                         "file,pipe",
-                                         "-format_whitelist",
-                                         kinds_of_files,
-                                         "-i",
-                                         "file:" + path,
-                                         "-map",
-                                         "0:a:0",
-                                         "-f",
-                                         "f32le",
-                                         "-ac",
-                                         "2",
-                                         "-ar",
-                                         std::to_string(sound_rate),
-                                         "pipe:1"};
-    const int failed = start_child(pid_, words, {-1, its_out.fd(), its_err.fd()});
-    if (failed == ENOENT)
-      return fail(ErrorCode::machine, "sounds need the program ffmpeg, which is not installed",
-                  "sudo apt-get install ffmpeg");
-    if (failed != 0) return system_error(failed, "start ffmpeg for", path);
-    const rlimit bound{most_memory, most_memory};
-    ::prlimit(pid_, RLIMIT_AS, &bound, nullptr);
+    const std::string jail = find_parser();
+    std::vector<std::string> words;
+    if (!jail.empty())
+      words = {jail, parser_version, parser_runs, std::to_string(most.memory), std::to_string(most.seconds), path};
+    for (const std::string& word : ffmpeg_call(ffmpeg, path)) words.push_back(word);
+    if (const int failed = start_child(pid_, words, {-1, its_out.fd(), its_err.fd()}))
+      return system_error(failed, "start ffmpeg for", path);
+    if (jail.empty()) limit();
     return Nothing{};
   }
 
-  // Some more of what it gives; 0: that was all.
+  // Some more of what it gives; 0: that was all, or it took too long. Only what it takes itself counts.
   std::size_t read(std::span<char> into) {
     for (;;) {
       std::array<pollfd, 2> both{pollfd{out_, POLLIN, 0}, pollfd{err_, POLLIN, 0}};
-      ::poll(both.data(), both.size(), -1);
+      const auto begun = Clock::now();
+      const auto left = std::chrono::seconds(most_.wall) - waited_;
+      const int ready = ::poll(both.data(), both.size(), static_cast<int>(to_ms(left)));
+      waited_ += Clock::now() - begun;
+      if (ready == 0) return ::kill(pid_, SIGKILL), 0;
       if (both[1].revents) listen();
       if (!both[0].revents) continue;
       const ssize_t n = ::read(out_, into.data(), into.size());
@@ -100,15 +127,30 @@ class Decoder {
       return n > 0 ? static_cast<std::size_t>(n) : 0;
     }
   }
-  // How it ended: whether well.
-  bool finish() {
+  Status finish(const std::string& path) {
     while (err_ >= 0) listen();
     const int status = wait_for_child(std::exchange(pid_, -1));
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+      return fail(ErrorCode::file, fmt::format("{} takes more than {} s to be read", path, most_.seconds));
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    if (code == parser_of_another_version)
+      return fail(ErrorCode::machine, "the program betwixt-parser is of another version than this one");
+    if (code == parser_started_nothing) return fail(ErrorCode::machine, said_.substr(0, said_.find('\n')));
+    return code == 0 ? Status(Nothing{}) : Status(no_sound(path, said_));
   }
-  const std::string& said() const { return said_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  static std::int64_t to_ms(Clock::duration d) {
+    return std::max<std::int64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(d).count(), 1);
+  }
+  // What can be done where there is no betwixt-parser.
+  void limit() const {
+    const rlimit memory{most_.memory, most_.memory}, work{most_.seconds, most_.seconds};
+    ::prlimit(pid_, RLIMIT_AS, &memory, nullptr);
+    ::prlimit(pid_, RLIMIT_CPU, &work, nullptr);
+  }
   void listen() {
     std::array<char, 1024> words;
     const ssize_t n = ::read(err_, words.data(), words.size());
@@ -120,6 +162,8 @@ class Decoder {
     }
   }
 
+  ParserCeilings most_;
+  Clock::duration waited_{};
   pid_t pid_ = -1;
   int out_ = -1, err_ = -1;
   std::string said_;
@@ -149,12 +193,22 @@ std::vector<double> find_onsets(const std::vector<double>& energy) {
   return onsets;
 }
 
+// Errors in our own words, where it is none that can be read.
+Result<std::uint64_t> size_of(const std::string& path) {
+  const auto there = open_whole(path);
+  if (!there) return there.error();
+  struct stat about {};
+  if (::fstat(there->fd(), &about) != 0) return system_error(errno, "read", path);
+  return static_cast<std::uint64_t>(about.st_size);
+}
+
 }  // namespace
 
-Status decode_sound(const std::string& path, const Listener& hear) {
-  if (auto there = open_whole(path); !there) return there.error();  // in our own words
+Status decode_sound(const std::string& path, const Listener& hear, double longest) {
+  const auto size = size_of(path);
+  if (!size) return size.error();
   Decoder decoder;
-  if (Status s = decoder.start(path); !s) return s;
+  if (Status s = decoder.start(path, ceilings_of(*size, longest)); !s) return s;
   std::vector<float> samples(samples_at_once);
   const std::span<char> bytes(reinterpret_cast<char*>(samples.data()), samples.size() * sizeof(float));
   constexpr std::size_t pair = 2 * sizeof(float);
@@ -166,26 +220,36 @@ Status decode_sound(const std::string& path, const Listener& hear) {
     std::memmove(bytes.data(), bytes.data() + whole * pair, have - whole * pair);
     have -= whole * pair;
   }
-  return decoder.finish() ? Status(Nothing{}) : Status(no_sound(path, decoder.said()));
+  return decoder.finish(path);
 }
 
-Result<std::shared_ptr<const Sound>> read_sound(const std::string& path) {
+Result<std::shared_ptr<const Sound>> read_sound(const std::string& path, bool any_size) {
   constexpr std::size_t a_millisecond = sound_rate / 1000;
+  const auto size = size_of(path);
+  if (!size) return size.error();
+  const double longest = longest_of(*size, any_size);
   auto sound = std::make_shared<Sound>();
   std::size_t count = 0;
   double sum = 0;
   sound->energy.push_back(0);
   bool too_long = false;
-  const Status decoded = decode_sound(path, [&](std::span<const float> stereo) {
-    for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
-      const double left = stereo[i], right = stereo[i + 1], square = (left * left + right * right) / 2;
-      if (std::isfinite(square)) sum += square;
-      if (++count % a_millisecond == 0) sound->energy.push_back(sum / sound_rate);
-    }
-    too_long = static_cast<double>(count) > longest * sound_rate;
-    return !too_long;
-  });
+  const Status decoded = decode_sound(
+      path,
+      [&](std::span<const float> stereo) {
+        for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
+          const double left = stereo[i], right = stereo[i + 1], square = (left * left + right * right) / 2;
+          if (std::isfinite(square)) sum += square;
+          if (++count % a_millisecond == 0) sound->energy.push_back(sum / sound_rate);
+        }
+        too_long = static_cast<double>(count) > longest * sound_rate;
+        return !too_long;
+      },
+      longest);
   if (!decoded) return decoded.error();
+  if (too_long && longest < longest_sound)
+    return fail(ErrorCode::range,
+                fmt::format("{} lasts longer than {:.0f} s, and its {} bytes may last no longer", path, longest, *size),
+                "--read-anywhere reads files of any size");
   if (too_long) return fail(ErrorCode::range, fmt::format("{} is longer than four hours", path));
   if (count == 0) return no_sound(path, "");
   if (count % a_millisecond != 0) sound->energy.push_back(sum / sound_rate);

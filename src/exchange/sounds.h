@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sounds from files, through the ffmpeg program: it opens the one file that it is given, and no list of others.
+// Sounds from files, through the ffmpeg program, in a jail (parser_jail.h): it opens the one file that it is given, and
+// no list of others.
 #pragma once
 
 #include <functional>
@@ -17,9 +18,13 @@ namespace betwixt {
 // The next samples, left and right in turns, `sound_rate` pairs a second. False: enough.
 using Listener = std::function<bool(std::span<const float> stereo)>;
 
-// Errors: file (missing, not readable, nothing to be heard in it), machine (no ffmpeg).
-Status decode_sound(const std::string& path, const Listener&);
-// What can be asked of it. Errors: those, and range (above four hours).
-Result<std::shared_ptr<const Sound>> read_sound(const std::string& path);
+constexpr double longest_sound = 4 * 3600;  // seconds
+
+// Errors: file (missing, not readable, silent, or slower to decode than `longest` seconds of sound should be),
+// machine (no ffmpeg).
+Status decode_sound(const std::string& path, const Listener&, double longest = longest_sound);
+// What can be asked of it. Errors: those, and range (above four hours; above five minutes and a second for every 100
+// bytes, unless any size is allowed).
+Result<std::shared_ptr<const Sound>> read_sound(const std::string& path, bool any_size = false);
 
 }  // namespace betwixt

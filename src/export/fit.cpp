@@ -120,6 +120,15 @@ class Follower {
     pieces_.push_back(p);
   }
 
+  // What has ended just before a jump ends where that begins: its keys would be too near to each other.
+  void shorten(Time until) {
+    if (pieces_.empty() || until <= pieces_.back().from) return;
+    KeyPiece& last = pieces_.back();
+    if (last.shape != KeyPiece::straight && last.shape != KeyPiece::held) return;
+    const double share = (until - last.from).seconds() / (last.until - last.from).seconds();
+    last.end = piece_at(last, share, f_.turn), last.until = until;
+  }
+
   bool keep(const KeyPiece& p) {
     pieces_.push_back(p);
     return pieces_.size() <= most_;
@@ -131,7 +140,9 @@ class Follower {
       if (const auto jump = find_jump(a, b)) {
         const auto [before, after] = kept_around(*jump);
         if (before > a && !split(a, before, just_before(before, *jump), depth + 1)) return false;
-        if (before > a) leap(before, after);
+        if (before <= a) shorten(before);
+        if (pieces_.empty()) pieces_.push_back({KeyPiece::held, a, a, value(a), value(a)});
+        if (after > a) leap(pieces_.back().until, after);
         return after >= b || split(after, b, end, depth + 1);
       }
     const Time middle = kept({(a.flicks + b.flicks) / 2});
@@ -314,18 +325,28 @@ Followed followed(const Document& d, std::size_t width, double tolerance, std::f
   return {width, false, 0.5 * tolerance, std::move(at), Time{std::max<std::int64_t>(d.rate().span(0.5).flicks, 1)}};
 }
 
+// Who counts in frames or milliseconds multiplies, and rounds again: assimp by floats.
+static float before_all(float f) { return std::nextafter(std::nextafter(f, -1e30F), -1e30F); }
+static float after_all(float f) { return std::nextafter(std::nextafter(f, 1e30F), 1e30F); }
+
 std::pair<Time, Time> around_jump(Time jump, Time beginning, Time step, const KeyOptions& options) {
   if (!options.in_floats) return {jump, jump};
   const double seconds = (jump - beginning).seconds();
   float f = static_cast<float>(seconds);
   if (static_cast<double>(f) > seconds) f = std::nextafter(f, -1e30F);
-  // Programs that count in frames or milliseconds multiply and round again; assimp does so in floats.
-  if (options.style == KeyStyle::linear) f = std::nextafter(std::nextafter(f, -1e30F), -1e30F);
+  if (options.style == KeyStyle::linear) f = before_all(f);
   const Time after = in_flicks(f, beginning);
   // Blender merges keys that are nearer than a hundredth of a frame.
   if (options.style == KeyStyle::linear) f = static_cast<float>(seconds - 0.021 * step.seconds());
   while (in_flicks(f, beginning) >= after) f = std::nextafter(f, -1e30F);
-  return {in_flicks(f, beginning), after};
+  const Time before = in_flicks(f, beginning);
+  if (options.style != KeyStyle::linear) return {before, after};
+  // Whole frames are what is looked at: where one lies on the way, the way begins behind it.
+  const std::int64_t frame = 2 * step.flicks;
+  const Time last_frame{beginning.flicks + (jump - beginning).flicks / frame * frame};
+  const Time behind = in_flicks(after_all(static_cast<float>((last_frame - beginning).seconds())), beginning);
+  if (last_frame <= before || behind >= jump) return {before, after};
+  return {behind, in_flicks(static_cast<float>((behind - beginning).seconds() + 0.021 * step.seconds()), beginning)};
 }
 
 std::vector<Time> knots_between(std::vector<Time> all, Time from, Time until) {

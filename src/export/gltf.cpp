@@ -352,16 +352,24 @@ class Maker {
 
   // ---- the file
 
-  // assimp takes a channel without a node for the translation of the first node, and refuses files where it does not
-  // fit. The last channel of a node counts there: so these come first, and that translation is said behind them.
+  // The node that assimp has read first: it reads the children of a node before the node itself.
+  std::size_t first_read() const {
+    std::size_t node = roots_.front();
+    while (!children_[node].empty()) node = children_[node].front();
+    return node;
+  }
+  // assimp takes a channel without a node for the translation of the node that it read first, and refuses files where
+  // it does not fit. The last channel of a node counts there: so these come first, and that translation is said behind
+  // them.
   void put_pointers_first() {
     const auto points = [](const Json& channel) { return channel["target"]["path"] == "pointer"; };
     auto& all = film_.channels.get_ref<Json::array_t&>();
     const auto rest = std::stable_partition(all.begin(), all.end(), points);
-    const Json target{{"node", 0}, {"path", "translation"}};
-    if (rest == all.begin() || std::any_of(rest, all.end(), [&](const Json& c) { return c["target"] == target; }))
-      return;
-    const auto place = nodes_[0].value("translation", std::vector<float>{0, 0, 0});
+    if (rest == all.begin()) return;
+    const std::size_t first = first_read();
+    const Json target{{"node", first}, {"path", "translation"}};
+    if (std::any_of(rest, all.end(), [&](const Json& c) { return c["target"] == target; })) return;
+    const auto place = nodes_[first].value("translation", std::vector<float>{0, 0, 0});
     film_.animate({"LINEAR", {0}, place}, 3, target);
   }
 

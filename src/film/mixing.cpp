@@ -26,16 +26,19 @@ std::vector<ObjectId> sounds_of(const Scene& scene) {
 
 Status decode(const Program& program, const HeardSound& h, Time from, std::span<float> stereo) {
   std::int64_t next = 0;  // sample of the file
-  return decode_sound(h.sound->path, [&](std::span<const float> samples) {
-    const std::int64_t begins = next, left_out = std::max<std::int64_t>(h.first - begins, 0);
-    next += static_cast<std::int64_t>(samples.size() / 2);
-    const std::int64_t count = std::min(next, h.last) - begins - left_out;
-    if (count > 0)
-      add_sound(program, h, begins + left_out,
-                samples.subspan(2 * static_cast<std::size_t>(left_out), 2 * static_cast<std::size_t>(count)), from,
-                stereo);
-    return next < h.last;
-  });
+  return decode_sound(
+      h.sound->path,
+      [&](std::span<const float> samples) {
+        const std::int64_t begins = next, left_out = std::max<std::int64_t>(h.first - begins, 0);
+        next += static_cast<std::int64_t>(samples.size() / 2);
+        const std::int64_t count = std::min(next, h.last) - begins - left_out;
+        if (count > 0)
+          add_sound(program, h, begins + left_out,
+                    samples.subspan(2 * static_cast<std::size_t>(left_out), 2 * static_cast<std::size_t>(count)), from,
+                    stereo);
+        return next < h.last;
+      },
+      h.sound->seconds);
 }
 
 }  // namespace

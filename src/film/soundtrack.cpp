@@ -61,7 +61,9 @@ class Tape {
       changed_.notify_all();
       return !over_ && have_ < length_;
     };
-    if (samples_) (void)decode_sound(path, keep);  // what has no room, or has gone meanwhile, is silent
+    if (samples_)
+      (void)decode_sound(
+          path, keep, static_cast<double>(length_) / sound_rate);  // what has no room, or has gone meanwhile, is silent
     const std::lock_guard lock(mutex_);
     ended_ = true;
     changed_.notify_all();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Lists of points, and lists of these.
+#include "base/may_make.h"
+#include "base/still_wanted.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -42,6 +44,7 @@ bool ValueReader::points(Points& out) {
   std::vector<Vec3> list;
   if (!list_of(c, [&] {
         Vec3 p;
+        StillWanted::ask(), MayMake::ask(sizeof p);
         return point(p) && (list.push_back(p), true);
       }))
     return false;

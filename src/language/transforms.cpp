@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/may_make.h"
 #include "base/names.h"
 #include "language/values.h"
 #include "scene/power.h"
@@ -164,6 +165,7 @@ bool ValueReader::names(Names& out) {
                     word.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
                     word.empty() ? std::string_view(c.at, c.at < c.end ? 1 : 0) : word,
                     "as in (drift spin), or none; the first is the outermost");
+    MayMake::ask(sizeof name + name.size());
     list.push_back(std::move(name));
     if (list.size() > 1000) return c.fail(ErrorCode::range, "no more than 1000 names", word);
   }

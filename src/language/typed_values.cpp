@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/may_make.h"
 #include "base/names.h"
 #include "base/utf8.h"
 #include "language/values.h"
@@ -123,6 +124,7 @@ struct TypedReader {
       return c.fail(ErrorCode::range, fmt::format("a text that is drawn has at most {} letters", most_letters),
                     std::string_view(start, 1));
     if (values.file && !values.file(function, s, c.since(start))) return false;
+    MayMake::ask(s.size());
     out = Text(std::move(s));
     return true;
   }

@@ -10,6 +10,7 @@
 #include "language/formula.h"
 #include "language/line_words.h"
 #include "scene/colors.h"
+#include "scene/names.h"
 #include "track/curve.h"
 
 namespace betwixt {
@@ -344,10 +345,7 @@ bool ValueReader::object(ObjectId& out) {
   if (!one_name(c, w, name)) return false;
   out = scene.names.find(name);
   if (out) return true;
-  std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < scene.objects.size() && i < 10000; ++i)
-    if (!scene.objects[i].removed) names.push_back(scene.objects[i].name);
-  return c.fail(ErrorCode::name, fmt::format("there is no object '{}'", name), w, did_you_mean(name, names));
+  return c.fail(ErrorCode::name, fmt::format("there is no object '{}'", name), w, near_object(scene, name));
 }
 
 }  // namespace betwixt

@@ -104,6 +104,9 @@ int format_arguments(lua_State* l, Machine&) {
 }
 int format(lua_State* l) {
   guarded<format_arguments>(l);
+  std::size_t size = 0;
+  const char* const f = lua_tolstring(l, 1, &size);
+  charge(l, 32.0 * static_cast<double>(std::count(f, f + size, '%')));  // a number may have 400 digits
   return charged<Charge::text>(l);
 }
 
@@ -159,7 +162,7 @@ int sorted_pairs(lua_State* l, Machine&) {
 }
 int pairs(lua_State* l) {
   const Machine& m = Machine::of(l);
-  charge(l, static_cast<double>(m.held() / 4096));  // a table may have many empty places
+  charge(l, static_cast<double>(m.made() / 512));  // a table may have many empty places
   guarded<keys_of>(l);
   charge(l, sorting(l, static_cast<double>(lua_rawlen(l, 2))));
   return guarded<sorted_pairs>(l);

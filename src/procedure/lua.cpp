@@ -10,6 +10,7 @@
 #include <deque>
 #include <utility>
 
+#include "base/may_make.h"
 #include "base/names.h"
 #include "base/utf8.h"
 #include "procedure/machine.h"
@@ -80,6 +81,7 @@ class Lua final : public Routine {
     const bool spoilt = status == LUA_ERRMEM || call.stopped;
     m.end();
     if (spoilt) machine_here = nullptr;  // it may have grown
+    if (call.called_off) throw NotWanted{};
     return result;
   }
 
@@ -158,14 +160,26 @@ class Lua final : public Routine {
     thread_local Call* running = nullptr;
     Call call;
     call.host = &host;
-    Call* const outer = std::exchange(running, &call);
-    if (outer) call.steps = outer->steps;
+    struct Running {
+      Call* const outer = running;
+      Call& inner;
+      explicit Running(Call& c) : inner(c) {
+        if (outer) inner.steps = outer->steps;
+        running = &inner;
+      }
+      Running(const Running&) = delete;
+      Running& operator=(const Running&) = delete;
+      ~Running() {
+        running = outer;
+        if (outer) outer->steps = inner.steps;
+      }
+    } const now(call);
     const auto push_words = [&](Machine& m) {
       lua_checkstack(m.state, static_cast<int>(words.size()) + 10);
       for (const auto& w : words) lua_pushlstring(m.state, w.data(), w.size());
       return static_cast<int>(words.size());
     };
-    Status done = run<Nothing>(
+    return run<Nothing>(
         call,
         [&](Machine& m) {
           lua::push(m.state, Value(Names(words)));
@@ -173,9 +187,6 @@ class Lua final : public Routine {
           return push_words(m);
         },
         push_words, [](lua_State*) { return Nothing{}; });
-    running = outer;
-    if (outer) outer->steps = call.steps;
-    return done;
   }
 
  private:
@@ -265,6 +276,7 @@ Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
   }
   lua_close(l);
   if (!compiled) return compiled.error();
+  MayMake::ask(source.size() + compiled->size());
   static std::atomic<std::uint64_t> serials{0};
   auto lua = std::make_shared<Lua>();
   lua->language = "lua";

@@ -85,15 +85,18 @@ double Machine::steps_each() const {
 
 std::size_t Machine::held() const { return live - std::min(live, floor + most_garbage); }
 
+std::size_t Machine::made() const { return std::min(held(), allocated); }
+
 void Machine::settle() {
-  if (held() == 0) return;
-  charge(state, static_cast<double>(live / 256));
+  if (held() == 0 || live < settled_ + settled_ / 2 + most_garbage) return;
+  charge(state, static_cast<double>(made() / 128));
   lua_gc(state, LUA_GCCOLLECT);
+  settled_ = live;
 }
 
 void Machine::begin(Call& c, std::size_t longest_in_code) {
   call = &c;
-  allocated = 0;
+  allocated = settled_ = 0;
   longest = longest_in_code;
   outside = running ? running->outside + running->held() : 0;
   below_ = std::exchange(running, this);
@@ -134,6 +137,7 @@ int stop(lua_State* l, const char* why) {
 
 void charge(lua_State* l, double steps) {
   Call& c = *Machine::of(l).call;
+  if (!StillWanted::wanted()) c.called_off = true, stop(l, not_wanted);
   c.steps += steps < 2.0 * most_steps ? static_cast<std::uint64_t>(steps) : 2 * most_steps;
   if (c.steps > most_steps) stop(l, too_many_steps);
 }

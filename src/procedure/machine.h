@@ -5,7 +5,8 @@
 //
 // Lua raises errors by longjmp, which no C++ destructor survives. So a C function here is one of two kinds: plain, with
 // nothing but numbers and pointers, which may raise; or wrapped by guarded<>, which holds what it likes, raises nothing
-// (memory is not refused meanwhile) and returns `failed` with the message pushed.
+// (memory is not refused meanwhile) and returns `failed` with the message pushed. NotWanted ends the call, and is
+// thrown when Lua has been left.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "base/still_wanted.h"
 #include "track/procedure.h"
 
 namespace betwixt::lua {
@@ -29,6 +31,7 @@ inline constexpr std::size_t most_live = 16 << 20, most_allocated = 64 << 20;
 inline constexpr std::size_t longest_code = 65'536;
 inline constexpr std::size_t most_garbage = 256 << 10;  // that a machine keeps while it is not running
 inline constexpr const char* too_many_steps = "stopped: it took more than 1000000 steps";
+inline constexpr const char* not_wanted = "stopped: this is not wanted any more";
 inline constexpr const char* too_much_memory = "stopped: it took too much memory";
 
 // What the running call may use.
@@ -39,6 +42,7 @@ struct Call {
   double seconds = 0;
   std::uint64_t steps = 0;
   bool stopped = false;
+  bool called_off = false;  // nobody wants the answer any more
 };
 
 // The tables that stand for a value; each has a metatable of its kind.
@@ -72,9 +76,11 @@ class Machine {
   void begin(Call&, std::size_t longest_in_code);
   void end();
   double steps_each() const;  // what an instruction may cost now
-  // Before another call: collects garbage, so that only what this call holds is counted against the other one.
+  // Before another call: collects garbage, so that what this call holds is counted against the other one, and little
+  // else. Where not much has come since the last time nothing is done: a collection goes through all that is held.
   void settle();
-  std::size_t held() const;      // bytes beyond `most_garbage`
+  std::size_t held() const;      // bytes beyond `most_garbage` …
+  std::size_t made() const;      // … at most those that this call allocated
   void set(const char* global);  // pops its value
 
  private:
@@ -84,6 +90,7 @@ class Machine {
     std::size_t longest;
   };
   std::unordered_map<std::uint64_t, Chunk> chunks_;  // compiled here already, by serial
+  std::size_t settled_ = 0;                          // bytes behind the last collection of this call
   Machine* below_ = nullptr;                         // whose call waits for this one
 };
 
@@ -96,8 +103,14 @@ template <int (*function)(lua_State*, Machine&)>
 int guarded(lua_State* l) {
   Machine& m = Machine::of(l);
   m.lenient = true;
-  const int results = function(l, m);
+  int results = failed;
+  try {
+    results = function(l, m);
+  } catch (const NotWanted&) {
+    m.call->called_off = true;
+  }
   m.lenient = false;
+  if (m.call && m.call->called_off) return stop(l, not_wanted);
   if (results >= 0) return results;
   luaL_where(l, 1);
   lua_insert(l, -2);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "program/compiled.h"
+#include "program/beside.h"
 
 namespace betwixt {
 
@@ -18,6 +18,11 @@ void Asking::err(std::string problem, const std::string& source) {
   const std::size_t before = problems.size();
   say(problem);
   if (problems.size() > before) errors.push_back({std::move(problem), source});
+}
+
+void Asking::say_all(const Answer& a) {
+  for (const Frame::CodeError& e : a.errors) err(e.message, e.source);
+  for (const std::string& p : a.problems) say(p);
 }
 
 bool Asking::is_open(const Taken& taken) const {

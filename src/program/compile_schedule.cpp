@@ -138,6 +138,24 @@ struct ScheduleCompiler {
     return false;
   }
 
+  // Whether its shape, which varies or not, takes long to make.
+  bool may_take_long(std::uint32_t object, const Drawable& d) const {
+    constexpr std::size_t many = 5'000, long_text = 500;
+    const Binding& seen = compiled.find(object, fn::display);
+    if (!seen.varies() && compiled.rest[seen.offset] == 0) return false;  // a road that others go along
+    if (scene.objects[object].kind == Kind::trace) return true;
+    if (d.shape < compiled.shapes.size()) {
+      const Shape& s = *compiled.shapes[d.shape];
+      return s.points->size() + s.holes->size() > many || s.text->size() > long_text;
+    }
+    for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i)
+      if (const Binding& b = compiled.bindings[i]; b.varies())
+        if (const FunctionSpec& spec = spec_of(scene, b.function);
+            spec.shape && (spec.type == Type::points || spec.type == Type::text))
+          return true;
+    return false;
+  }
+
   // The shape's number: equal ones have one number.
   std::uint32_t shape_number(std::uint32_t object) {
     Asking asking;
@@ -190,6 +208,12 @@ struct ScheduleCompiler {
     }
     for (const std::uint32_t i : varying)
       compiled.drawables[i].shape = static_cast<std::uint32_t>(compiled.shapes.size()) + i;
+    for (std::uint32_t i = 0; i < compiled.drawables.size(); ++i) {
+      Drawable& d = compiled.drawables[i];
+      if (d.skin >= 0 || !may_take_long(compiled.nodes[i].object, d)) continue;
+      d.slow = static_cast<std::int32_t>(compiled.slow_shapes.size());
+      compiled.slow_shapes.push_back(i);
+    }
     for (const auto& [name, picture] : *scene.pictures) compiled.textures.push_back(picture);
   }
 

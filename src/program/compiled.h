@@ -25,6 +25,8 @@
 namespace betwixt {
 
 struct Whole;
+struct Answer;
+class Beside;
 class Tracer;
 
 // Where the value of one display function of one object comes from.
@@ -120,7 +122,8 @@ struct Asking {
   bool in_haste() const { return most < UINT64_MAX; }
   std::vector<std::string> problems;
   std::vector<Frame::CodeError> errors;
-  std::vector<Target> read;  // what procedures looked at
+  std::vector<Target> read;        // what procedures looked at
+  const Beside* beside = nullptr;  // who has the answers of the outermost questions; null: they are worked out here
 
   // The work that one question may set going: procedures' steps, what filters look at, whatever asks whatever. It is
   // counted as if nothing were known already, so that it is the same whoever asked before.
@@ -137,6 +140,7 @@ struct Asking {
 
   void say(std::string problem);
   void err(std::string problem, const std::string& source);  // of the author's code
+  void say_all(const Answer&);                               // what that has said
   bool is_open(const Taken&) const;                          // one of what it asked is
   void take(const Taken&);                                   // once more, for what is being worked out now
 };
@@ -242,6 +246,7 @@ struct Drawable {
   // Of its material and texture, where these do not vary.
   bool plain = false;
   std::int32_t skin = -1;
+  std::int32_t slow = -1;  // of Compiled::slow_shapes
   Material material_number = Material::plastic;
   std::uint32_t texture_number = 0;
 };
@@ -327,6 +332,7 @@ struct Program::Compiled {
   std::vector<std::shared_ptr<const Picture>> textures;
   std::vector<std::uint32_t> lights, eyes;    // nodes; eyes: those that look at something
   std::vector<std::uint32_t> borrowers;       // drawables that may look like others
+  std::vector<std::uint32_t> slow_shapes;     // drawables whose shapes may take long to make
   std::optional<std::uint32_t> first_camera;  // an object
   Schedule schedule;
   std::vector<CompiledSpan> spans;          // by node, then time
@@ -418,6 +424,8 @@ struct Program::Compiled {
   // That of a flat film, which sees what it sees: 9 m high, along -z.
   const Camera& own_camera() const;
   bool sees_all(Time t) const;  // the camera does
+  // A film without cameras shows all that is ever seen: what that is may take long to say.
+  bool asks_for_camera() const { return !first_camera && !(lives.empty() && slow_shapes.empty()); }
   mutable std::once_flag own_camera_once;
   mutable Camera own_camera_made;
 
@@ -425,7 +433,8 @@ struct Program::Compiled {
   Points trace(std::uint32_t object, Time t, Asking&) const;
   bool tracing_at(Time t) const;
   Tracer& tracer(std::uint32_t object) const;
-  mutable std::recursive_mutex tracing;                              // a trace may go along a trace
+  mutable std::recursive_mutex tracing;  // while lines are drawn: a trace may go along a trace
+  mutable std::mutex tracers_in_use;
   mutable std::map<std::uint32_t, std::shared_ptr<Tracer>> tracers;  // by object
   bool traces = false;                                               // there are some
 

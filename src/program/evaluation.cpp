@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstring>
 
+#include "program/beside.h"
 #include "program/evaluator.h"
 #include "program/surroundings.h"
 
@@ -12,26 +13,29 @@ namespace betwixt {
 
 // All that a frame says.
 struct Whole {
-  explicit Whole(const Program::Compiled& compiled) : evaluator(compiled) {}
+  explicit Whole(const Program::Compiled& compiled, const Beside* beside = nullptr) : evaluator(compiled, beside) {}
   Evaluator evaluator;
   std::vector<Light> lights;
   std::vector<std::string> problems;
   std::vector<Frame::CodeError> errors;
 
-  void to(Time);
+  void to(Time, bool news = false);
   Frame frame() const;
 };
 
-void Whole::to(Time t) {
-  if (!evaluator.fresh() && evaluator.time() == t) return evaluator.stay();
+void Whole::to(Time t, bool news) {
+  if (!news && !evaluator.fresh() && evaluator.time() == t) return evaluator.stay();
   const Program::Compiled& compiled = evaluator.compiled();
   Asking asking;
+  asking.beside = evaluator.beside();
   const TwerperFailures failed;
   evaluator.to(t, asking);
   lights = evaluator.lights(asking);
   compiled.say(failed, asking);
   problems = compiled.notices;
   problems.insert(problems.end(), asking.problems.begin(), asking.problems.end());
+  if (asking.beside)
+    for (std::string& late : asking.beside->late()) problems.push_back(std::move(late));
   errors = std::move(asking.errors);
 }
 
@@ -70,7 +74,7 @@ Frame Program::frame(Time t) const {
 
 struct Evaluation::State {
   struct Played {
-    explicit Played(const Program& p) : program(p), whole(std::make_unique<Whole>(p.compiled())) {
+    Played(const Program& p, const Beside* beside) : program(p), whole(std::make_unique<Whole>(p.compiled(), beside)) {
       for (std::size_t d = 0; d < p.compiled().drawables.size(); ++d)
         drawables.push_back({p.compiled().nodes[d].object});
     }
@@ -79,7 +83,8 @@ struct Evaluation::State {
     std::vector<ObjectId> drawables;
   };
 
-  explicit State(const Program& p) : now(p) {}
+  State(const Program& p, Beside* answers) : beside(answers), now(p, answers) {}
+  Beside* const beside;
   Played now;
   std::optional<Played> before;  // what another program gave last; the next time is compared with it
   mutable std::optional<Camera> camera;
@@ -94,14 +99,15 @@ struct Evaluation::State {
   void compare();
 };
 
-Evaluation::Evaluation(const Program& program) : state_(std::make_unique<State>(program)) {}
+Evaluation::Evaluation(const Program& program) : state_(std::make_unique<State>(program, nullptr)) {}
+Evaluation::Evaluation(const Program& program, Beside& beside) : state_(std::make_unique<State>(program, &beside)) {}
 Evaluation::Evaluation(Evaluation&&) noexcept = default;
 Evaluation& Evaluation::operator=(Evaluation&&) noexcept = default;
 Evaluation::~Evaluation() = default;
 
 void Evaluation::to(Time t) {
   State& s = *state_;
-  s.now.whole->to(t);
+  s.now.whole->to(t, s.beside && s.beside->ask(s.now.program, t));
   s.camera.reset();
   ++s.revision.times;
   if (s.before) s.compare();
@@ -134,7 +140,7 @@ void Evaluation::State::compare() {
 void Evaluation::use(const Program& program) {
   State& s = *state_;
   if (!s.evaluator().fresh()) s.before = std::move(s.now);
-  s.now = State::Played(program);
+  s.now = State::Played(program, s.beside);
   s.revision = {State::next_program(), 0};
 }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/stages.h"
+#include "program/beside.h"
 #include "program/placing.h"
 #include "scene/shape_blend.h"
 
@@ -20,8 +21,9 @@ bool same_bits(const T& a, const T& b) {
 
 }  // namespace
 
-Evaluator::Evaluator(const Program::Compiled& compiled)
+Evaluator::Evaluator(const Program::Compiled& compiled, const Beside* beside)
     : compiled_(compiled),
+      beside_(beside),
       numbers_(compiled.rest),
       segments_(compiled.schedule.sources.size()),
       asked_(compiled.schedule.sources.size()),
@@ -230,6 +232,8 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   const InStage stage(Stage::tracks);
   play_to(t);
   evaluate_lives(asking, solids);
+  if (beside_)  // an answer may come at any time
+    for (const std::uint32_t d : compiled_.slow_shapes) marks_.add(d, affects::form);
   take_hold(asking);
   environments(!solids);
   places(asking);
@@ -261,17 +265,35 @@ void Evaluator::restyle(Asking& asking, bool solids) {
 // The form of a drawable for now: a number.
 std::uint32_t Evaluator::form(std::uint32_t drawable, Asking& asking) {
   const Drawable& d = compiled_.drawables[drawable];
-  if (d.shape < compiled_.shapes.size()) return d.shape;
+  const bool beside = beside_ && d.slow >= 0;
+  if (d.shape < compiled_.shapes.size() && !beside) return d.shape;
   if (stale_[drawable]) {
     stale_[drawable] = false;
-    auto made = compiled_.shape(compiled_.nodes[drawable].object, now_, numbers_.data(), asking);
-    if (d.skin >= 0) made.mesh = posed(d.skin);
-    if (!forms_[drawable] || !(*forms_[drawable] == made)) {
-      forms_[drawable] = std::make_shared<const Shape>(std::move(made));
+    auto form = made(drawable, asking);
+    auto& was = forms_[drawable];
+    if (!was || (was != form && !(*was == *form))) {
+      was = std::move(form);
       renewed_[drawable] = turn_;
     }
   }
-  return d.shape;
+  return static_cast<std::uint32_t>(compiled_.shapes.size()) + drawable;
+}
+
+// Where it is asked beside, and no answer has come yet, it has no points.
+std::shared_ptr<const Shape> Evaluator::made(std::uint32_t drawable, Asking& asking) const {
+  const Drawable& d = compiled_.drawables[drawable];
+  const Node& n = compiled_.nodes[drawable];
+  Shape shape;
+  shape.kind = n.kind;
+  if (beside_ && d.slow >= 0) {
+    const Answer* known = beside_->answer({Question::shape, static_cast<std::uint32_t>(d.slow)});
+    if (!known || !known->shape) return std::make_shared<const Shape>(std::move(shape));
+    asking.say_all(*known);
+    return known->shape;
+  }
+  shape = compiled_.shape(n.object, now_, numbers_.data(), asking);
+  if (d.skin >= 0) shape.mesh = posed(d.skin);
+  return std::make_shared<const Shape>(std::move(shape));
 }
 
 // Its own, or that of another object.

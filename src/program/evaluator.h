@@ -22,7 +22,7 @@ using playing::Own;
 
 class Evaluator {
  public:
-  explicit Evaluator(const Program::Compiled&);
+  explicit Evaluator(const Program::Compiled&, const Beside* = nullptr);
 
   // `solids`: of what is worked out by asking, only what says where things are and how large.
   void to(Time, Asking&, bool solids = false);
@@ -62,6 +62,7 @@ class Evaluator {
   double focus(std::uint32_t object, const Camera&) const;
 
   const Program::Compiled& compiled() const { return compiled_; }
+  const Beside* beside() const { return beside_; }
 
  private:
   void play_to(Time);
@@ -96,6 +97,7 @@ class Evaluator {
   void look(std::uint32_t drawable, Asking&, bool solids);
   std::uint32_t form(std::uint32_t drawable, Asking&);
   std::uint32_t shape_of(const Value&, std::uint32_t drawable, Asking&);
+  std::shared_ptr<const Shape> made(std::uint32_t drawable, Asking&) const;
   std::uint32_t splined(const StepTrack&, const Between&, std::uint32_t drawable, Asking&);
   Quat turn(std::uint32_t node) const { return turns_.empty() ? Quat{} : turns_[node]; }
   // Its own matrix is kept: it is held, or may be turned.
@@ -107,6 +109,7 @@ class Evaluator {
   }
 
   const Program::Compiled& compiled_;
+  const Beside* const beside_;    // who answers what may take long; null: nobody does
   const Needed* only_ = nullptr;  // what is wanted; null: all
   bool fresh_ = true;
   Time now_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "program/beside.h"
 #include "program/evaluator.h"
 #include "scene/camera_functions.h"
 
@@ -70,6 +71,12 @@ std::optional<std::uint32_t> Program::Compiled::camera_at(Time t) const {
 
 Camera Evaluator::camera() const {
   const auto through = compiled_.camera_at(now_);
+  if (!through && beside_ && compiled_.asks_for_camera()) {
+    const Answer* known = beside_->answer({Question::camera, 0});
+    Camera somewhere;
+    somewhere.aspect = compiled_.document.aspect();
+    return known ? known->camera : somewhere;
+  }
   if (!through) return compiled_.own_camera();
   const std::uint32_t object = *through;
   const auto number = [&](FunctionId f) { return numbers_[compiled_.find(object, f).offset]; };
@@ -99,6 +106,7 @@ Camera Evaluator::camera() const {
 // How far what is sharp is away, along the axis; what is not before the camera is not looked for.
 double Evaluator::focus(std::uint32_t object, const Camera& c) const {
   Asking asking;
+  asking.beside = beside_;
   const Vec3 eye = translation_of(c.world), back{c.world(0, 2), c.world(1, 2), c.world(2, 2)};
   const auto away = [&](Vec3 at) { return dot(eye - at, back); };
   const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };

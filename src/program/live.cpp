@@ -10,8 +10,9 @@
 #include <tuple>
 #include <utility>
 
+#include "base/still_wanted.h"
 #include "base/utf8.h"
-#include "program/compiled.h"
+#include "program/beside.h"
 #include "scene/kinds.h"
 #include "track/along.h"
 #include "track/operations.h"
@@ -38,7 +39,8 @@ struct Worker {
   struct Talk : Questions {
     const Worker& w;
     Time t;
-    bool lacking = false;  // the object has not all that was asked of it, and others have
+    bool lacking = false;     // the object has not all that was asked of it, and others have
+    bool called_off = false;  // nobody wants the answer any more: that is thrown when the code is left
     Talk(const Worker& worker, Time time) : w(worker), t(time) {}
     double seconds() const override { return t.seconds(); }
     Rate rate() const override { return w.scene.rate; }
@@ -47,7 +49,19 @@ struct Worker {
       const NamedProcedure* p = find_procedure(w.scene, name);
       return p && p->role == Role::value ? p->code.get() : nullptr;
     }
+    template <class Work>
+    auto or_called_off(Work&& work) -> decltype(work()) {
+      try {
+        return work();
+      } catch (const NotWanted&) {
+        called_off = true;
+        return fail(ErrorCode::machine, "this is not wanted any more");
+      }
+    }
     Result<Value> value(std::string_view text, double seconds, std::uint64_t& cost) override {
+      return or_called_off([&] { return value_of(text, seconds, cost); });
+    }
+    Result<Value> value_of(std::string_view text, double seconds, std::uint64_t& cost) {
       if (!std::isfinite(seconds) || std::abs(seconds) > longest_seconds)
         return fail(ErrorCode::range, fmt::format("value('{}', {}): there is no such time", text, seconds));
       const auto target = find_target(w.scene, text, {w.live.object});
@@ -65,7 +79,7 @@ struct Worker {
     }
     Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) override {
       const std::uint64_t before = w.asking.cost;
-      auto at = w.c.place_on(line, share, seconds, w.asking);
+      auto at = or_called_off([&] { return w.c.place_on(line, share, seconds, w.asking); });
       cost += w.asking.cost - before + 20;
       w.asking.cost = before;
       return at;
@@ -106,6 +120,7 @@ struct Worker {
     Talk talk(*this, t);
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);
+    if (talk.called_off) throw NotWanted{};
     if (asking.work(cost + 300)) return std::nullopt;                      // beginning is work, too
     if (!answer && talk.lacking && by_definition(p)) return std::nullopt;  // there is no such thing as its value
     const auto say = [&](const std::string& why) {
@@ -293,12 +308,21 @@ struct Worker {
     const LiveStrand& s;
     std::size_t stage;
     int component;
+    bool called_off = false;
     Through(const Worker& worker, const LiveStrand& strand, std::size_t at, int part)
         : w(worker), s(strand), stage(at), component(part) {}
     Value at(double seconds) override {
       if (!(std::abs(seconds) <= longest_seconds)) seconds = 0;
-      const Value v = w.looked_at(s, stage, from_seconds(seconds));
+      const Value v = look(from_seconds(seconds));
       return component < 0 ? v : Value(component_of(v, component));
+    }
+    Value look(Time t) {
+      try {
+        if (!called_off) return w.looked_at(s, stage, t);
+      } catch (const NotWanted&) {
+        called_off = true;
+      }
+      return w.given_up();
     }
     Rate rate() const override { return w.scene.rate; }
     void work(std::uint64_t steps) override { w.asking.work(steps + 300); }
@@ -307,6 +331,7 @@ struct Worker {
   // What a filter sees. Filters on top of each other look at the same times again and again, on grids of their own:
   // what was seen is remembered while this one answer is worked out, so that they cost the sum and not the product.
   Value looked_at(const LiveStrand& s, std::size_t stage, Time t) const {
+    StillWanted::ask();
     if (asking.work(20)) return given_up();
     if (s.filters.size() < 2) return strand_value(s, stage, t);
     const auto key = std::tuple(&s, stage, t.flicks);
@@ -361,6 +386,7 @@ struct Worker {
     if (f.segment && (t < f.segment->first || t > f.segment->second)) return plain;
     Through input(*this, s, stage - 1, f.component);
     const auto made = apply(f, input, t.seconds());
+    if (input.called_off) throw NotWanted{};
     const auto pass = [&](const std::string& why) {
       std::string said = fmt::format("{}: the filter '{}' is left out: {}", name(f.component), f.name, why);
       f.code ? asking.err(std::move(said), f.code->source) : asking.say(std::move(said));
@@ -446,6 +472,16 @@ std::string too_far_back(const std::string& name, std::size_t steps, bool adds_u
 Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, int component) const {
   const Live& live = lives[static_cast<std::size_t>(index)];
   const Worker worker{*this, live, asking};
+  StillWanted::ask();
+  if (const Beside* beside = asking.open.empty() ? asking.beside : nullptr) {
+    const Question question{Question::live, static_cast<std::uint32_t>(index)};
+    const Answer* known = beside->answer(question);
+    if (t == beside->time() || !beside->quick(question)) {
+      if (!known) return worker.without_asking(t, component);
+      asking.say_all(*known);
+      return component < 0 ? known->value : Value(component_of(known->value, component));
+    }
+  }
   const Sought key{index, component, t.flicks};
   constexpr std::size_t deepest = 200;  // a memory of more steps would be an accumulation
   const auto again = std::find(asking.open.begin(), asking.open.end(), key);

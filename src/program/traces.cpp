@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/still_wanted.h"
 #include "betwixt/document.h"
 #include "program/compiled.h"
 
@@ -105,8 +106,16 @@ class Tracer {
   void extend(Time t) {
     if (looks_.empty()) looks_.push_back({from_, place(from_)});
     while (done_ < most_frames && from_.flicks + (done_ + 1) * step_ <= t.flicks) {
-      const Time next{from_.flicks + ++done_ * step_};
-      between(looks_.back(), {next, place(next)}, 0);
+      StillWanted::ask();
+      const std::size_t known = looks_.size();
+      const Time next{from_.flicks + (done_ + 1) * step_};
+      try {
+        between(looks_.back(), {next, place(next)}, 0);
+      } catch (...) {  // called off: half a frame's looks would be others the next time
+        looks_.resize(known);
+        throw;
+      }
+      ++done_;
     }
   }
   // The looks between two, and the second one: where the middle is off the straight way, both halves.
@@ -135,9 +144,13 @@ class Tracer {
 };
 
 Tracer& Program::Compiled::tracer(std::uint32_t object) const {
-  auto& made = tracers[object];
-  if (!made) made = std::make_shared<Tracer>(*this, object);
-  return *made;
+  {
+    const std::lock_guard lock(tracers_in_use);
+    if (const auto known = tracers.find(object); known != tracers.end()) return *known->second;
+  }
+  auto made = std::make_shared<Tracer>(*this, object);  // may ask for another one
+  const std::lock_guard lock(tracers_in_use);
+  return *tracers.emplace(object, std::move(made)).first->second;
 }
 
 Points Program::Compiled::trace(std::uint32_t object, Time t, Asking& asking) const {
@@ -153,8 +166,8 @@ Points Program::Compiled::trace(std::uint32_t object, Time t, Asking& asking) co
   return points;
 }
 
+// The clock asks this: it does not wait for what is being drawn.
 bool Program::Compiled::tracing_at(Time t) const {
-  const std::lock_guard lock(tracing);
   const Scene& scene = document.scene();
   return std::any_of(drawables.begin(), drawables.end(), [&](const Drawable& d) {
     const Node& n = nodes[static_cast<std::size_t>(&d - drawables.data())];

@@ -3,9 +3,11 @@
 #include "scene/document.h"
 
 #include <algorithm>
+#include <set>
 
 #include "base/memory.h"
 #include "base/names.h"
+#include "base/still_wanted.h"
 #include "scene/names.h"
 #include "track/curve.h"
 
@@ -42,10 +44,12 @@ std::size_t Objects::add(Object object) {
 }
 
 std::size_t Objects::bytes_apart(const Objects& other) const {
-  std::size_t sum = shelves_.size() * sizeof(shelves_[0]);
-  each_chunk_apart(other, [&](std::size_t, const Chunk& mine, const Chunk*) {
-    sum += sizeof(Cow<Chunk>) + shared_bytes<Chunk> + mine.size() * sizeof(Cow<Object>);
-  });
+  std::size_t sum = bytes_held(shelves_);
+  for (std::size_t s = 0; s < shelves_.size(); ++s)
+    if (s >= other.shelves_.size() || !shelves_[s].same(other.shelves_[s]))
+      sum += shared_bytes<Shelf> + bytes_held(*shelves_[s]);
+  each_chunk_apart(
+      other, [&](std::size_t, const Chunk& mine, const Chunk*) { sum += shared_bytes<Chunk> + bytes_held(mine); });
   return sum;
 }
 
@@ -76,10 +80,12 @@ template <class Each>
 void add_matching(const Scene& s, std::string_view word, const Each& each_object, std::vector<ObjectId>& out) {
   const auto first = static_cast<std::ptrdiff_t>(out.size());
   each_object([&](ObjectId id) {
-    if (!s.objects[id.index].removed && matches(word, s.objects[id.index].name)) out.push_back(id);
+    if (StillWanted::ask(); !s.objects[id.index].removed && matches(word, s.objects[id.index].name)) out.push_back(id);
   });
-  std::sort(out.begin() + first, out.end(),
-            [&](ObjectId a, ObjectId b) { return natural_less(s.objects[a.index].name, s.objects[b.index].name); });
+  std::sort(out.begin() + first, out.end(), [&](ObjectId a, ObjectId b) {
+    StillWanted::ask();
+    return natural_less(s.objects[a.index].name, s.objects[b.index].name);
+  });
 }
 
 // Returns the objects of a word that is not an alias.
@@ -119,6 +125,7 @@ std::vector<ObjectId> select(const Scene& s, std::string_view word) {
   };
   std::vector<Step> todo{{word}};
   std::map<std::string_view, bool> open;  // aliases seen, and whether we are inside
+  std::set<std::string_view> plain;       // words that have been looked up: the second time they add nothing
   while (!todo.empty()) {
     const Step step = todo.back();
     todo.pop_back();
@@ -128,7 +135,7 @@ std::vector<ObjectId> select(const Scene& s, std::string_view word) {
     }
     const auto alias = s.aliases->find(step.word);
     if (alias == s.aliases->end()) {
-      select_plain(s, step.word, out);
+      if (plain.insert(step.word).second) select_plain(s, step.word, out);
     } else if (const auto [seen, fresh] = open.try_emplace(step.word, true); fresh) {
       todo.push_back({step.word, true});
       for (auto e = alias->second.rbegin(); e != alias->second.rend(); ++e) todo.push_back({*e});
@@ -177,6 +184,7 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
   std::vector<Step> steps{{parent, from, until, 0}};
   const std::size_t enough = 4 * s.objects.size() + 10'000;  // a circle made by moving events must not stop us
   for (std::size_t i = 0; i < steps.size() && steps.size() < enough; ++i) {
+    StillWanted::ask();
     for (const AttachmentSpan& a : attachments(s.objects[steps[i].at.index])) {
       const Time begin = std::max(a.from, steps[i].from), end = std::min(a.until, steps[i].until);
       if (a.to.kind < AttachmentKind::hang || !find_object(s, a.to.parent) || begin >= end) continue;
@@ -203,7 +211,7 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
   t.object = dot == 0 ? self : s.names.find(text.substr(0, dot));
   if (!find_object(s, t.object)) {
     std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < s.objects.size() && names.size() < 1000; ++i)
+    for (std::size_t i = 0; i < s.objects.size() && i < 1000; ++i)
       if (!s.objects[i].removed) names.push_back(s.objects[i].name);
     const auto name = text.substr(0, dot);
     return no("there is no object '" + std::string(name) + "'", did_you_mean(name, names));

@@ -7,12 +7,75 @@
 
 #include "base/memory.h"
 #include "scene/document.h"
+#include "track/procedure.h"
 
 namespace betwixt {
 namespace {
 
-// Beyond what fits into a string itself.
-std::size_t letters(const std::string& s) { return s.capacity() > std::string().capacity() ? s.capacity() + 1 : 0; }
+constexpr std::size_t compiled_code = 200;  // bytes: about what a line of code is compiled to
+
+// The shared thing that a value refers to, or null.
+const void* elsewhere(const Value& v) {
+  return std::visit(
+      [](const auto& one) -> const void* {
+        if constexpr (requires { one.at.get(); }) return one.at.get();
+        if constexpr (requires { one.code.get(); }) return one.code.get();
+        return nullptr;
+      },
+      v);
+}
+
+// Bytes of the copy of a whole. Texts and points of values are shared, and not counted.
+std::size_t all_held(const std::string& s) { return bytes_held(s); }
+std::size_t all_held(const FunctionSpec& f) { return bytes_held(f.name) + bytes_held(f.words); }
+std::size_t all_held(const NamedProcedure& p) { return bytes_held(p.name); }
+std::size_t all_held(const Dial& d) { return bytes_held(d.address); }
+std::size_t all_held(const Let& l) {
+  const auto* list = std::get_if<LetList>(&l);
+  return list ? bytes_held(*list) : 0;
+}
+template <class K, class V>
+std::size_t all_held(const std::pair<K, V>&);
+template <class T>
+std::size_t all_held(const std::vector<T>&);
+template <class K, class V, class C>
+std::size_t all_held(const std::map<K, V, C>&);
+template <class T>
+std::size_t all_held(const T&) {
+  return 0;
+}
+template <class K, class V>
+std::size_t all_held(const std::pair<K, V>& p) {
+  return all_held(p.first) + all_held(p.second);
+}
+template <class T>
+std::size_t sum_held(const T& all) {
+  std::size_t sum = bytes_held(all);
+  for (const auto& one : all) sum += all_held(one);
+  return sum;
+}
+template <class T>
+std::size_t all_held(const std::vector<T>& all) {
+  return sum_held(all);
+}
+template <class K, class V, class C>
+std::size_t all_held(const std::map<K, V, C>& all) {
+  return sum_held(all);
+}
+
+// Display lists: an edit copies the end of one list, or the part in which it replaces a command.
+std::size_t apart(const DisplayLists& before, const DisplayLists& after) {
+  constexpr std::size_t part = 64;
+  std::size_t sum = sum_held(before);
+  for (const auto& [name, list] : before) {
+    const auto there = after.find(name);
+    if (there != after.end() && there->second.same(list)) continue;
+    const std::size_t n = list->commands.size();
+    sum += shared_bytes<DisplayList> + sum_held(list->tags) + in_heap((n + part - 1) / part * sizeof(Cow<int>)) +
+           shared_bytes<std::vector<DisplayCommand>> + in_heap(std::min(n, part) * sizeof(DisplayCommand));
+  }
+  return sum;
+}
 
 class Weighing {
  public:
@@ -20,19 +83,21 @@ class Weighing {
 
   // Counts the object, with those of its tracks that the other does not share.
   void apart(const Object& o, const Object* other) {
-    sum.bytes += shared_bytes<Object> + letters(o.name) + bytes_held(o.slots);
+    sum.bytes += shared_bytes<Object> + bytes_held(o.name) + bytes_held(o.slots);
     for (const Slot& s : o.slots) {
       const Slot* there = other ? other->find(s.function, s.layer) : nullptr;
       apart(s, there), apart(s.velocity, there ? &there->velocity : nullptr);
+      if (s.set && !(there && there->set && elsewhere(*s.set) == elsewhere(*there->set))) value(*s.set);
+      filters(s.filters);
     }
     if (o.environment && (!other || other->environment != o.environment)) sum.bytes += shared_bytes<Environment>;
   }
   void object(const Object& o) {
-    sum.bytes += shared_bytes<Object> + letters(o.name) + bytes_held(o.slots);
+    sum.bytes += shared_bytes<Object> + bytes_held(o.name) + bytes_held(o.slots);
     for (const Slot& s : o.slots) {
       strand(s), strand(s.velocity);
       if (s.set) value(*s.set);
-      sum.bytes += bytes_held(s.filters);
+      filters(s.filters);
     }
     if (o.environment && first(o.environment.get()))
       sum.bytes += shared_bytes<Environment> + o.environment->size() * sizeof(EnvironmentEvent);
@@ -62,14 +127,20 @@ class Weighing {
       if (e.detail) sum.bytes += sizeof(EventDetail);
     });
   }
+  void filters(const std::vector<Filter>& all) {
+    sum.bytes += bytes_held(all);
+    for (const Filter& f : all) sum.bytes += bytes_held(f.name) + sum_held(f.parameters);
+  }
   // What it holds elsewhere.
   void value(const Value& v) {
     if (const auto* text = std::get_if<Text>(&v); text && first(text->at.get()))
-      sum.bytes += shared_bytes<std::string> + letters(**text);
+      sum.bytes += shared_bytes<std::string> + bytes_held(**text);
     if (const auto* points = std::get_if<Points>(&v); points && first(points->at.get()))
       sum.bytes += shared_bytes<std::vector<Vec3>> + bytes_held(**points);
     if (const auto* names = std::get_if<Names>(&v); names && first(names->at.get()))
-      sum.bytes += shared_bytes<std::vector<std::string>> + bytes_held(**names);
+      sum.bytes += shared_bytes<std::vector<std::string>> + sum_held(**names);
+    if (const auto* code = std::get_if<Procedure>(&v); code && code->code && first(code->code.get()))
+      sum.bytes += shared_bytes<Routine> + bytes_held(code->code->source) + compiled_code;
     if (const auto* matrix = std::get_if<Matrix>(&v); matrix && first(matrix->at.get()))
       sum.bytes += shared_bytes<Mat4>;
     if (const auto* moves = std::get_if<Moves>(&v); moves && first(moves->at.get())) sum.bytes += shared_bytes<Motion>;
@@ -94,17 +165,27 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
   before.objects.each_changed(after.objects, [&](std::size_t i) {
     lost.apart(before.objects[i], i < after.objects.size() ? &after.objects[i] : nullptr);
   });
-  lost.sum.bytes += sizeof(Scene) + before.objects.bytes_apart(after.objects) + before.names.bytes_apart(after.names);
+  lost.sum.bytes +=
+      shared_bytes<Scene> + before.objects.bytes_apart(after.objects) + before.names.bytes_apart(after.names);
   const auto whole = [&lost](const auto& was, const auto& is) {  // what an edit copies as a whole
-    if (!was.same(is)) lost.sum.bytes += bytes_held(*was);
-    return !was.same(is);
+    using Whole = std::remove_cvref_t<decltype(*was)>;
+    if (was && !was.same(is)) lost.sum.bytes += shared_bytes<Whole> + sum_held(*was);
   };
-  if (whole(before.notes, after.notes))
-    for (const auto& note : *before.notes) lost.sum.bytes += letters(note.second);
-  if (whole(before.later_lists, after.later_lists))
-    for (const auto& later : *before.later_lists) lost.sum.bytes += bytes_held(later.second);
-  whole(before.lists, after.lists), whole(before.expansion, after.expansion), whole(before.spare, after.spare);
-  whole(before.views, after.views), whole(before.cuts, after.cuts), whole(before.lets, after.lets);
+  whole(before.notes, after.notes), whole(before.aliases, after.aliases), whole(before.lets, after.lets);
+  whole(before.defined, after.defined), whole(before.procedures, after.procedures), whole(before.dials, after.dials);
+  whole(before.expansion, after.expansion), whole(before.spare, after.spare);
+  whole(before.views, after.views), whole(before.cuts, after.cuts);
+  whole(before.meshes, after.meshes), whole(before.pictures, after.pictures), whole(before.sounds, after.sounds);
+  whole(before.formulas, after.formulas);
+  if (!before.lists.same(after.lists))
+    lost.sum.bytes += shared_bytes<DisplayLists> + apart(*before.lists, *after.lists);
+  if (!before.later_lists.same(after.later_lists)) {
+    lost.sum.bytes += shared_bytes<LaterLists> + bytes_held(*before.later_lists);
+    for (const auto& [time, lists] : *before.later_lists) {
+      const auto there = after.later_lists->find(time);
+      lost.sum.bytes += apart(lists, there == after.later_lists->end() ? DisplayLists() : there->second);
+    }
+  }
   return lost.sum.bytes;
 }
 

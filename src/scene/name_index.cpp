@@ -88,6 +88,7 @@ std::size_t NameIndex::bytes_apart(const Cow<Node>& node, const Cow<Node>& other
   if (!node || node.same(other)) return 0;
   std::size_t sum =
       shared_bytes<Node> + bytes_held(node->hashes) + bytes_held(node->entries) + bytes_held(node->branches);
+  for (const Entry& e : node->entries) sum += bytes_held(e.name);
   const bool both = node->branches.size() == other->branches.size();
   for (std::size_t i = 0; i < node->branches.size(); ++i)
     sum += bytes_apart(node->branches[i], both ? other->branches[i] : Cow<Node>());

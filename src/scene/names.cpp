@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/names.h"
+
 namespace betwixt {
 
 namespace {
@@ -56,6 +58,15 @@ std::string target_name(const Scene& s, const Target& t) {
   name += spec.name;
   if (t.component >= 0) name.append(".").append(component_name(spec.type, t.component));
   return t.velocity ? name + ".velocity" : name;
+}
+
+std::string near_object(const Scene& s, std::string_view word) {
+  constexpr std::size_t most = 10'000;
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < s.objects.size() && i < most; ++i)
+    if (!s.objects[i].removed) names.push_back(s.objects[i].name);
+  for (const auto& a : *s.aliases) names.push_back(a.first);
+  return did_you_mean(word, names);
 }
 
 std::string format_time(Time t, Rate rate) {

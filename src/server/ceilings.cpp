@@ -4,6 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <unordered_set>
+
+#include "base/still_wanted.h"
+#include "track/procedure.h"
+
 namespace betwixt {
 namespace {
 
@@ -36,6 +41,32 @@ bool too_many_environments(std::size_t most, const Scene& before, const Scene& a
   return n > most && n > environments(before);
 }
 
+// Adds up the bytes of values, shared ones once.
+class Held {
+ public:
+  std::size_t bytes = 0;
+  void strand(const Strand& s) {
+    track(*s.track);
+    for (const Cow<Track>& t : s.components) track(*t);
+  }
+  void value(const Value& v) {
+    if (const auto* text = std::get_if<Text>(&v); text && first(text->at.get())) bytes += (*text)->size();
+    if (const auto* points = std::get_if<Points>(&v); points && first(points->at.get()))
+      bytes += (*points)->size() * sizeof(Vec3);
+    if (const auto* names = std::get_if<Names>(&v); names && first(names->at.get()))
+      for (const std::string& name : **names) bytes += sizeof name + name.size();
+    if (const auto* code = std::get_if<Procedure>(&v); code && code->code && first(code->code.get()))
+      bytes += 3 * code->code->source.size();  // compiled, too
+  }
+
+ private:
+  void track(const Track& t) {
+    if (!t.events.empty() && first(&t)) t.events.each([&](const Event& e) { value(e.value); });
+  }
+  bool first(const void* thing) { return seen_.insert(thing).second; }
+  std::unordered_set<const void*> seen_;
+};
+
 Error too_many(const char* what, std::size_t most, const std::string& hint) {
   return fail(ErrorCode::range, fmt::format("there would be more than {} {}", most, what), hint);
 }
@@ -48,6 +79,24 @@ std::size_t count_events(const Scene& before, std::size_t events, const Scene& a
     events += events_of(after.objects[i]);
   });
   return events;
+}
+
+std::size_t bytes_of_values(const Scene& scene) {
+  Held all;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    StillWanted::ask();
+    for (const Slot& slot : scene.objects[i].slots) {
+      if (slot.set) all.value(*slot.set);
+      all.strand(slot), all.strand(slot.velocity);
+    }
+  }
+  return all.bytes;
+}
+
+Error too_many_bytes(const Ceilings& c) {
+  return fail(ErrorCode::range,
+              fmt::format("texts, points, lists of names and code would have more than {} bytes", c.values),
+              "betwixt serve --values N lets more in");
 }
 
 Status within(const Ceilings& c, const Scene& before, std::size_t events_before, const Scene& after,

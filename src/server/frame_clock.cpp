@@ -54,7 +54,11 @@ Nanos monotonic_now() {
 FrameClock::FrameClock(Options options)
     : options_(std::move(options)),
       period_(static_cast<Nanos>(static_cast<double>(second) / options_.rate.per_second())),
-      told_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+      told_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+      quarantine_({period_ / 8, options_.priority != Priority::ordinary ? maker_nice : 0, monotonic_now, [this] {
+                     news_ = true;
+                     maker_.ring();
+                   }}) {}
 
 Result<std::unique_ptr<FrameClock>> FrameClock::start(Options options) {
   std::unique_ptr<FrameClock> clock(new FrameClock(std::move(options)));
@@ -164,9 +168,10 @@ std::string FrameClock::stats() const {
   const auto us = [](std::uint64_t ns) { return static_cast<double>(ns) / 1000; };
   return fmt::format(
       "\"class\":\"{}\",\"rate\":{},\"frames_due\":{},\"frames_made\":{},\"frames_missed\":{},\"frames_idle\":{},"
-      "\"frames_untold\":{},\"wakes\":{},\"late_p50_us\":{:.1f},\"late_p99_us\":{:.1f},\"late_max_us\":{:.1f}",
+      "\"frames_untold\":{},\"wakes\":{},\"late_p50_us\":{:.1f},\"late_p99_us\":{:.1f},\"late_max_us\":{:.1f},{}",
       to_string(priority_), options_.rate.per_second(), due_.load(), made_.load(), missed_.load(), idle_.load(),
-      untold_.load(), wakes_.load(), us(late_.quantile(0.5)), us(late_.quantile(0.99)), us(late_.largest()));
+      untold_.load(), wakes_.load(), us(late_.quantile(0.5)), us(late_.quantile(0.99)), us(late_.largest()),
+      quarantine_.stats());
 }
 
 // ---- the clock

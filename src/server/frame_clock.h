@@ -21,6 +21,7 @@
 
 #include "server/bell.h"
 #include "server/histogram.h"
+#include "server/quarantine.h"
 #include "server/screen.h"
 
 namespace betwixt {
@@ -97,6 +98,7 @@ class FrameClock {
   void doze(std::optional<Nanos> until);
   void make(Making);
   void draw();
+  Nanos patience(Nanos begun) const;
   void expect_cost(Nanos took);
   void lose_screen(const Error&);
 
@@ -128,11 +130,13 @@ class FrameClock {
   std::unique_ptr<Posted> current_;  // the maker's; while there is a frame it stays
 
   // Of the maker.
+  Quarantine quarantine_;
+  std::atomic<bool> news_{false};  // a late answer has come
   Transport transport_;
   bool fresh_ = false;  // what is published has not been shown yet
   std::optional<std::int64_t> last_;
   std::array<Nanos, 3> took_{};  // the last frames
-  Nanos cost_ = 0;               // of drawing, as of late
+  Nanos cost_ = 0;               // of drawing, as of late, without waiting for answers
 
   Nanos early_ = 0;  // how late the clock's sleep ends, as of late
 

@@ -31,6 +31,7 @@ void FrameClock::doze(std::optional<Nanos> until) {
 void FrameClock::make_frames() {
   while (!stop_) {
     take_post();
+    if (news_.exchange(false)) fresh_ = true;
     const Nanos now = monotonic_now();
     std::optional<Making> next = current_ ? plan(now) : std::nullopt;
     if (!next)
@@ -82,12 +83,20 @@ void FrameClock::draw() {
   if (!current_->edition.look && !screen_) return;
   const Nanos begun = monotonic_now();
   std::optional<Evaluation>& played = current_->evaluation;
-  if (!played) played.emplace(current_->edition.program);
+  if (!played) played.emplace(current_->edition.program, quarantine_);
+  quarantine_.wait_until(patience(begun));
   played->to(making_.shown.time);
   making_.shown.problems = played->problems();
+  making_.shown.turns = quarantine_.turns();
   if (screen_)
     if (Status drawn = screen_->draw(*played); !drawn) lose_screen(drawn.error());
-  expect_cost(monotonic_now() - begun);
+  expect_cost(monotonic_now() - begun - quarantine_.waited());
+}
+
+// Until when answers may come: then there is time left to draw what they say.
+Nanos FrameClock::patience(Nanos begun) const {
+  if (!current_->edition.transport.running) return begun + period_;
+  return std::clamp(making_.deadline - cost_ - period_ / 8, begun + period_ / 8, begun + period_);
 }
 
 // What frames have taken of late, at most; one alone that took long, as the first one does, says nothing of the next.

@@ -3,16 +3,20 @@
 #include "server/imaging.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <new>
 #include <tuple>
 
+#include "base/may_make.h"
 #include "base/names.h"
 #include "base/still_wanted.h"
 #include "commands/verbs.h"
 #include "language/json.h"
+#include "language/line_words.h"
 #include "server/answers.h"
 
 namespace betwixt {
@@ -22,6 +26,42 @@ constexpr int most_open_lines = 10'000;    // of one command
 constexpr int most_attempts = 3;           // while others change the document, before they wait …
 constexpr Nanos most_waited = 50'000'000;  // … for what takes no more of a processor than this
 constexpr int most_in_vain = 12;           // attempts at what takes longer
+constexpr auto most_at_once = std::chrono::milliseconds(5);
+
+// What this thread takes: of a processor, and of time while it waits for another process or for a file. The time in
+// which it only waits for a processor does not count.
+class Effort {
+ public:
+  Nanos taken() const {
+    constexpr long few = 3;  // a lock
+    const auto busy = StillWanted::used() - used_;
+    const auto all = std::chrono::steady_clock::now() - begun_;
+    return std::chrono::nanoseconds(waits() - waits_ > few ? all : busy).count();
+  }
+
+ private:
+  static long waits() {
+    rusage u{};
+    ::getrusage(RUSAGE_THREAD, &u);
+    return u.ru_nvcsw;
+  }
+  const std::chrono::nanoseconds used_ = StillWanted::used();
+  const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  const long waits_ = waits();
+};
+
+// Does what is nearly always short; false: this time it is not, and nothing is done.
+bool at_once(const std::function<void()>& work) {
+  static const std::atomic<bool> stays{false};
+  static const std::atomic<int> everybody{1};
+  try {
+    const StillWanted wanted(stays, stays, everybody, most_at_once);
+    work();
+    return true;
+  } catch (const NotWanted&) {
+    return false;
+  }
+}
 
 }  // namespace
 
@@ -39,6 +79,9 @@ Nanos Transport::when(Time t) const {
 Imaging::Imaging(Options options)
     : options_(std::move(options)), editor_(options_.load, options_.undo), history_(options_.ceilings.history) {
   editor_.keep([this](Did what, const Step& step) { return history_.note(what, step); });
+  editor_.free_with([this](Point gone) {
+    if (large()) discard(std::move(gone));
+  });
 }
 
 Imaging::Host Imaging::arrive() {
@@ -71,37 +114,63 @@ class Imaging::Alone {
   bool mine_ = false;
 };
 
-const Program& Imaging::program() {
+bool Imaging::large() const {
+  constexpr std::size_t many = 10'000;
+  return long_to_compile_ || document().scene().objects.size() > many || event_count_ > 10 * many;
+}
+
+Program Imaging::program() {
   constexpr auto soon = std::chrono::milliseconds(5);
-  Alone alone(*this);
-  for (int n = 0; compiled_ != version_; ++n) {
-    if (n >= most_attempts) alone.ask(0);
-    const std::uint64_t version = version_;
-    const Document from = document();
-    const Program before = program_;
-    Program made;
-    const auto compile = [&] { made = Program::compile(from, before); };
-    const auto begun = std::chrono::steady_clock::now();
-    const std::size_t objects = compiled_ > 0 ? before.document().scene().objects.size() : 0;
-    const bool much = long_to_compile_ || from.scene().objects.size() > objects + 10'000;
-    if (much && options_.beside)
-      options_.beside(compile, Claim::first);
-    else
-      compile();
-    long_to_compile_ = std::chrono::steady_clock::now() - begun > soon;
-    if (version > compiled_) program_ = std::move(made), compiled_ = version;  // else somebody was faster
-  }
-  return program_;
+  const std::uint64_t version = version_;
+  const Document from = document();
+  const Program before = program_;
+  if (compiled_ == version || (compiled_ > 0 && &from.scene() == &before.document().scene()))
+    return compiled_ = version, before;
+  Program made;
+  std::chrono::nanoseconds took{};
+  const auto compile = [&] {
+    const auto begun = StillWanted::used();
+    made = Program::compile(from, before);
+    took = StillWanted::used() - begun;
+  };
+  if (options_.beside && large())
+    options_.beside(compile, Claim::first);
+  else
+    compile();
+  long_to_compile_ = took > soon;
+  keep_program(made, version);
+  return made;
+}
+
+// Does nothing if a newer program is there already.
+void Imaging::keep_program(Program made, std::uint64_t version) {
+  if (version <= compiled_) return;
+  Program before = std::exchange(program_, std::move(made));
+  if (large()) discard(std::move(before));
+  compiled_ = version;
+}
+
+// Patterns, and names that stand for many.
+bool Imaging::speaks_of_many(std::string_view text) const {
+  if (text.find_first_of("*?{[") != std::string_view::npos) return true;
+  const auto& aliases = *document().scene().aliases;
+  if (aliases.empty()) return false;
+  const auto words = line_words(text);
+  return std::any_of(words.begin(), words.end(), [&](const std::string& w) {
+    return aliases.contains(std::string_view(w).substr(0, w.find('.')));
+  });
 }
 
 // Whether a line may do more than change a few things: it speaks of many, reads files, runs code or draws lists.
-bool Imaging::takes_long(const SaidLine& line) {
+bool Imaging::takes_long(const Visitor& h, const SaidLine& line) const {
   static constexpr std::string_view quick[] = {"set",  "at",     "create", "note",    "attach",
                                                "hang", "couple", "detach", "letgo",   "show",
                                                "hide", "halt",   "kill",   "animate", "look"};
-  if (line.text.size() > 2000 || line.text.find_first_of("*?{[\"") != std::string_view::npos) return true;
-  const bool row = line.indented || line.verb.find('.') != std::string_view::npos;
-  return !row && std::find(std::begin(quick), std::end(quick), line.verb) == std::end(quick);
+  if (line.text.size() > 2000 || line.text.find('"') != std::string_view::npos || speaks_of_many(line.text))
+    return true;
+  if (line.indented && h.sheet) return speaks_of_many(h.sheet->pattern);
+  return line.verb.find('.') == std::string_view::npos &&
+         std::find(std::begin(quick), std::end(quick), line.verb) == std::end(quick);
 }
 
 Imaging::Worked Imaging::work_out(Visitor& h, bool takes_long,
@@ -109,9 +178,9 @@ Imaging::Worked Imaging::work_out(Visitor& h, bool takes_long,
   Alone alone(*this);
   bool changes = true;
   const auto timed = [&](const Point& from, std::size_t events) {
-    const auto before = StillWanted::used();
+    const Effort effort;
     changes = work(from, events);
-    h.took = (StillWanted::used() - before).count();
+    h.took = effort.taken();
   };
   for (;; ++h.attempts) {
     if (h.attempts >= most_in_vain && h.took > most_waited) return h.attempts = 0, Worked::in_vain;
@@ -119,10 +188,11 @@ Imaging::Worked Imaging::work_out(Visitor& h, bool takes_long,
     if (first) alone.ask(h.host);
     const Point from = editor_.now();
     const std::size_t events = event_count_;
-    if (!takes_long || !options_.beside) {
-      work(from, events);
+    if (!options_.beside || (!takes_long && at_once([&] { work(from, events); }))) {
+      if (!options_.beside) work(from, events);
       break;
     }
+    takes_long = true;
     const Claim claim = first && !alone.others() ? Claim::first : Claim::fair;
     if (!options_.beside([&] { timed(from, events); }, claim)) return h.attempts = 0, Worked::gone;
     if (changes && alone.others()) return Worked::later;
@@ -142,17 +212,37 @@ Imaging::Reply Imaging::not_worked(const Visitor& h, Worked how, Nanos now) {
 
 // ---- answers
 
-Imaging::Reply Imaging::yes(const Visitor& h, Nanos now, const std::string& members, std::optional<std::int64_t> at) {
-  return {fmt::format("{{\"line\":{},\"ok\":true,\"tick\":{}{}}}\n", h.line, at.value_or(tick(now)), members), false};
+// Does not copy the members again: they may be long.
+Imaging::Reply Imaging::yes(const Visitor& h, Nanos now, std::string members, std::optional<std::int64_t> at) {
+  members.insert(0, fmt::format("{{\"line\":{},\"ok\":true,\"tick\":{}", h.line, at.value_or(tick(now))));
+  members += "}\n";
+  return {std::move(members), false};
+}
+
+Result<std::string> Imaging::asked(const std::function<Result<std::string>(Film&)>& answer) {
+  constexpr std::size_t more = 200;  // bytes that an answer begins and ends with
+  Film film(document(), program_, compiled_ == version_);
+  const std::uint64_t version = version_;
+  Result<std::string> out = std::string();
+  const auto work = [&] {
+    out = answer(film);
+    if (out) out->reserve(out->size() + more);
+  };
+  if (!options_.beside)
+    work();
+  else if (!options_.beside(work, Claim::fair))
+    out = std::string();  // the host has left
+  if (film.compiled()) keep_program(film.program(), version);
+  return out;
 }
 
 Imaging::Reply Imaging::no(const Visitor& h, Nanos now, const Error& e, const std::string& members) {
   ++refused_;
   std::string more = members;
-  if (!e.hint.empty()) more = ",\"hint\":" + json_text(e.hint) + more;
+  if (!e.hint.empty()) more = ",\"hint\":" + json_words(e.hint) + more;
   if (e.place.column > 0) more += fmt::format(",\"column\":{}", e.place.column);
   return {fmt::format("{{\"line\":{},\"ok\":false,\"tick\":{},\"error\":{}{}}}\n", h.line, tick(now),
-                      json_text(e.message), more),
+                      json_words(e.message), more),
           false};
 }
 
@@ -192,7 +282,7 @@ Imaging::Reply Imaging::enter_next(Visitor& h, std::string_view line, Nanos now)
   if (h.bundling) return collect(h, line, now);
   std::string whole = std::exchange(h.open, {});
   if (h.open_lines > 0) line = whole += "\n" + std::string(line);
-  const SaidLine said = look_at(line);
+  const SaidLine said = look_at(line, longest_question);
   const int lines = std::exchange(h.open_lines, 0);
   if (line.size() > longest_line || (said.open && lines >= most_open_lines))
     return no(h, now,
@@ -217,28 +307,35 @@ const Imaging::Word* Imaging::word_of(const Visitor& h, const SaidLine& line) {
 bool Imaging::changes_document(const Visitor& h, std::string_view line) {
   if (line.size() > longest_line) return false;
   if (h.open_lines > 0 && !h.bundling) return true;
-  const SaidLine said = look_at(line);
+  const SaidLine said = look_at(line, longest_question);
   if (h.bundling) return ends_bundle(h, said);
   if (said.open || said.words.empty()) return false;
   const Word* const word = word_of(h, said);
-  return !word || word->run == &Imaging::undo || word->run == &Imaging::redo;
+  return !word || !word->run;
 }
 
 Imaging::Reply Imaging::enter_whole(Visitor& h, const SaidLine& line, Nanos now) {
   const Word* word = word_of(h, line);
   if (!word) return command(h, line, now);
+  if (line.text.size() > longest_question)
+    return no(h, now, fail(ErrorCode::range, fmt::format("'{}' has at most {} bytes", word->word, longest_question)));
   if (line.words.size() > word->most + 1) return no(h, now, one_word_too_many(line.words[word->most + 1], word->usage));
-  const auto done = (this->*word->run)(h, line.words, now);
+  if (!word->run) return step(h, word->step, now);
+  auto done = (this->*word->run)(h, line.words, now);
   if (!done) return no(h, now, done.error());
   if (h.bundling) return {};  // its end has the answer
-  return {yes(h, now, *done).line, h.leaving};
+  return {yes(h, now, *std::move(done)).line, h.leaving};
 }
 
 Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t events, std::string_view line,
                                             std::int64_t stamp) const {
   const Scene& was = from.document.scene();
   Carried c;
-  c.deed = editor_.carry_out(from, line, was.ticks.span(static_cast<double>(stamp)));
+  try {
+    c.deed = editor_.carry_out(from, line, was.ticks.span(static_cast<double>(stamp)));
+  } catch (const TooMuch&) {
+    return too_many_bytes(options_.ceilings);
+  }
   for (const Diagnostic& d : c.deed.said) {
     Error e = d.what;
     if (!e.place.file.empty() && e.place.line > 0)
@@ -255,9 +352,19 @@ Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t event
   }
   const Scene& is = c.deed.after.document.scene();
   c.events = count_events(was, events, is);
+  c.bytes = Editor::bytes_kept(from, c.deed.after);
   c.kept = !c.deed.opens || !is.lists.same(was.lists) || !is.later_lists.same(was.later_lists);
   if (const Status fits = within(options_.ceilings, was, events, is, c.events); !fits) return fits.error();
   return c;
+}
+
+// The sum counts all values that were made, also those that are gone. If it is too large, the document is measured.
+Result<std::size_t> Imaging::values_in(const Scene& after, std::size_t made) const {
+  const std::size_t before = values_, most = options_.ceilings.values;
+  if (made == 0 || before + made <= most) return before + made;
+  const std::size_t now = bytes_of_values(after);
+  if (now > most && now > before) return too_many_bytes(options_.ceilings);
+  return now;
 }
 
 bool Imaging::starts_show(std::string_view verb) {
@@ -269,16 +376,22 @@ Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
   if (line.words.empty()) return yes(h, now, "");
   const std::int64_t at = stamp(now);
   Result<Carried> c = Error{};
-  std::optional<Program> made;  // by then: nobody else waits for that either
-  const bool takes_time = takes_long(line);
-  const auto carry = [&, before = program_](Point from, std::size_t events) {
+  const auto carry = [&](Point from, std::size_t events) {
     from.script.left = h.sheet;
+    const MayMake share(making_, options_.ceilings.values);
     c = carry_out(from, events, line.text, at);
-    made.reset();
-    if (takes_time && c && c->kept) made = Program::compile(c->deed.after.document, before);
+    if (!c) return false;
+    const auto values = values_in(c->deed.after.document.scene(), share.made());
+    if (values)
+      c->values = *values;
+    else
+      c = values.error();
     return bool(c);
   };
-  if (const Worked worked = work_out(h, takes_time, carry); worked != Worked::done) return not_worked(h, worked, now);
+  if (const Worked worked = work_out(h, takes_long(h, line), carry); worked != Worked::done) {
+    discard(std::move(c));
+    return not_worked(h, worked, now);
+  }
   if (!c) {
     Error e = c.error();
     if (!line.indented) h.sheet.reset();
@@ -290,14 +403,15 @@ Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
     return no(h, now, e);
   }
   Deed& deed = c->deed;
+  deed.after.counts = {c->events, c->values};
   h.sheet = deed.after.script.left;
   if (!c->kept) return yes(h, now, said(c->said));
-  if (Status s = editor_.take(std::move(deed.after), {{deed.line}, deed.sheet}); !s) return no(h, now, s.error());
+  if (Status s = editor_.take(std::move(deed.after), {{deed.line}, deed.sheet}, c->bytes); !s)
+    return no(h, now, s.error());
   ++commands_;
-  event_count_ = c->events;
+  event_count_ = c->events, values_ = c->values;
   if (starts_show(line.verb)) start_clock(now);
-  changed(h.host, deed.line, now);
-  if (made) program_ = *std::move(made), compiled_ = version_;
+  changed(h.host, json_text(deed.line), now);
   return yes(h, now, said(c->said), deed.stamped ? std::optional(at) : std::nullopt);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/may_make.h"
 #include "language/json.h"
 #include "language/line_words.h"
 #include "server/answers.h"
@@ -20,15 +21,16 @@ constexpr std::size_t largest_bundle = 16 << 20;  // bytes
 
 struct Imaging::Together {
   Point point;
-  std::size_t events = 0;
-  std::vector<std::string> lines;  // as they stand in a history
-  std::string warnings, errors;
+  std::size_t events = 0, values = 0;  // in the document after it
+  std::size_t bytes = 0;               // that undo keeps for it
+  std::vector<std::string> lines;      // as they stand in a history
+  std::string warnings, errors, told;
   std::optional<Error> first;
   bool stamped = false, starts = false;
 
   void note(std::int64_t number, Error e) {
-    errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", errors.empty() ? "" : ",", number, json_text(e.message),
-                          e.hint.empty() ? "" : ",\"hint\":" + json_text(e.hint),
+    errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", errors.empty() ? "" : ",", number,
+                          json_words(e.message), e.hint.empty() ? "" : ",\"hint\":" + json_words(e.hint),
                           e.place.column > 0 ? fmt::format(",\"column\":{}", e.place.column) : "");
     e.message = fmt::format("line {}: {}", number, e.message), e.place = {};
     if (!first) first = std::move(e);
@@ -43,7 +45,7 @@ bool Imaging::ends_bundle(const Visitor& h, const SaidLine& said) {
 
 Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
   const bool goes_on = !h.bundle.empty() && h.bundle.back().open;
-  const SaidLine said = look_at(line);
+  const SaidLine said = look_at(line, longest_question);
   const bool lone = said.alone() && !said.indented && !goes_on;
   if (ends_bundle(h, said)) return end_bundle(h, now);
   if (lone && said.verb == "names") {  // it changes nothing, and hosts may need more of them here
@@ -65,7 +67,7 @@ Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
   }
   Bundled& before = h.bundle.back();
   before.text += "\n" + std::string(line);
-  const SaidLine whole = look_at(before.text);
+  const SaidLine whole = look_at(before.text, longest_question);
   before.alone = whole.alone(), before.open = whole.open && before.text.size() <= longest_line;
   return {};
 }
@@ -102,33 +104,43 @@ Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
   if (broken) return no(h, now, *broken);
   const std::int64_t at = stamp(now);
   Together all;
-  std::optional<Program> made;
-  const auto carry = [&, before = program_](const Point& from, std::size_t events) {
+  const auto carry = [&](const Point& from, std::size_t events) {
     all = {};
-    made.reset();
+    const MayMake share(making_, options_.ceilings.values);
     all.point = from, all.events = events;
     all.point.script.left.reset();
     for (const Bundled& line : lines)
       if (auto e = carry_out(line, all, at)) all.note(line.number, *std::move(e));
+    if (const auto values = values_in(all.point.document.scene(), share.made()); values)
+      all.values = *values;
+    else if (!all.first)
+      all.first = values.error();
     if (all.first) all.point = {};  // what is large is let go of here, not where others wait
-    if (!all.first && lines.size() > 20) made = Program::compile(all.point.document, before);
+    if (!all.first) all.bytes = Editor::bytes_kept(from, all.point);
+    if (!all.first) all.told = json_text(fmt::format("{}\n", fmt::join(all.lines, "\n")));
+    all.warnings = said(all.warnings);
     return !all.first;
   };
-  const bool takes_time = lines.size() > 20 || std::any_of(lines.begin(), lines.end(), [](const Bundled& l) {
-                            return takes_long(look_at(l.text));
+  const bool takes_time = lines.size() > 20 || std::any_of(lines.begin(), lines.end(), [&](const Bundled& l) {
+                            return takes_long(h, look_at(l.text, longest_question));
                           });
   const Worked worked = work_out(h, takes_time, carry);
   if (worked == Worked::later) h.bundle = std::move(lines), h.bundle_size = size, h.bundling = true;
-  if (worked != Worked::done) return not_worked(h, worked, now);
+  if (worked != Worked::done) {
+    discard(std::move(all));
+    return not_worked(h, worked, now);
+  }
   if (all.first) return no(h, now, *all.first, ",\"errors\":[" + all.errors + "]");
   if (all.lines.empty()) return yes(h, now, "");
-  if (Status s = editor_.take(std::move(all.point), {all.lines, ""}); !s) return no(h, now, s.error());
-  commands_ += all.lines.size();
-  event_count_ = all.events;
+  const std::size_t done = all.lines.size();
+  all.point.counts = {all.events, all.values};
+  if (Status s = editor_.take(std::move(all.point), {std::move(all.lines), ""}, all.bytes); !s)
+    return no(h, now, s.error());
+  commands_ += done;
+  event_count_ = all.events, values_ = all.values;
   if (all.starts) start_clock(now);
-  changed(h.host, fmt::format("{}\n", fmt::join(all.lines, "\n")), now);
-  if (made) program_ = *std::move(made), compiled_ = version_;
-  return yes(h, now, said(all.warnings), all.stamped ? std::optional(at) : std::nullopt);
+  changed(h.host, all.told, now);
+  return yes(h, now, std::move(all.warnings), all.stamped ? std::optional(at) : std::nullopt);
 }
 
 }  // namespace betwixt

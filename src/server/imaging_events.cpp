@@ -11,15 +11,20 @@
 
 namespace betwixt {
 
-void Imaging::changed(Host by, const std::string& line, Nanos now) {
+void Imaging::changed(Host by, const std::string& commands, Nanos now) {
   ++version_;
-  std::string told;
+  const auto told = [&] {
+    return fmt::format("{{\"event\":\"change\",\"tick\":{},\"host\":{},\"commands\":{}}}\n", tick(now), by, commands);
+  };
+  tell_all(changes, told);
+}
+
+void Imaging::tell_all(Topic topic, const std::function<std::string()>& what) {
+  std::shared_ptr<const std::string> text;
   for (const auto& [host, visitor] : hosts_) {
-    if (!(visitor.topics & changes)) continue;
-    if (told.empty())
-      told = fmt::format("{{\"event\":\"change\",\"tick\":{},\"host\":{},\"commands\":{}}}\n", tick(now), by,
-                         json_text(line));
-    events_.push_back({host, told});
+    if (!(visitor.topics & topic)) continue;
+    if (!text) text = std::make_shared<const std::string>(what());
+    if (!text->empty()) events_.push_back({host, text});
   }
 }
 
@@ -47,22 +52,28 @@ void Imaging::shown(const std::vector<Shown>& frames) {
 }
 
 void Imaging::tell(const Shown& f) {
-  std::string frame, remarks;
-  if (f.time < told_) told_ = f.time - Time{1};
-  if (document().scene().notes_shown)
-    for (const auto& [time, words] : document().notes(told_ + Time{1}, f.time))
-      remarks += fmt::format("{{\"event\":\"note\",\"seconds\":{},\"note\":{}}}\n", json_number(time.seconds()),
-                             json_text(words));
+  const Time after = f.time < told_ ? f.time - Time{1} : told_;
   told_ = f.time;
   tell_contacts(f);
-  for (const auto& [host, visitor] : hosts_) {
-    if ((visitor.topics & notes) && !remarks.empty()) events_.push_back({host, remarks});
-    if (!(visitor.topics & frames)) continue;
-    if (frame.empty())
-      frame = fmt::format("{{\"event\":\"frame\",\"frame\":{},\"seconds\":{},\"late\":{:.1f}}}\n", f.number,
-                          json_number(f.time.seconds()), static_cast<double>(f.late) / 1000);
-    events_.push_back({host, frame});
-  }
+  tell_all(notes, [&] {
+    std::string remarks;
+    if (document().scene().notes_shown)
+      for (const auto& [time, words] : document().notes(after + Time{1}, f.time))
+        remarks += fmt::format("{{\"event\":\"note\",\"seconds\":{},\"note\":{}}}\n", json_number(time.seconds()),
+                               json_text(words));
+    return remarks;
+  });
+  tell_all(slow, [&] {
+    std::string turns;
+    for (const SlowTurn& s : f.turns)
+      turns += fmt::format("{{\"event\":\"slow\",\"target\":{},\"slow\":{},\"late\":{:.1f}}}\n", json_text(s.target),
+                           s.slow, s.late);
+    return turns;
+  });
+  tell_all(frames, [&] {
+    return fmt::format("{{\"event\":\"frame\",\"frame\":{},\"seconds\":{},\"late\":{:.1f}}}\n", f.number,
+                       json_number(f.time.seconds()), static_cast<double>(f.late) / 1000);
+  });
 }
 
 // Here, not on the clock's thread: it is never kept from the next frame. Nobody knows before how long it takes, so it
@@ -80,11 +91,11 @@ void Imaging::tell_contacts(const Shown& f) {
   else
     look();
   if (watch != watch_) return;  // whoever watches now begins anew
-  std::string all;
-  for (const ContactEvent& e : events) all += to_json(e, film.document()) + "\n";
-  if (all.empty()) return;
-  for (const auto& [host, visitor] : hosts_)
-    if (visitor.topics & contacts) events_.push_back({host, all});
+  tell_all(contacts, [&] {
+    std::string all;
+    for (const ContactEvent& e : events) all += to_json(e, film.document()) + "\n";
+    return all;
+  });
 }
 
 }  // namespace betwixt

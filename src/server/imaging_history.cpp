@@ -8,7 +8,9 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <numeric>
 
+#include "language/json.h"
 #include "server/answers.h"
 #include "server/imaging.h"
 
@@ -89,38 +91,101 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   // Behind the author's text strangers speak.
   options_.load.read_anywhere = options_.load.tex = false;
   options_.load.read_nothing = name_.empty();
-  Diagnostics all = editor_.begin(kept->base, name_);
-  if (has_errors(all)) return all;
-  if (!kept->remarks.empty()) all.push_back(remark(kept->remarks.substr(0, kept->remarks.size() - 1)));
+  std::vector<SetAside> aside;
+  auto all = begin_script(*kept, goes_on, aside);
+  if (!all || has_errors(*all)) return all;
+  const bool mended = !aside.empty();
+  if (!kept->remarks.empty()) all->push_back(remark(kept->remarks.substr(0, kept->remarks.size() - 1)));
   editor_.allow(options_.load);
-  if (const auto stopped = editor_.restore(kept->steps.all, kept->steps.standing)) {
-    all.insert(all.end(), stopped->second.begin(), stopped->second.end());
-    return fail(ErrorCode::file,
-                fmt::format("what an earlier server did cannot be done any more: {}: {}",
-                            kept->steps.all[stopped->first].lines[0].substr(0, 200), all.back().what.message),
-                fmt::format("what it needs may be missing; the script alone is begun with where '{}' is moved away",
-                            history_.journal()));
+  if (Status s = begin_steps(kept->steps, aside); !s) return s.error();
+  if (!aside.empty()) {
+    if (Status s = set_aside(save, aside); !s) return s.error();
+    all->push_back(remark(set_aside_message(save, aside)));
   }
   find_names(history(), names_given_);
   event_count_ = count_events({}, 0, document().scene());
-  if (!save.empty() && kept->goes_on) history_.go_on(editor_.steps(), editor_.undone(), kept->script);
-  if (!save.empty() && !kept->goes_on)
-    if (Status s = history_.keep(kept->base); !s) return s.error();
+  values_ = bytes_of_values(document().scene());
+  editor_.count({event_count_, values_});
+  if (Status s = begin_history(*kept, mended, !aside.empty()); !s) return s.error();
   checkpoint_at_ = history_.length() + checkpoint_every();
   begun_ = latest_ = now;
   if (Status s = begin_time(*kept, goes_on, now); !s) return s.error();
   return all;
 }
 
-// It is the history's: it goes on, or stands, as it did when the server before ended.
-Status Imaging::begin_time(const Kept& kept, bool goes_on, Nanos now) {
-  transport_ = {!options_.wait, now, Time{}};
+// A text that an earlier server left had no errors then: lines that have one now are set aside.
+Result<Diagnostics> Imaging::begin_script(const Kept& kept, bool goes_on, std::vector<SetAside>& aside) {
+  std::string text = kept.base;
+  Diagnostics all = editor_.begin(text, name_);
+  if (!has_errors(all) || !goes_on) return all;
+  if (Status s = open_time(); !s) return s.error();
+  for (std::size_t left = time_file_->is_of(kept.script) ? time_file_->text_size() : 0; has_errors(all);) {
+    auto mended = without_errors(text, name_, left, all);
+    if (!mended) break;
+    left -= std::min(left, text.size() - mended->text.size());
+    text = std::move(mended->text);
+    aside.insert(aside.end(), mended->lines.begin(), mended->lines.end());
+    all = editor_.begin(text, name_);
+  }
+  return all;
+}
+
+// Carries out an earlier server's steps. A step that fails, or that ends the process, is set aside.
+Status Imaging::begin_steps(StepList steps, std::vector<SetAside>& aside) {
+  if (steps.all.empty()) return Nothing{};
+  if (Status s = open_time(); !s) return s;
+  const auto where = [](std::size_t number) { return fmt::format("command {} of the journal", number + 1); };
+  std::vector<std::size_t> numbers(steps.all.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  const auto carry_out = [&](std::size_t n) {
+    auto left_out = editor_.restore(std::span(steps.all).first(n), std::min(n, steps.standing));
+    program_ = Program::compile(document());
+    (void)program_.frame(options_.from_start ? Time{} : time_file_->found().value_or(KeptTime{}).at);
+    return left_out;
+  };
+  const StartMark mark(save_);
+  while (const auto culprit = mark.found() ? find_culprit(steps.all.size(), carry_out) : std::nullopt) {
+    const auto n = static_cast<std::ptrdiff_t>(culprit->number);
+    aside.push_back({where(numbers[culprit->number]), steps.all[culprit->number],
+                     fmt::format("it ends the program ({})", culprit->how)});
+    numbers.erase(numbers.begin() + n), steps.all.erase(steps.all.begin() + n);
+    if (culprit->number < steps.standing) --steps.standing;
+  }
+  for (LeftOut& l : carry_out(steps.all.size()))
+    aside.push_back({where(numbers[l.number]), std::move(l.step), why_refused(l.why)});
+  compiled_ = version_;
+  return Nothing{};
+}
+
+// Brings the files in line with the document. `mended`: the script has lost lines. `less`: the journal has lost steps.
+Status Imaging::begin_history(const Kept& kept, bool mended, bool less) {
   if (save_.empty()) return Nothing{};
+  if (!kept.goes_on) {
+    if (Status s = history_.keep(kept.base); !s) return s;
+  } else if (less) {
+    if (Status s = history_.go_on_with(kept.base, editor_.steps(), editor_.undone(), kept.script); !s) return s;
+  } else {
+    history_.go_on(editor_.steps(), editor_.undone(), kept.script);
+  }
+  if (!mended) return Nothing{};
+  const auto beside = write_beside(save_, editor_.base());
+  return beside ? history_.checkpoint(*beside, 0, editor_.steps(), editor_.undone()) : Status(beside.error());
+}
+
+Status Imaging::open_time() {
+  if (save_.empty() || time_file_) return Nothing{};
   auto file = TimeFile::open(save_);
   if (!file) return file.error();
   time_file_.emplace(*std::move(file));
+  return Nothing{};
+}
+
+// It is the history's: it goes on, or stands, as it did when the server before ended.
+Status Imaging::begin_time(const Kept& kept, bool goes_on, Nanos now) {
+  transport_ = {!options_.wait, now, Time{}};
+  if (Status s = open_time(); !s || !time_file_) return s;
   const auto& was = time_file_->found();
-  if (was && goes_on && (kept.goes_on || time_file_->is_of(kept.base)))
+  if (was && goes_on && !options_.from_start && (kept.goes_on || time_file_->is_of(kept.base)))
     transport_ = {was->running, now, was->at}, told_ = was->at;
   return keep_time();
 }
@@ -180,14 +245,19 @@ Status Imaging::finish(Nanos now) {
 
 // ---- words
 
-Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) { return said(history()); }
+Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) {
+  return asked([text = history()](const Film&) { return said(text); });
+}
 
-Result<std::string> Imaging::stepped(Status (Editor::*step)(), const char* word, Nanos now) {
-  const Document before = document();
-  if (Status s = (editor_.*step)(); !s) return s.error();
-  recount(before);
-  changed(0, word, now);
-  return std::string();
+Imaging::Reply Imaging::step(Visitor& h, Did what, Nanos now) {
+  const Point before = editor_.now();
+  if (Status s = what == Did::undo ? editor_.undo() : editor_.redo(); !s) return no(h, now, s.error());
+  if (const auto& counts = editor_.now().counts)
+    event_count_ = counts->events, values_ = counts->values;
+  else
+    recount(before.document);
+  changed(0, json_text(what == Did::undo ? "undo" : "redo"), now);
+  return yes(h, now, "");
 }
 
 // How many events there are after steps were taken back or done again.
@@ -197,14 +267,7 @@ void Imaging::recount(const Document& before) {
     event_count_ = count_events(was, event_count_, is);
   else
     event_count_ -= count_events(is, 0, was);  // what is not there any more
-}
-
-Result<std::string> Imaging::undo(Visitor&, const std::vector<std::string>&, Nanos now) {
-  return stepped(&Editor::undo, "undo", now);
-}
-
-Result<std::string> Imaging::redo(Visitor&, const std::vector<std::string>&, Nanos now) {
-  return stepped(&Editor::redo, "redo", now);
+  values_ = bytes_of_values(is);
 }
 
 Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, Nanos) {
@@ -212,6 +275,12 @@ Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, N
   if (save_.empty()) return fail(ErrorCode::name, "this server keeps no history", "betwixt serve --save FILE does");
   if (Status s = history_.save(editor_.base(), editor_.steps()); !s) return s.error();
   return said(fmt::format("saved '{}'", save_));
+}
+
+Result<std::string> Imaging::set_aside_word(Visitor&, const std::vector<std::string>&, Nanos) {
+  const auto text = save_.empty() ? Result(std::optional<std::string>()) : read_script(set_aside_path(save_));
+  if (!text) return text.error();
+  return said(text->value_or(""));
 }
 
 // Of a thousand at once none is given twice, nor any that somebody has chosen.

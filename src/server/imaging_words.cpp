@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "base/names.h"
+#include "base/still_wanted.h"
 #include "editor/describe.h"
 #include "editor/help.h"
 #include "language/json.h"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr int slots = 30;  // of the source's counter (C97)
 constexpr std::size_t any_number = 1 << 30;
+constexpr std::size_t longest_answer = 64 << 20;  // bytes
 
 Result<std::string> said_of(const Result<std::string>& text) {
   if (!text) return text.error();
@@ -25,13 +28,13 @@ Result<std::string> said_of(const Result<std::string>& text) {
 }
 
 Result<unsigned> topics_of(const std::vector<std::string>& w) {
-  static constexpr std::string_view names[] = {"changes", "notes", "frames", "contacts"};
+  static constexpr std::string_view names[] = {"changes", "notes", "frames", "contacts", "slow"};
   unsigned topics = 0;
   for (std::size_t i = 1; i < w.size(); ++i) {
     const auto found = std::find(std::begin(names), std::end(names), w[i]);
     if (found == std::end(names))
       return fail(ErrorCode::name, fmt::format("there are no events called '{}'", w[i].substr(0, 60)),
-                  "changes, contacts, frames or notes");
+                  "changes, contacts, frames, notes or slow");
     topics |= 1u << (found - std::begin(names));
   }
   return topics;
@@ -42,6 +45,97 @@ bool killed_by(const Scene& scene, const Target& target, Time t) {
   const auto& e = scene.objects[target.object.index].environment;
   const std::int64_t tick = scene.ticks.whole(t);
   return e && e->size() > 0 && e->event(0).tick <= tick && !e->generation_at(tick);
+}
+
+struct HashTarget {
+  std::size_t operator()(const Target& t) const {
+    const std::uint64_t part = (std::uint64_t{t.function} << 8 | (t.component + 1) << 1 | (t.velocity ? 1 : 0));
+    return std::hash<std::uint64_t>()(part << 32 ^ t.object.index);
+  }
+};
+
+// What an `eval` is about: each target once, in the order of the words.
+struct Question {
+  std::vector<Target> targets;
+  Time time;
+};
+Result<Question> question(const std::vector<std::string>& w, const Document& document, Time now) {
+  Question q{{}, now};
+  std::size_t end = w.size();
+  if (w.size() >= 3 && w[w.size() - 2] == "at") {
+    const std::string& text = w.back();
+    const bool bare = text.find_first_not_of("0123456789.-") == std::string::npos;
+    const auto asked = parse_time(bare ? text + "f" : text, document);
+    if (!asked) return asked.error();
+    q.time = *asked, end -= 2;
+  }
+  if (end > 2 && w.back() == "at")
+    return fail(ErrorCode::syntax, "a time is missing behind 'at'",
+                fmt::format("as in eval {} at 24f", w[1].substr(0, 60)));
+  if (end < 2) return fail(ErrorCode::syntax, "what shall be evaluated?", "usage: eval TARGET… [at TIME]");
+  std::unordered_set<Target, HashTarget> seen;
+  for (std::size_t i = 1; i < end; ++i) {
+    const auto found = find_targets(w[i], document);
+    if (!found) return found.error();
+    bool killed = false;
+    for (const Target& target : *found) {
+      StillWanted::ask();
+      if (killed_by(document.scene(), target, q.time))
+        killed = true;
+      else if (seen.insert(target).second)
+        q.targets.push_back(target);
+    }
+    if (killed && !is_pattern(w[i]))
+      return fail(ErrorCode::name, fmt::format("there is no environment '{}' any more: it was killed",
+                                               w[i].substr(0, std::min<std::size_t>(w[i].find('.'), 60))));
+  }
+  return q;
+}
+
+// The members of an answer that give values: of some targets after the other.
+class Values {
+ public:
+  Values(const Document& document, Time t)
+      : document_(document), out_(fmt::format(",\"seconds\":{},\"values\":{{", json_number(t.seconds()))) {}
+  void add(std::span<const Target> targets, const std::vector<Value>& values,
+           const std::vector<std::string>& problems) {
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      StillWanted::ask();
+      if (too_long()) return;
+      out_ += fmt::format("{}{}:{}", first_ ? "" : ",", json_text(document_.name(targets[i])),
+                          json(values[i], targets[i], document_));
+      first_ = false;
+    }
+    for (const std::string& p : problems)
+      if (std::find(problems_.begin(), problems_.end(), p) == problems_.end()) problems_.push_back(p);
+  }
+  bool too_long() const { return out_.size() > longest_answer; }
+  Result<std::string> members() && {
+    if (too_long())
+      return fail(ErrorCode::range, fmt::format("the answer would have more than {} bytes", longest_answer),
+                  "ask for less at a time");
+    return std::move(out_) + "}" + said(fmt::format("{}", fmt::join(problems_, "\n")));
+  }
+
+ private:
+  const Document& document_;
+  std::string out_;
+  std::vector<std::string> problems_;
+  bool first_ = true;
+};
+
+Result<std::string> values_of(const Program& film, const Question& q) {
+  constexpr std::size_t at_a_time = 1 << 16;
+  Values out(film.document(), q.time);
+  for (std::size_t from = 0; from < q.targets.size() && !out.too_long(); from += at_a_time) {
+    const auto begin = q.targets.begin() + static_cast<std::ptrdiff_t>(from);
+    const std::vector<Target> some(begin,
+                                   begin + static_cast<std::ptrdiff_t>(std::min(at_a_time, q.targets.size() - from)));
+    std::vector<std::string> problems;
+    const std::vector<Value> values = film.read(some, q.time, &problems);
+    out.add(some, values, problems);
+  }
+  return std::move(out).members();
 }
 
 }  // namespace
@@ -57,16 +151,17 @@ std::span<const Imaging::Word> Imaging::words() {
       {"time", "time", "The tick, the seconds and the slot of now.", 0, &Imaging::time},
       {"stats", "stats", "How the server is doing: frames, lateness, hosts.", 0, &Imaging::stats},
       {"history", "history", "The document as a script: every command that was accepted.", 0, &Imaging::history_word},
-      {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", 0, &Imaging::undo},
-      {"redo", "redo", "Does again what was taken back.", 0, &Imaging::redo},
-      {"subscribe", "subscribe changes|contacts|frames|notes", "Events come by themselves from now on.", any_number,
-       &Imaging::subscribe,
+      {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", 0, nullptr, {}, Did::undo},
+      {"redo", "redo", "Does again what was taken back.", 0, nullptr, {}, Did::redo},
+      {"subscribe", "subscribe changes|contacts|frames|notes|slow", "Events come by themselves from now on.",
+       any_number, &Imaging::subscribe,
        "  changes   what was carried out, and which host said it\n"
        "  contacts  what begins or ends to touch, what enters or leaves the view\n"
        "  frames    the number and time of each frame that was shown, and how late in µs it was\n"
        "  notes     notes whose time has come\n"
+       "  slow      a value that takes longer than frames have, or does so no longer\n"
        "  example: subscribe changes contacts\n"},
-      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes]", "No events any more.", any_number,
+      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes|slow]", "No events any more.", any_number,
        &Imaging::unsubscribe},
       {"start", "start", "The time goes on, if it stood; with --wait it begins at 0.", 0, &Imaging::start},
       {"pause", "pause", "The time stands.", 0, &Imaging::pause},
@@ -74,6 +169,8 @@ std::span<const Imaging::Word> Imaging::words() {
       {"seek", "seek TIME", "The time is another one now.", any_number, &Imaging::seek},
       {"save", "save", "Writes the history as a script, and says where. (It is kept without that, too.)", any_number,
        &Imaging::save},
+      {"set-aside", "set-aside", "What an earlier server did and this one could not do again, and why.", 0,
+       &Imaging::set_aside_word},
       {"names", "names", "A thousand numbers that nobody has: for hosts that make names of them.", 0, &Imaging::names},
       {"bundle", "bundle, then commands, then end",
        "The commands up to end are done together, all at one moment or none; end has the answer.", 0, &Imaging::bundle,
@@ -106,53 +203,32 @@ Result<std::string> Imaging::not_for_hosts(Visitor&, const std::vector<std::stri
               "see start, pause, go, seek");
 }
 
-Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  std::size_t end = w.size();
-  Time t = transport_.time(now);
-  const Program film = program();  // others may change the document while it is made, and while it is read
-  const Document& document = film.document();
-  if (w.size() >= 3 && w[w.size() - 2] == "at") {
-    const std::string& text = w.back();
-    const bool bare = text.find_first_not_of("0123456789.-") == std::string::npos;
-    const auto asked = parse_time(bare ? text + "f" : text, document);
-    if (!asked) return asked.error();
-    t = *asked, end -= 2;
-  }
-  if (end > 2 && w.back() == "at")
-    return fail(ErrorCode::syntax, "a time is missing behind 'at'",
-                fmt::format("as in eval {} at 24f", w[1].substr(0, 60)));
-  if (end < 2) return fail(ErrorCode::syntax, "what shall be evaluated?", "usage: eval TARGET… [at TIME]");
-  std::vector<Target> targets;
-  for (std::size_t i = 1; i < end; ++i) {
-    const auto found = find_targets(w[i], document);
-    if (!found) return found.error();
-    bool killed = false;
-    for (const Target& target : *found) {
-      if (killed_by(document.scene(), target, t))
-        killed = true;
-      else if (std::find(targets.begin(), targets.end(), target) == targets.end())
-        targets.push_back(target);
-    }
-    if (killed && !is_pattern(w[i]))
-      return fail(ErrorCode::name, fmt::format("there is no environment '{}' any more: it was killed",
-                                               w[i].substr(0, std::min<std::size_t>(w[i].find('.'), 60))));
-  }
+// A few values of things that are named, without code or a look at all that there is.
+std::optional<Result<std::string>> Imaging::known_at_once(const std::vector<std::string>& words, Time now) {
+  constexpr std::size_t few = 16, short_word = 200;
+  constexpr std::uint64_t steps = 100'000;  // a millisecond
+  if (words.size() > few || (large() && compiled_ != version_)) return std::nullopt;
+  for (std::size_t i = 1; i < words.size(); ++i)
+    if (words[i].size() > short_word || speaks_of_many(words[i])) return std::nullopt;
+  const auto q = question(words, document(), now);
+  if (!q) return q.error();
+  const Program film = program();
   std::vector<std::string> problems;
-  std::vector<Value> values;
-  // What code and filters say may take long; most that is asked does not.
-  constexpr std::uint64_t at_once = 100'000;  // steps: a millisecond
-  const auto read = [&] { problems.clear(), values = film.read(targets, t, &problems); };
-  if (!options_.beside)
-    read();
-  else if (auto soon = film.read_within(at_once, targets, t, &problems))
-    values = *std::move(soon);
-  else if (!options_.beside(read, Claim::fair))
-    return std::string();
-  std::string out = fmt::format(",\"seconds\":{},\"values\":{{", json_number(t.seconds()));
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    out += fmt::format("{}{}:{}", i ? "," : "", json_text(document.name(targets[i])),
-                       json(values[i], targets[i], document));
-  return out + "}" + said(fmt::format("{}", fmt::join(problems, "\n")));
+  const auto values = film.read_within(steps, q->targets, q->time, &problems);
+  if (!values) return std::nullopt;
+  Values out(film.document(), q->time);
+  out.add(q->targets, *values, problems);
+  return std::move(out).members();
+}
+
+Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, Nanos now) {
+  const Time t = transport_.time(now);
+  if (auto answer = known_at_once(w, t)) return *std::move(answer);
+  return asked([&w, t](Film& film) -> Result<std::string> {
+    const auto q = question(w, film.document(), t);
+    if (!q) return q.error();
+    return values_of(film.program(), *q);
+  });
 }
 
 Result<std::string> Imaging::help(Visitor& h, const std::vector<std::string>& w, Nanos now) {
@@ -170,13 +246,15 @@ Result<std::string> Imaging::help(Visitor& h, const std::vector<std::string>& w,
     if (word->sentence.empty()) return not_for_hosts(h, {w[1]}, now);
     return said(fmt::format("{}\n  usage: {}\n{}", word->sentence, word->usage, word->more));
   }
-  return said_of(look_up(document(), w[1]));
+  return asked([&w](Film& film) { return said_of(look_up(film.document(), w[1])); });
 }
 
 Result<std::string> Imaging::look(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w[0] == "notes") return said(list_notes(document()));
-  const std::string word = w.size() > 1 ? w[1] : "";
-  return said_of(w[0] == "list" ? list_objects(document(), word) : describe(document(), word));
+  return asked([&w](Film& film) -> Result<std::string> {
+    if (w[0] == "notes") return said(list_notes(film.document()));
+    const std::string word = w.size() > 1 ? w[1] : "";
+    return said_of(w[0] == "list" ? list_objects(film.document(), word) : describe(film.program(), word));
+  });
 }
 
 Result<std::string> Imaging::time(Visitor& h, const std::vector<std::string>&, Nanos now) {
@@ -199,7 +277,7 @@ Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>&, Na
 Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
   const auto topics = topics_of(w);
   if (!topics) return topics.error();
-  if (*topics == 0) return fail(ErrorCode::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes");
+  if (*topics == 0) return fail(ErrorCode::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes|slow");
   if (*topics & contacts && !(h.topics & contacts)) watch_.reset();  // all begins anew, for whoever knows nothing yet
   h.topics |= *topics;
   return std::string();
@@ -221,19 +299,19 @@ void Imaging::start_clock(Nanos now) {
 
 Result<std::string> Imaging::start(Visitor&, const std::vector<std::string>&, Nanos now) {
   start_clock(now);
-  changed(0, "start", now);
+  changed(0, json_text("start"), now);
   return std::string();
 }
 
 Result<std::string> Imaging::pause(Visitor&, const std::vector<std::string>&, Nanos now) {
   transport_ = {false, now, transport_.time(now)};
-  changed(0, "pause", now);
+  changed(0, json_text("pause"), now);
   return std::string();
 }
 
 Result<std::string> Imaging::go(Visitor&, const std::vector<std::string>&, Nanos now) {
   transport_ = {true, now, transport_.time(now)};
-  changed(0, "go", now);
+  changed(0, json_text("go"), now);
   return std::string();
 }
 
@@ -243,7 +321,7 @@ Result<std::string> Imaging::seek(Visitor&, const std::vector<std::string>& w, N
   if (!to) return to.error();
   transport_.since = now, transport_.at = *to;
   told_ = *to - Time{1};
-  changed(0, "seek " + w[1], now);
+  changed(0, json_text("seek " + w[1]), now);
   return std::string();
 }
 

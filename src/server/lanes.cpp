@@ -15,11 +15,18 @@ namespace betwixt {
 
 using namespace std::chrono_literals;
 
+namespace {
+
+constexpr auto look_again = 10ms;  // for threads that are late
+
+}  // namespace
+
 const std::array<Lanes::Terms, 4> Lanes::terms{{{5ms, 4}, {50ms, 9}, {1s, 14}, {0ms, 19}}};
 
 Lanes::~Lanes() {
   end();
-  for (std::thread& t : threads_) t.join();
+  for (Lane& lane : lanes_)
+    for (Worker& w : lane.workers) w.thread.join();
 }
 
 void Lanes::end() {
@@ -63,43 +70,81 @@ void Lanes::enter(std::unique_lock<std::mutex>& lock, std::size_t lane, Job& job
   std::deque<Job*>& waiting = lanes_[lane].waiting;
   waiting.push_back(&job), ++lanes_[lane].others;
   lanes_[lane].changed.notify_one();
-  job.changed.wait(
-      lock, [&] { return job.state > Job::State::runs || (job.state == Job::State::waits && (*job.gone || ended_)); });
-  if (job.state != Job::State::waits) return;
-  waiting.erase(std::find(waiting.begin(), waiting.end(), &job)), --lanes_[lane].others;
+  const auto over = [&] {
+    return job.state > Job::State::runs || (job.state == Job::State::waits && (*job.gone || ended_));
+  };
+  while (!over()) {
+    if (job.state != Job::State::waits || waiting.front() != &job) {
+      job.changed.wait(lock);
+      continue;
+    }
+    job.changed.wait_for(lock, look_again);  // the first of those who wait looks for all
+    if (!over() && job.state == Job::State::waits)
+      look_for_late(lane), staffed(lane), lanes_[lane].changed.notify_one();
+  }
+  if (job.state == Job::State::waits) leave(lane, std::find(waiting.begin(), waiting.end(), &job));
+}
+
+void Lanes::leave(std::size_t at, std::deque<Job*>::iterator job) {
+  Lane& lane = lanes_[at];
+  lane.waiting.erase(job), --lane.others;
+  if (!lane.waiting.empty()) lane.waiting.front()->changed.notify_one();
+}
+
+// Marks the threads whose work takes too long: others take their places.
+void Lanes::look_for_late(std::size_t at) {
+  const auto now = Clock::now();
+  for (Worker& w : lanes_[at].workers) {
+    if (w.late || !w.since || now - *w.since < patience_[at]) continue;
+    w.late = true;
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(w.id), terms.back().nice);
+  }
 }
 
 // There is somebody in the lane who works, sooner or later.
 bool Lanes::staffed(std::size_t at) {
-  Lane& lane = lanes_[at];
-  if (lane.idle > lane.waiting.size() || lane.threads == side_by_side) return true;
+  std::list<Worker>& workers = lanes_[at].workers;
+  std::erase_if(workers, [](Worker& w) {
+    if (w.ended) w.thread.join();
+    return w.ended;
+  });
+  const auto number_of = [&](const auto& which) {
+    return static_cast<std::size_t>(std::count_if(workers.begin(), workers.end(), which));
+  };
+  const std::size_t in_time = number_of([](const Worker& w) { return !w.late; });
+  const std::size_t idle = number_of([](const Worker& w) { return !w.late && !w.since; });
+  if (idle > lanes_[at].waiting.size() || in_time >= side_by_side || workers.size() >= most_workers) return true;
+  Worker& w = workers.emplace_back();
   try {
-    threads_.emplace_back([this, at] { serve(at); });
-    ++lane.threads;
+    w.thread = std::thread([this, at, &w] { serve(at, w); });
   } catch (const std::system_error&) {
+    workers.pop_back();
+    return in_time > 0;
   }
-  return lane.threads > 0;
+  return true;
 }
 
-void Lanes::serve(std::size_t at) {
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), terms[at].nice);
-  Lane& lane = lanes_[at];
+void Lanes::serve(std::size_t at, Worker& self) {
   std::unique_lock lock(mutex_);
-  for (;;) {
-    ++lane.idle;
+  self.id = static_cast<int>(::syscall(SYS_gettid));
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(self.id), terms[at].nice);
+  Lane& lane = lanes_[at];
+  while (!self.late) {
     lane.changed.wait(lock, [&] { return ended_ || !lane.waiting.empty(); });
-    --lane.idle;
     if (ended_) return;
     Job& job = *lane.waiting.front();
-    lane.waiting.pop_front(), --lane.others;
+    leave(at, lane.waiting.begin());
     job.state = Job::State::runs;
+    self.since = Clock::now();
     lock.unlock();
     const Job::State end = work(job, at);
     lock.lock();
+    self.since.reset();
     job.state = end;
     job.changed.notify_one();
     memory_.soon();
   }
+  self.ended = true;
 }
 
 Lanes::Job::State Lanes::work(Job& job, std::size_t lane) {

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/still_wanted.h"
+#include "base/utf8.h"
 #include "commands/reader.h"
 #include "server/lsp_state.h"
 
@@ -37,7 +38,7 @@ Json diagnostic(const Diagnostic& d, const TextLines& lines) {
   return {{"range", range_of(lines, place_of(d, lines))},
           {"severity", severity_of(d.severity)},
           {"source", "betwixt"},
-          {"message", d.what.hint.empty() ? d.what.message : d.what.message + "\n" + d.what.hint}};
+          {"message", visible_lines(d.what.hint.empty() ? d.what.message : d.what.message + "\n" + d.what.hint)}};
 }
 
 }  // namespace

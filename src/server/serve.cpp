@@ -11,14 +11,18 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 #include <set>
+#include <thread>
 #include <unordered_map>
 
+#include "base/still_wanted.h"
 #include "base/tell_user.h"
 #include "server/answers.h"
+#include "server/discarded.h"
 #include "server/guest.h"
 #include "server/lanes.h"
 #include "server/leaders.h"
@@ -33,6 +37,7 @@ constexpr Nanos turn_time = 4'000'000;       // … unless they take longer than
 constexpr Nanos all_turns = 20'000'000;      // … or all turns of a round than this
 constexpr Nanos patience = 10'000'000'000;   // for a token, and for whoever reads nothing of much
 constexpr Nanos parting_time = 200'000'000;  // from one question whether somebody is still there to the next
+constexpr std::chrono::nanoseconds longest_rest = std::chrono::milliseconds(100);  // of who compiles for the clock
 constexpr std::size_t longest_token_line = 4096;
 constexpr int most_guesses = 3;
 constexpr std::size_t most_strangers = 64;  // who have not said it yet
@@ -61,13 +66,14 @@ class Server {
     if (options_.stop >= 0) watch(options_.stop, EPOLLIN, EPOLL_CTL_ADD);
     watch(clock_.shown_file(), EPOLLIN, EPOLL_CTL_ADD);
     watch(wake_, EPOLLIN, EPOLL_CTL_ADD);
-    publish();
-    imaging_.work_beside([this](const auto& work, Imaging::Claim claim) { return beside(work, claim); });
+    clock_.publish(edition());
+    imaging_.work_beside([this](const auto& work, Imaging::Claim claim) { return beside(work, claim); },
+                         [this](std::shared_ptr<const void> gone) { discarded_.take(std::move(gone)); });
     const bool served = leaders_.run(options_.give_up ? [this] {
       (void)imaging_.sync(monotonic_now());
       options_.give_up();
     } : std::function<void()>());
-    imaging_.work_beside({});
+    imaging_.work_beside({}, {});
     if (!served) return fail(ErrorCode::machine, "no thread can be had for the hosts");
     return failed_ ? Status(*failed_) : imaging_.sync(monotonic_now());
   }
@@ -117,7 +123,6 @@ class Server {
       failed_ = s.error();
       return stop(), wake();
     }
-    publish();
     for (auto it = guests_.begin(); it != guests_.end();) {
       const auto next = std::next(it);
       if (it->second.waiting() > 0 || it->second.last_word || it->second.half_closed) send(it->second);
@@ -125,6 +130,7 @@ class Server {
     }
     if (!imaging_.waits()) let_on();
     if (!busy_.empty() && !leaders_.leads()) wake();
+    publish();  // last, so that the answers are sent before a large film is compiled
   }
 
   void watch(int file, std::uint32_t events, int how) {
@@ -192,7 +198,7 @@ class Server {
     for (const int file : parting_) {
       Guest& g = guests_.at(file);
       if (now - g.parting < parting_time) continue;
-      g.out += "{\"event\":\"waiting\"}\n";
+      g.say("{\"event\":\"waiting\"}\n");
       g.parting = now;
     }
   }
@@ -318,7 +324,7 @@ class Server {
   }
 
   bool answer(Guest& g, Imaging::Reply reply) {
-    g.out += reply.line;
+    if (!reply.line.empty()) g.say(std::move(reply.line));
     if (reply.quit) g.last_word = true, g.in.clear();
     return true;
   }
@@ -346,26 +352,15 @@ class Server {
       ++g.lost;
       return;
     }
-    if (g.lost > 0) g.out += fmt::format("{{\"event\":\"lost\",\"events\":{}}}\n", std::exchange(g.lost, 0));
-    g.out += e.line;
+    if (g.lost > 0) g.say(fmt::format("{{\"event\":\"lost\",\"events\":{}}}\n", std::exchange(g.lost, 0)));
+    g.say(e.line);
   }
 
   void send(Guest& g) {
-    while (g.waiting() > 0) {
-      const ssize_t n = ::send(g.file, g.out.data() + g.sent, g.waiting(), MSG_NOSIGNAL | MSG_DONTWAIT);
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0 && errno != EAGAIN) return leave(g);
-      if (n < 0) break;
-      g.sent += static_cast<std::size_t>(n);
-      g.moved = monotonic_now();
-    }
-    if (g.waiting() == 0) {
-      g.out.clear(), g.sent = 0;
-      if (g.out.capacity() > Guest::chunk) g.out.shrink_to_fit();
-      if (g.last_word) return leave(g);
-    } else if (g.sent > Guest::chunk && g.sent > g.out.size() / 2) {
-      g.out.erase(0, g.sent), g.sent = 0;
-    }
+    const std::size_t before = g.waiting();
+    if (!g.send()) return leave(g);
+    if (g.waiting() < before) g.moved = monotonic_now();
+    if (g.waiting() == 0 && g.last_word) return leave(g);
     if (stops_reading(g)) {
       tell_user("betwixt: warning: a host that does not read its answers is cut off\n");
       return leave(g);
@@ -399,11 +394,29 @@ class Server {
       tell_user(fmt::format("betwixt: warning: frames go nowhere any more: {}\n", trouble->message));
   }
 
+  // The newest document for the clock.
+  FrameClock::Edition edition() {
+    published_ = imaging_.version(), looked_ = imaging_.frames_wanted();
+    Program film = imaging_.program();  // other threads can lead during this call
+    return {std::move(film), imaging_.transport(), looked_};
+  }
+  // One thread at a time. For a large film another thread leads in the meantime. After that the thread rests as long as
+  // it worked: a host that changes a large document all the time does not take a whole processor.
   void publish() {
-    const bool look = imaging_.frames_wanted();
-    if (published_ == imaging_.version() && look == looked_) return;
-    published_ = imaging_.version(), looked_ = look;
-    clock_.publish({imaging_.program(), imaging_.transport(), look});
+    if (publishing_) return;
+    publishing_ = true;
+    while (!leaders_.stopped() && (published_ != imaging_.version() || looked_ != imaging_.frames_wanted())) {
+      const auto begun = StillWanted::used();
+      FrameClock::Edition next = edition();
+      if (imaging_.large())
+        leaders_.beside([&] {
+          clock_.publish(std::move(next));  // frees what the clock has done with
+          std::this_thread::sleep_for(std::min(StillWanted::used() - begun, longest_rest));
+        });
+      else
+        clock_.publish(std::move(next));
+    }
+    publishing_ = false;
   }
 
   Imaging& imaging_;
@@ -418,10 +431,11 @@ class Server {
   std::set<int> full_;     // who have much to read before they are heard again
   std::set<int> parting_;  // who have closed their end while a thread works for them
   Lanes lanes_;
+  Discarded discarded_;
   Leaders leaders_{[this](Leaders::Lock& lock) { round(lock); }};
   std::optional<Error> failed_;
   std::size_t strangers_ = 0;
-  bool resting_ = false, looked_ = false;
+  bool resting_ = false, looked_ = false, publishing_ = false;
   std::uint64_t published_ = 0;
   std::set<std::string> problems_;
 };

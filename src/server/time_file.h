@@ -31,6 +31,7 @@ class TimeFile {
   const std::optional<KeptTime>& found() const { return found_; }
   // … as it ended with this text, or with one that it begins with.
   bool is_of(std::string_view text) const;
+  std::size_t text_size() const { return of_.size; }
 
   // It is on the disk when this returns, or what was there before still is. `of`: what the script holds.
   Status write(const KeptTime&, const Fingerprint& of);

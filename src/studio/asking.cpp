@@ -51,6 +51,7 @@ std::optional<std::string> ask_in_window(QWidget* parent, const std::string& que
   QMessageBox box(parent);
   box.setWindowTitle(QObject::tr("Betwixt"));
   box.setIcon(QMessageBox::Question);
+  box.setTextFormat(Qt::PlainText);
   box.setText(QString::fromStdString(words_of(question)));
   if (const std::size_t above = question.rfind('\n'); above != std::string::npos)
     box.setDetailedText(QString::fromStdString(question.substr(0, above)));

@@ -124,6 +124,7 @@ Console::Console(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
   help_->setWordWrap(true);
   help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   prompt_ = new QLabel(this);
+  prompt_->setTextFormat(Qt::PlainText);
   prompt_->setFont(log_->font());
   line_ = new ConsoleLine(desk, this);
   auto* below = new QHBoxLayout;

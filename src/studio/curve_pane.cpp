@@ -316,7 +316,7 @@ void CurvePane::hover(QMouseEvent* e) {
     if (const Event* event = find_event(desk_.document(), point->second.event))
       words = QString::fromStdString(event_line(desk_.document(), point->second.event.target, *event));
   if (const LineSwing* far = point ? nullptr : swing_at(e->position())) words = text_of(far->words);
-  setToolTip(words);
+  setToolTip(tip_of(words));
   if (point && e->position().x() > axis_.gutter() + 4) setCursor(handle ? Qt::CrossCursor : Qt::SizeAllCursor);
 }
 

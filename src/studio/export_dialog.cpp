@@ -85,6 +85,7 @@ ExportDialog::ExportDialog(Desk& desk, QWidget* parent) : QDialog(parent), desk_
   progress_ = new QProgressBar;
   progress_->setVisible(false);
   state_ = new QLabel;
+  for (QLabel* l : {command_, state_}) l->setTextFormat(Qt::PlainText);
   state_->setObjectName("state");
   state_->setWordWrap(true);
   start_ = new QPushButton(tr("Make it"));

@@ -43,6 +43,7 @@ LivePanel::LivePanel(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk)
   record_->setToolTip(
       tr("what controls say while it plays becomes events, and takes the place of those that were there"));
   state_ = new QLabel, last_ = new QLabel;
+  for (QLabel* l : {state_, last_}) l->setTextFormat(Qt::PlainText);
   last_->setObjectName("last"), last_->setWordWrap(true);
   dials_ = new QListWidget;
   dials_->setObjectName("dials");

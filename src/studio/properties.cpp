@@ -290,7 +290,7 @@ void Properties::show_row(Row& row, const Value& now) {
                                                   : "at " + desk_.when(desk_.time()) + " " + name + " …"));
   const QString words = text_of(made.words);
   if (row.made->text() != words) row.made->setText(words);
-  row.made->setToolTip(made.code.empty() ? words : text_of(made.code));
+  row.made->setToolTip(tip_of(made.code.empty() ? words : text_of(made.code)));
 }
 
 // Returns a line for each selected object that has the function: it sets the whole value, or one component of it.

@@ -13,6 +13,7 @@
 
 #include "betwixt/object.h"
 #include "language/values.h"
+#include "studio/text_of.h"
 #include "studio/theme.h"
 #include "studio/time_words.h"
 
@@ -163,7 +164,7 @@ void Ruler::hover(QMouseEvent* e) {
   if (note)
     for (const auto& [t, text] : desk_.document().notes(*note, *note))
       words += QString::fromStdString(fmt::format("at {} note {}\n", desk_.when(t), write_text(text)));
-  setToolTip(words.trimmed());
+  setToolTip(tip_of(words.trimmed()));
 }
 
 bool Ruler::key(int key, Qt::KeyboardModifiers, bool act) {
@@ -216,7 +217,7 @@ void Ruler::contextMenuEvent(QContextMenuEvent* e) {
   menu.setToolTipsVisible(true);
   const auto row = [&](const QString& what, const std::string& line) {
     QAction* a = menu.addAction(what);
-    a->setToolTip(QString::fromStdString(line));
+    a->setToolTip(tip_of(QString::fromStdString(line)));
     connect(a, &QAction::triggered, this, [this, line] { desk_.say(line); });
   };
   if (note) row(tr("Take the note out"), fmt::format("clear notes {}", desk_.when(*note)));

@@ -347,7 +347,7 @@ bool ScriptEdit::viewportEvent(QEvent* e) {
       if (entry.word == word && shown.isEmpty())
         shown = QString::fromStdString(word + ": " + std::string(entry.sentence));
   }
-  QToolTip::showText(help->globalPos(), shown, this);
+  QToolTip::showText(help->globalPos(), tip_of(shown), this);
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include "studio/text_of.h"
 #include "studio/theme.h"
 
 namespace betwixt::studio {
@@ -116,7 +117,7 @@ void ScriptPanel::list_diagnostics() {
     if (!d.what.hint.empty()) text += " — " + QString::fromStdString(d.what.hint);
     auto* item = new QListWidgetItem(text, strip_);
     item->setForeground(d.severity == Severity::error ? colors().error : colors().warning);
-    item->setToolTip(text);
+    item->setToolTip(tip_of(text));
     item->setData(Qt::UserRole, here ? at.line : 0);
     item->setData(Qt::UserRole + 1, at.column);
   }

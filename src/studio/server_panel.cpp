@@ -49,6 +49,7 @@ ServerPanel::ServerPanel(QWidget* parent) : QWidget(parent), program_(Program::c
   line_->setObjectName("line"),
       line_->setPlaceholderText(tr("a line for the server, such as: animate slide every 1t by translate(0.02 0 0)"));
   state_ = new QLabel(tr("not joined"));
+  state_->setTextFormat(Qt::PlainText);
   auto* top = new QHBoxLayout;
   top->addWidget(where_, 1), top->addWidget(join_), top->addWidget(pause_);
   auto* all = new QVBoxLayout(this);

@@ -13,6 +13,7 @@
 
 #include "language/values.h"
 #include "studio/event_hands.h"
+#include "studio/text_of.h"
 
 namespace betwixt::studio {
 
@@ -235,7 +236,7 @@ void SheetPane::hover(QMouseEvent* e) {
   for (const EventAt& x : here)
     if (const Event* event = find_event(desk_.document(), x); event && words.size() < 2000)
       words += QString::fromStdString(event_line(desk_.document(), x.target, *event)) + "\n";
-  setToolTip(words.trimmed());
+  setToolTip(tip_of(words.trimmed()));
   if (const auto around = box(); around && here.empty() && std::abs(e->position().x() - axis_.gutter()) >= 4) {
     const double x = e->position().x();
     const bool side = std::min(std::abs(x - around->left()), std::abs(x - around->right())) < half() + 2;

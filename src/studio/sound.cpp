@@ -33,9 +33,8 @@ void Sound::follow() {
     hearing_ = Hearing::open(desk_.program(), frames_, loops_);
   }
   if (!hearing_) return;
-  const auto [at, since] = t.place();
-  const int frame = static_cast<int>(std::floor(f.rate.frame_number(at) - number));
-  hearing_->follow(desk_.program(), {plays, std::max(frame, 0), since}, muted_);
+  const auto [frame, since] = t.place();
+  hearing_->follow(desk_.program(), {plays, frame, since}, muted_);
 }
 
 }  // namespace betwixt::studio

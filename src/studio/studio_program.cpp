@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <cstdio>
 
+#include "base/tell_user.h"
 #include "betwixt/language.h"
 #include "studio/export_dialog.h"
 #include "studio/sound.h"
@@ -22,7 +23,7 @@ namespace {
 bool play_back(betwixt::studio::Desk& desk, const QString& name) {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly)) {
-    std::fprintf(stderr, "betwixt: error: '%s' cannot be read\n", qPrintable(name));
+    betwixt::tell_user("betwixt: error: '" + name.toStdString() + "' cannot be read\n");
     return false;
   }
   std::string line;
@@ -30,7 +31,7 @@ bool play_back(betwixt::studio::Desk& desk, const QString& name) {
     line += (line.empty() ? "" : "\n") + part.toStdString();
     if (betwixt::Session::needs_more(line)) continue;
     if (!line.empty() && !desk.say(line) && !desk.last_said().empty()) {
-      std::fputs(desk.last_said().c_str(), stderr);
+      betwixt::tell_user(desk.last_said());
       return false;
     }
     line.clear();
@@ -103,9 +104,7 @@ int main(int argc, char** argv) {
                    {"load", "a plug-in", "PLUGIN"}});
   line.addHelpOption();
   line.process(arguments);
-  const auto refuse = [](const std::string& why) {
-    return std::fprintf(stderr, "betwixt: error: %s\n", why.c_str()), 2;
-  };
+  const auto refuse = [](const std::string& why) { return betwixt::tell_user("betwixt: error: " + why + "\n"), 2; };
   for (const QString& plugin : line.values("load"))
     if (const Status s = use_plugin(plugin.toStdString()); !s) return refuse(s.error().message);
   LoadOptions options;
@@ -124,7 +123,7 @@ int main(int argc, char** argv) {
                        : line.isSet("discard") ? Session::Earlier::discard
                                                : Session::Earlier::ask;
   if (!desk.open(file, earlier)) {
-    std::fputs(desk.last_said().c_str(), stderr);
+    betwixt::tell_user(desk.last_said());
     return 1;
   }
   if (file.isEmpty() && desk.session().unsaved() == 0) window.open_example();

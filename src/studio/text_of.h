@@ -5,10 +5,16 @@
 #pragma once
 
 #include <QString>
+#include <QTextDocument>
 #include <string_view>
 
 namespace betwixt::studio {
 
 inline QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
+
+// Returns a tooltip that shows a text unchanged. Qt would read a text that looks like markup as markup.
+inline QString tip_of(const QString& words) {
+  return Qt::mightBeRichText(words) ? Qt::convertFromPlainText(words) : words;
+}
 
 }  // namespace betwixt::studio

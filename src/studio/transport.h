@@ -25,8 +25,12 @@ class Transport {
   Rate rate() const { return rate_; }
   Time first() const { return first_; }
   Time last() const { return last_; }
-  // Sets the part to play, both frames included. If the position is outside, playback starts at the nearest end.
-  void set(Rate rate, Time first, Time last) { hold(), rate_ = rate, first_ = first, last_ = std::max(first, last); }
+  // Sets the part to play, both frames included. If the position is outside, playback starts at the nearest end. Each
+  // key and each message of a control calls this with the same part, which must not move the time.
+  void set(Rate rate, Time first, Time last) {
+    if (rate == rate_ && first == first_ && std::max(first, last) == last_) return;
+    hold(), rate_ = rate, first_ = first, last_ = std::max(first, last);
+  }
 
   // Returns the time of the frame that is due. Without playback it returns the position, which can be between frames.
   Time now(Clock::time_point clock = Clock::now()) const {
@@ -35,8 +39,14 @@ class Transport {
     return rate_.frame(std::clamp(direction_ > 0 ? std::floor(frame) : std::ceil(frame), rate_.frame_number(first_),
                                   rate_.frame_number(last_)));
   }
-  // Returns the position at the moment of the last change; playback counts from there.
-  std::pair<Time, Clock::time_point> place() const { return {at_, since_}; }
+  // Returns the number of whole frames since the first one, and the moment at which that frame began. Playback counts
+  // from there.
+  std::pair<int, Clock::time_point> place() const {
+    const double frames = std::max(0.0, rate_.frame_number(at_) - rate_.frame_number(first_));
+    const int whole = static_cast<int>(std::floor(frames));
+    const std::chrono::duration<double> begun((frames - whole) / rate_.per_second());
+    return {whole, since_ - std::chrono::duration_cast<Clock::duration>(begun)};
+  }
   // Returns whether playback has reached its end.
   bool ended(Clock::time_point clock = Clock::now()) const {
     return direction_ != 0 && !loops_ && now(clock) == (direction_ > 0 ? last_ : first_);
@@ -47,15 +57,17 @@ class Transport {
     direction_ = direction;
     if (at_ >= last_ && direction > 0) at_ = first_;
     if (at_ <= first_ && direction < 0) at_ = last_;
-    at_ = std::clamp(at_, first_, last_), since_ = Clock::now();
+    go_to(std::clamp(at_, first_, last_));
   }
   void pause() { at_ = now(), direction_ = 0; }
   void go_to(Time t) { at_ = t, since_ = Clock::now(); }
 
  private:
-  // Returns the frame during playback, with a fraction. The last frame of a loop lasts as long as the others.
+  // Returns the frame during playback, with a fraction. The last frame of a loop lasts as long as the others. A message
+  // that arrived before the start belongs to the first frame, not to the last one of an earlier round.
   double exact_frame(Clock::time_point clock) const {
-    const double gone = direction_ * std::chrono::duration<double>(clock - since_).count() * rate_.per_second();
+    const auto since = std::max(clock, since_) - since_;
+    const double gone = direction_ * std::chrono::duration<double>(since).count() * rate_.per_second();
     const double from = rate_.frame_number(first_), to = rate_.frame_number(last_);
     const double frame = rate_.frame_number(at_) + gone;
     const double length = std::floor(to) - std::ceil(from) + 1;
@@ -63,8 +75,7 @@ class Transport {
     const double past = std::fmod(frame - from, length);
     return from + (past < 0 ? past + length : past);
   }
-  // Makes the current frame the position, so that changes apply from here. It keeps the fraction of the frame, so that
-  // repeated calls do not slow playback down.
+  // Makes the current frame the position, with its fraction, so that many changes do not slow playback down.
   void hold() {
     const auto clock = Clock::now();
     if (direction_ != 0) at_ = rate_.frame(exact_frame(clock));

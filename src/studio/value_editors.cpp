@@ -301,6 +301,7 @@ class CodeEditor : public ValueEditor {
  public:
   explicit CodeEditor(QWidget* parent) : ValueEditor(parent), label_(new QLabel(this)) {
     label_->setObjectName("value");
+    label_->setTextFormat(Qt::PlainText);
     label_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -63,6 +63,7 @@ Window::Window(Desk& desk, Manner manner)
   setCentralWidget(viewport_);
   add_panels();
   add_menus();
+  said_->setTextFormat(Qt::PlainText);
   said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long lines do not widen the window
   statusBar()->addWidget(said_, 1);
   statusBar()->setVisible(!manner_.bare);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "track/operations.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "track/curve.h"
@@ -9,10 +10,24 @@
 namespace betwixt {
 namespace {
 
+// The list with f applied to each point.
+template <class F>
+std::optional<Value> each_point(const Points& points, F&& f) {
+  std::vector<Vec3> changed = *points;
+  for (Vec3& p : changed) {
+    const std::optional<Value> one = f(Value(p));
+    if (!one) return std::nullopt;
+    p = std::get<Vec3>(*one);
+  }
+  return Points(std::move(changed));
+}
+
 // f for each pair of numbers in a and b; b may be one number for all of them. What turns or is on or off has no such
 // thing.
 template <class F>
 std::optional<Value> combine(const Value& a, const Value& b, F&& f) {
+  if (const auto* points = std::get_if<Points>(&a); points && !std::holds_alternative<Points>(b))
+    return each_point(*points, [&](const Value& p) { return combine(p, b, f); });
   for (const Value* v : {&a, &b})
     if (std::holds_alternative<Quat>(*v) || std::holds_alternative<bool>(*v)) return std::nullopt;
   double x[4], y[4];
@@ -29,6 +44,8 @@ std::optional<Value> steeper(const Value& v, double k) {
 }
 
 bool finite(const Value& v) {
+  if (const auto* points = std::get_if<Points>(&v))
+    return std::all_of((*points)->begin(), (*points)->end(), [](Vec3 p) { return betwixt::finite(p); });
   double n[4];
   return betwixt::finite(std::span<const double>(n, static_cast<std::size_t>(to_numbers(v, n))));
 }
@@ -410,10 +427,14 @@ Result<Changed> translate_segment(Track& track, Segment s, const Value& by) {
 Result<Changed> rotate_segment(Track& track, Segment s, Quat by, Vec3 centre) {
   const Mat4 turn = rotation(by);
   // Tangents turn too, but about no centre: they are differences.
-  const auto vectors = change_values(track, s, false, "rotated", [&](const Value& v) -> std::optional<Value> {
+  const auto turned = [&](const Value& v) -> std::optional<Value> {
     if (const auto* p = std::get_if<Vec3>(&v)) return centre + transform_vector(turn, *p - centre);
     if (const auto* q = std::get_if<Quat>(&v)) return normalize(*q * by);
     return std::nullopt;
+  };
+  const auto vectors = change_values(track, s, false, "rotated", [&](const Value& v) {
+    const auto* points = std::get_if<Points>(&v);
+    return points ? each_point(*points, turned) : turned(v);
   });
   if (!vectors) return vectors;
   track.events.edit_between(s.from, s.to, [&](Event& e) {

@@ -53,11 +53,16 @@ check 'no command' 2 'Usage:'
 check 'help' 0 'betwixt render examples/bounce.bx -o bounce.mp4' --help
 check 'version' 0 'betwixt ' --version
 check 'unknown command' 2 "did you mean 'render'?" rendre bounce.bx
+check 'a script is no command' 2 'betwixt play bounce.bx' bounce.bx
+check 'a film is made in a file' 2 'betwixt: error: a film is made in a file' shell -
+check 'and worked on in one' 2 'betwixt: error: a film is worked on in a file' studio -
 check 'unknown option' 2 "did you mean '--size'?" render bounce.bx -o a.mp4 --siz 3x4
 check 'a film of the usual name' 0 'bounce.mp4' render bounce.bx $small --frames 1..2
 is 'a film of the usual name is there' "$(ls bounce.mp4 2>&1; rm -f bounce.mp4)" bounce.mp4
 check 'a picture of the usual name and time' 0 'bounce.png' frame bounce.bx $small
 is 'it is the first frame' "$("$program" frame bounce.bx --at 1f -o first.png $small && cmp first.png bounce.png && echo same; rm -f first.png bounce.png)" same
+is 'values at the usual time' "$("$program" eval bounce.bx ball.position --json)" "$("$program" eval bounce.bx --at 1f ball.position --json)"
+is 'which is where the film begins' "$(printf 'range 4f 9f\ncreate b box\nb.position.x\n  1f 0 linear\n  9f 8\n' | "$program" eval - b.position.x)" 'b.position.x  3'
 verdict 'it says the commit, if there is one' "$("$program" --version | grep -qxE 'betwixt [0-9.]+( \([0-9a-f]{7,}\))?' && echo yes)" "$("$program" --version)"
 check 'errors of the call say so' 2 "betwixt: error: no such command 'rendre'" rendre bounce.bx
 check 'so do others' 2 'betwixt: error: a film cannot end in' render bounce.bx -o a.mp5
@@ -134,7 +139,7 @@ check 'plot of nobody' 1 'bal' plot bounce.bx bal.position -o a.svg
 check 'play without a terminal' 2 'standard output is none' play bounce.bx --terminal
 
 # The input.
-check 'no such script' 1 'none.bx' render none.bx -o a.mp4
+check 'no such script' 1 "betwixt: error: there is no file 'none.bx'" render none.bx -o a.mp4
 check 'script with errors' 1 'wrong.bx:1:' render wrong.bx -o a.mp4
 has 'all its errors' "$said" wrong.bx:2:
 check 'binary script' 1 'binary.bx' render binary.bx -o a.mp4

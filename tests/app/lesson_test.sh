@@ -27,7 +27,7 @@ has 'the string in its field' "$page" '>T(5 3) R(1rad @ 1 4)</textarea>'
 is 'the engine, once' "$(count 'the engine";')" 1
 
 # Needs nothing else, and is whole.
-for word in 'http' 'src=' ' href=' 'url(' '@import' '{{' '}}</'; do is "no $word" "$(count "$word")" 0; done
+for word in 'http:' 'https:' 'src=' ' href=' 'url(' '@import' '{{' '}}</'; do is "no $word" "$(count "$word")" 0; done
 for tag in html head body main section table thead tbody figure figcaption header style h1 h2 h3 p ol ul div textarea; do
   is "every <$tag> ends" "$(grep -oE "<$tag[ >]" page.html | wc -l)" "$(count "</$tag>")"
 done

@@ -88,6 +88,59 @@ rm -f "$socket"
 DISPLAY= "$program" serve --socket "$socket" --to window 2>err
 is 'no window where there is no display' "$?-$(head -n 1 err)" '3-betwixt: error: there is no display for a window'
 
+# ---- commands that cannot be done again are set aside
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >m.obj
+printf 'hide ball\n' >killer.bx
+begin show.bx --socket "$socket" --save kept.bx
+host '
+s.do("create m mesh file=\"m.obj\"")
+s.do("set ball.radius 3")
+s.do("use killer.bx")
+s.do("hang m on ball")
+with s.bundle():
+    s.do("set ball.color red")
+    s.do("set m.color red")
+s.do("create last sphere")'
+kill -KILL $server
+wait $server 2>/dev/null
+rm m.obj
+# A program that opens this file dies. The first start does; the second one lets a copy of itself die.
+cat >ends.c <<'C'
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <string.h>
+static void look(const char* path) { if (strstr(path, "killer.bx")) raise(SIGSEGV); }
+#define OPEN(name)                                             \
+  int name(const char* path, int how, ...) {                   \
+    va_list more;                                              \
+    va_start(more, how);                                       \
+    const int rights = how & O_CREAT ? va_arg(more, int) : 0;  \
+    va_end(more);                                              \
+    look(path);                                                \
+    return ((int (*)(const char*, int, ...))dlsym(RTLD_NEXT, #name))(path, how, rights); \
+  }
+OPEN(open)
+OPEN(open64)
+C
+"${CC:-cc}" -shared -fPIC -O1 -o ends.so ends.c -ldl || exit 3
+LD_PRELOAD=$work/ends.so "$program" serve --socket "$socket" --save kept.bx >ended 2>&1
+is 'a command ends a start' $? 139
+LD_PRELOAD=$work/ends.so begin --socket "$socket" --save kept.bx
+has 'the next start goes on without it' "$(cat log)" '4 commands of the history'
+out=$(host '
+print(s.eval("ball.radius"), "last" in s.do("list")["said"], s.do("set-aside")["said"].count("Set aside"))
+s.do("save")')
+is 'and without what needs the file that is missing' "$out" "{'ball.radius': 3} True 4"
+has 'its reason is told' "$(grep -A1 'command 3 ' kept.bx.set-aside)" 'signal 11'
+end
+begin --socket "$socket" --save kept.bx
+is 'a later start has no message about it' "$(grep -c set-aside log)" 0
+end
+is 'and nothing is left of the trial' "$(ls -A | grep -c starting)" 0
+
 # ---- TCP
 begin show.bx --tcp 127.0.0.1:0
 port=$(sed -nE 's/^serving at 127.0.0.1:([0-9]+);.*/\1/p' log) token=$(sed -n 's/^token //p' log)

@@ -46,7 +46,7 @@ has 'its text is edited' "$(cat ball.html)" '<betwixt-editor>'
 check 'without the text box' 0 '' web ball.bx -o alone.html --no-edit --title '<b> & "c"' --size 640x360
 is 'there is none' "$(grep -c 'betwixt-editor>' alone.html)" 0
 has 'a title of its own' "$(cat alone.html)" '<h1>&lt;b&gt; &amp; &quot;c&quot;</h1>'
-has 'a size of its own' "$(cat alone.html)" 'width: 640px; height: 360px'
+has 'a size of its own' "$(cat alone.html)" '.fixed { width: 640px; height: 360px; }'
 
 # What would end a script's place in a page does not, and comes back as it was.
 printf '%s\n' '# </script> <\/script> <!-- <script> <\\!-- </SCRIPT > — ümläut 🎈' 'create ball sphere' '' '' >odd.bx
@@ -123,6 +123,14 @@ much.bx: the page makes no sound: one, two; loudness and onsets are 0 there
 much.bx: the page hears no live input: a dial (/fader/1)'
 is 'a shutter that opens once' "$(printf 'create eye camera position=(0 0 9)\neye.shutter\n  1f off\n  20f 180deg\n' >once.bx; lost once.bx)" \
   'once.bx: the page has no motion blur: its pictures are sharp (shutter)'
+
+# Standard input and output.
+has 'a page of standard input' "$("$program" web - -o stream.html <ball.bx 2>&1)" '1 film, 0 files'
+is 'its text can be read, too' "$(ask stream.html text film.bx)" "$(cat ball.bx)"
+"$program" web - <ball.bx >stream2.html 2>said
+is 'a page to standard output' "$(cmp stream.html stream2.html && echo same)" same
+has 'and what it is' "$(cat said)" 'standard output'
+check 'beside which nothing lies' 2 'without --link' web - --link
 
 # What is refused.
 check 'no page' 2 'a page is a .html, not "ball.mp4"' web ball.bx -o ball.mp4

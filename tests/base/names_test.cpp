@@ -52,6 +52,12 @@ TEST(Braces, ThatCannotBeWrittenOutAreErrors) {
   const auto few = expand_braces("{1..11}", 10);
   ASSERT_FALSE(few);
   EXPECT_EQ(few.error().code, ErrorCode::range);
+  // A pattern is matched against very many names; a plain name may be as long as it likes.
+  EXPECT_TRUE(expand_braces(std::string(4000, '?')));
+  const auto too_long = expand_braces("{a,b}" + std::string(4000, '?'));
+  ASSERT_FALSE(too_long);
+  EXPECT_EQ(too_long.error().code, ErrorCode::range);
+  EXPECT_TRUE(expand_braces(std::string(5000, 'x')));
   // Neither long names a million times, nor a million zeros in front, fill the memory.
   EXPECT_EQ(expanded("{1..900000}" + std::string(10'000, 'x')),
             std::vector<std::string>{"error: the braces make names that are too long"});

@@ -70,9 +70,9 @@ TEST(Utf8, VisibleTextHasNothingHidden) {
     EXPECT_TRUE(out.starts_with('\\')) << c;
     for (const char byte : out) EXPECT_TRUE(byte >= ' ' && byte < 127) << c;
   }
-  // C0 and DEL, C1, marks of direction, lines and their embeddings, isolates, annotations; 2048 surrogates are no
-  // UTF-8.
-  EXPECT_EQ(hidden, 33 + 32 + 1 + 2 + 7 + 10 + 3 + 2048);
+  // C0 and DEL, C1, marks of direction, lines and their embeddings, isolates, annotations, no characters; 2048
+  // surrogates are no UTF-8.
+  EXPECT_EQ(hidden, 33 + 32 + 1 + 2 + 7 + 10 + 3 + 2 + 2048);
   EXPECT_EQ(visible("a\tb\n\x1b[0m\xC2\x9B\xE2\x80\xAE\xFF ö"), "a\\x09b\\n\\x1b[0m\\u{9b}\\u{202e}\\xff ö");
   EXPECT_EQ(visible("a\tb", true), "a\tb");
 }

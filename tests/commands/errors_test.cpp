@@ -259,7 +259,7 @@ TEST(Errors, Operations) {
            {"scale ball.position.x 1f..5f 1e308", "range 7 ball.position.x",
             "a value grows beyond all numbers when it is scaled by that"},
            {"rotate ball.position.x 1f..5f 90deg y", "type 8 ball.position.x",
-            "only vectors and orientations can be rotated; this is a number"},
+            "only vectors, points and orientations can be rotated; this is a number"},
            {"rotate turn.rotation 1f..5f 90 y", "type 29 90"},
            {"rotate turn.rotation 1f..5f 90deg q", "syntax 35 q", "an axis is missing here", "axes are x, y, z"},
            {"clear ball.position.x 5f..1f", "range 23 5f..1f"},

@@ -94,6 +94,23 @@ TEST(Fall, FallsOnWhereAnotherOneEnds) {
   expect_numbers(lies, "b.position", "12s", lies.numbers("b.position", "8s"), 1e-9);
 }
 
+// A track that repeats would repeat the fall, and change the values before it. A baked one does not.
+TEST(Fall, IsRefusedOnATrackThatRepeats) {
+  const std::string rows = "rate 24\ncreate b sphere\nb.position\n  1f (0 8 0) linear\n  49f (4 8 0)\n";
+  for (const char* how : {"cycle", "bounce", "cycle before", "bounce after"}) {
+    const std::string film = rows + fmt::format("extend b.position {}\n", how);
+    EXPECT_EQ(told(film + "at 61f fall b delay=2s gravity=10\n"), "type 7:13 b");
+    const LoadedFilm was(film),
+        falls(film + "bake b.position 1f..61f\nat 61f fall b delay=1s gravity=10 ground=-100 for 1s\n");
+    for (const char* time : {"1f", "13f", "37f", "55f", "61f"})
+      expect_numbers(falls, "b.position", time, was.numbers("b.position", time), 1e-9);
+    expect_numbers(falls, "b.position.y", "97f", {8 - 5 * 0.25}, 1e-6);
+  }
+  EXPECT_EQ(told("rate 24\ncreate b sphere\nat 1f b.position.y 9\nextend b.position.y cycle\nat 2f fall b\n"),
+            "type 5:12 b");
+  EXPECT_EQ(all_told(read(rows + "extend b.position linear\nat 61f fall b\n")), std::vector<std::string>{});
+}
+
 // shows: G4 G71
 TEST(Fall, EndsTheReignOfAVelocityAndGoesOnWithIt) {
   const LoadedFilm s(

@@ -89,6 +89,34 @@ TEST(Newcomer, What_follows_from_a_refused_line_is_not_said) {
   EXPECT_EQ(loaded.diagnostics[1].what.message, "'e*' names nothing");
 }
 
+// What `let` would have named stands where a number, a time, a colour or a text does.
+TEST(Newcomer, What_follows_from_a_refused_let_is_not_said) {
+  const std::string first = "let q = 3 +\ncreate a box\n";
+  for (const char* line :
+       {"set a.position (2*q 0 0)", "set a.position.x q", "set a.color q", "set a.rotation axis(y q)",
+        "set a.display q", "at q a.position (1 2 3)", "at 1f+q a.position (1 2 3)",
+        "a.position\n  1f+q (1 2 3)\n  2f q\n", "range 1f q", "create t text text=q", "create u box size=(q[1] 1 1)",
+        "let z = q+1", "let again q = 4", "set a.material q", "animate e every q by rotate(1deg z)",
+        "set a.scale.x sqrt(q)", "set a.position (1 q/2 2)"})
+    EXPECT_EQ(all_told(read(first + line + "\n")), std::vector<std::string>{"syntax 1:11 +"}) << line;
+  EXPECT_EQ(all_told(read(first + "set a.position.x r\n")).size(), 2u);  // another word is still wrong
+  EXPECT_EQ(all_told(read("let q = 3 +\nlet q = 3\ncreate a box\nset a.display q\n")).size(), 2u);  // it is there now
+}
+
+// A scene, a split text and a file that is used make many names.
+TEST(Newcomer, What_a_refused_line_would_have_made_in_bulk_is_not_missed) {
+  for (const auto& [line, missing] :
+       {std::pair{"create man scene file=\"none.glb\"",
+                  "set man/leg.color red\ncouple man/arm to man/body\nset man/*.color red\ncreate b like man/a/b"},
+        {"split a into lettrs", "set a/1.color red\na/*.position\n  1f (0 0 0)\nat 2f hide a/2"},
+        {"use none.bx", "set leg.color red\nb*.position\n  1f (0 0 0)\nset a.heat 3\ncouple a to leg"}}) {
+    const Loaded loaded = read("create a text text=\"word\"\n" + std::string(line) + "\n" + missing + "\n");
+    EXPECT_EQ(loaded.diagnostics.size(), 1u) << said(loaded.diagnostics);
+  }
+  EXPECT_EQ(all_told(read("create man scene file=\"none.glb\"\nset woman/leg.color red\n")).size(), 2u);
+  EXPECT_EQ(all_told(read("use none.bx\ncreate b box size=oops\n")).size(), 2u);
+}
+
 TEST(Newcomer, What_can_be_asked_for_has_no_parts) {
   const Loaded loaded = read(film);
   const std::tuple<const char*, const char*, const char*> table[] = {

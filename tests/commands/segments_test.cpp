@@ -80,9 +80,9 @@ TEST(Segments, OperationsOnValuesTakeEachTypeInItsOwnWay) {
   EXPECT_EQ(noticed(scaled), std::vector<std::string>{});
   expect_numbers(LoadedFilm(scaled), {{"b.position", "1f", {2, 4, 6}}, {"b.radius", "1f", {6}}});
   const std::string turned = film + "rotate b.{position,rotation,radius} 1f..24f 90deg y\n";
-  EXPECT_EQ(
-      noticed(turned),
-      std::vector<std::string>{"left out: b.radius (only vectors and orientations can be rotated; this is a number)"});
+  EXPECT_EQ(noticed(turned),
+            std::vector<std::string>{
+                "left out: b.radius (only vectors, points and orientations can be rotated; this is a number)"});
   const LoadedFilm s(turned);
   expect_numbers(s, "b.position", "1f", {3, 2, -1}, 1e-12);
   const Quat half = std::get<Quat>(s.read("b.rotation", "1f"));
@@ -93,6 +93,33 @@ TEST(Segments, OperationsOnValuesTakeEachTypeInItsOwnWay) {
   EXPECT_EQ(first_error(film + "scale b.{display,material} 1f..24f 2\n"), "8:7: on or off cannot be scaled");
   const Loaded grown = read(film + "scale b.{radius,position} 1f..24f 1e308\nscale b.radius 1f..2f 1e308\n");
   EXPECT_EQ(errors(grown).size(), 2u);
+}
+
+// Each point of a list, and the point that an object looks at. An aim at an object stays.
+TEST(Segments, OperationsOnValuesTakePoints) {
+  const std::string film =
+      "rate 24\ncreate {b,c} polygon points=((9 9) (8 8) (7 7))\ncreate q box\ncreate {w,v} camera\n"
+      "b.points\n  1f ((0 0) (1 0) (1 2)) linear\n  25f ((3 0) (1 0 5) (1 1))\n"
+      "w.look-at\n  1f (1 2 3) linear\n  25f (3 2 1)\nat 1f v.look-at q\n";
+  const auto points = [&](const std::string& line, const char* time) {
+    return *std::get<Points>(LoadedFilm(film + line + "\n").read("b.points", time));
+  };
+  using List = std::vector<Vec3>;
+  EXPECT_EQ(points("translate b.points 1f..25f (1 2 3)", "1f"), (List{{1, 2, 3}, {2, 2, 3}, {2, 4, 3}}));
+  EXPECT_EQ(points("translate b.points 1f..5f (1 2 3)", "25f"), (List{{3, 0, 0}, {1, 0, 5}, {1, 1, 0}}));
+  EXPECT_EQ(points("scale b.points 1f..25f 2", "25f"), (List{{6, 0, 0}, {2, 0, 10}, {2, 2, 0}}));
+  EXPECT_EQ(points("scale b.points 1f..25f (1 -1 2)", "13f"), (List{{1.5, 0, 0}, {1, 0, 5}, {1, -1.5, 0}}));
+  EXPECT_EQ(points("copy b.points 1f..25f to 49f shift (1 0 0) times 2", "97f"),
+            (List{{5, 0, 0}, {3, 0, 5}, {3, 1, 0}}));
+  const List turned = points("rotate b.points 1f..25f 90deg z @ (1 0 0)", "1f");
+  const List wanted{{1, -1, 0}, {1, 0, 0}, {-1, 0, 0}};
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(length(turned[i] - wanted[i]), 0, 1e-12);
+  const std::string aims = film + "translate {w,v}.look-at 1f..25f (0 1 0)\nscale w.look-at 1f..25f 2\n";
+  EXPECT_EQ(noticed(aims), std::vector<std::string>{"left out: v.look-at (this cannot be moved by that)"});
+  EXPECT_EQ(LoadedFilm(aims).read("w.look-at", "1f"), Value(Vec3{2, 6, 6}));
+  EXPECT_EQ(LoadedFilm(aims + "rotate w.look-at 1f..5f 180deg y\n").read("w.look-at", "25f"), Value(Vec3{6, 6, 2}));
+  EXPECT_EQ(told(film + "translate b.points 1f..25f ((0 0) (1 1))\n"), "syntax 12:32 0");
+  EXPECT_EQ(told(film + "scale b.points 1f..25f 1e308\nscale b.points 1f..25f 1e308\n").substr(0, 5), "range");
 }
 
 TEST(Segments, WhatMeansNothingForSomeIsDoneToTheOthers) {

@@ -181,5 +181,54 @@ TEST(Editor, WhatStandsMakesTheDocument) {
   }));
 }
 
+// Steps that cannot be undone share one copy of the document. The result is the same as with a copy for each.
+TEST(Editor, RestoringAtOnceIsLikeOneByOne) {
+  EXPECT_TRUE(rc::check([] {
+    const auto pick = [](int n) { return *rc::gen::inRange(0, n); };
+    std::vector<Step> steps;
+    for (int k = 0; k < 30; ++k) {
+      const std::string o = fmt::format("o{}", pick(4)), sheet = fmt::format("{}.radius", o);
+      const Step all[] = {{{fmt::format("create {} sphere", o)}, ""},
+                          {{fmt::format("set {}.radius {}", o, 1 + pick(9))}, ""},
+                          {{fmt::format("  {}f {}", pick(9), 1 + pick(9))}, sheet},
+                          {{fmt::format("  {}f red", pick(9))}, sheet},
+                          {{fmt::format("remove {}", o)}, ""},
+                          {{fmt::format("create {} box", o), fmt::format("hide {}", o), "hide o2"}, ""},
+                          {{"# a remark"}, ""},
+                          {{fmt::format("let a{} = {}", k, pick(9))}, ""},
+                          {{fmt::format("make l{}", pick(2)), "  point (0 0)"}, ""}};
+      steps.push_back(all[pick(static_cast<int>(std::size(all)))]);
+    }
+    const std::size_t standing = static_cast<std::size_t>(20 + pick(11));
+    Editor at_once({}, {static_cast<std::size_t>(pick(10)), UndoDepth::without_limit}), one_by_one;
+    at_once.begin("create o0 sphere\n", ""), one_by_one.begin("create o0 sphere\n", "");
+    const auto left_out = at_once.restore(steps, standing), expected = one_by_one.restore(steps, standing);
+    RC_ASSERT(left_out.size() == expected.size());
+    for (std::size_t i = 0; i < left_out.size(); ++i) {
+      RC_ASSERT(left_out[i].number == expected[i].number);
+      RC_ASSERT(has_errors(left_out[i].why));
+    }
+    RC_ASSERT(std::ranges::equal(at_once.steps(), one_by_one.steps()));
+    RC_ASSERT(at_once.now().document == one_by_one.now().document);
+    RC_ASSERT(load_text(as_script(at_once.base(), at_once.steps()), "").document == at_once.now().document);
+  }));
+}
+
+// A command that happens now gets its time in the history, so it is refused beyond the limit of time.
+TEST(Editor, NothingHappensBeyondAllTimes) {
+  Editor editor;
+  editor.begin("create ball sphere\n", "");
+  for (const double seconds : {-4.61e9, -4.6e9, -1.0, 4.6e9, 4.61e9}) {
+    const Deed deed = editor.carry_out(editor.now(), "set ball.drive (e)", from_seconds(seconds));
+    EXPECT_EQ(deed.done, std::abs(seconds) <= 4.6e9) << seconds;
+    if (deed.done) {
+      EXPECT_TRUE(editor.carry_out(editor.now(), deed.line).done) << deed.line;
+    } else {
+      EXPECT_EQ(deed.said.back().what.code, ErrorCode::range);
+    }
+    EXPECT_TRUE(editor.carry_out(editor.now(), "set ball.radius 2", from_seconds(seconds)).done);
+  }
+}
+
 }  // namespace
 }  // namespace betwixt

@@ -4,6 +4,7 @@
 // What an earlier session did and did not save is done again.
 #include <rapidcheck.h>
 
+#include <filesystem>
 #include <random>
 
 #include "betwixt/language.h"
@@ -66,6 +67,35 @@ std::string random_line(std::mt19937_64& random) {
       return fmt::format("rate {}", 24 + n(3));
     default:
       return n(3) ? "undo" : "redo";
+  }
+}
+
+// A command that cannot be carried out any more is set aside, with those that need it; the rest is recovered.
+TEST(Session, WhatCannotBeRecoveredIsSetAside) {
+  for (const bool in_place : {false, true}) {
+    const Folder folder;
+    folder.put("more.bx", "create extra sphere\n");
+    folder.put("film.bx", "create ball sphere\n");
+    {
+      Session s;
+      ASSERT_TRUE(s.open(folder / "film.bx").done);
+      if (in_place) s.keep_in_place();
+      for (const char* line : {"set ball.radius 2", "use more.bx", "set extra.radius 3", "undo", "hide extra",
+                               "set ball.color red", "undo", "redo"})
+        expect_done(s, line);
+    }
+    std::filesystem::remove(folder / "more.bx");
+    Session s;
+    const auto opened = s.open(folder / "film.bx", Session::Earlier::recover);
+    ASSERT_TRUE(opened.done) << opened.said;
+    EXPECT_NE(opened.said.find("2 commands of the history"), std::string::npos) << opened.said;
+    EXPECT_TRUE(s.document() == load_text("create ball sphere\nset ball.radius 2\nset ball.color red\n", "").document)
+        << s.text();
+    EXPECT_EQ(s.unsaved(), 2U);
+    const std::string aside = folder.get("film.bx.set-aside");
+    EXPECT_NE(aside.find("\nuse more.bx\n"), std::string::npos) << aside;
+    EXPECT_NE(aside.find("\nhide extra\n"), std::string::npos) << aside;
+    EXPECT_EQ(aside.find("radius 3"), std::string::npos) << "it had been undone";
   }
 }
 

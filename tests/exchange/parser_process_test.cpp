@@ -92,7 +92,7 @@ TEST_F(Files, ThatEndTheirReaderAreErrors) {
 
 TEST_F(Files, TakeNoMoreThanTheirCeilings) {
   put("large.tga", large_picture());
-  const ParserCeilings plenty = parser_ceilings("large.tga", 4 << 20);
+  const ParserCeilings plenty = parser_ceilings("large.tga", 4 << 20, true);
   const auto why = [&](const ParserCeilings& most) {
     const auto parsed = parse_apart(ParserTask::picture, at("large.tga"), anything, true, most);
     const Error* error = parsed ? std::get_if<Error>(&*parsed) : nullptr;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <numbers>
 
 #include "support/folder.h"
@@ -111,6 +112,42 @@ TEST_F(Sounds, WhatIsNoneIsRefusedInWords) {
   ::setenv("PATH", folder_.path().c_str(), 1);
   EXPECT_EQ(fails(path("heard.wav")), "sounds need the program ffmpeg, which is not installed");
   ::setenv("PATH", was.c_str(), 1);
+}
+
+// Silence in blocks of 82 bytes, each of 131,072 samples, 6,000 of them a second.
+std::string silence(std::uint32_t blocks) {
+  static constexpr std::string_view block(
+      "\x77\x76\x70\x6b\x4a\x00\x00\x00\x10\x04\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00"
+      "\x00\x00\x02\x00\x20\x19\x00\x00\xff\xff\x47\x8a\x02\x01\x57\x56\x03\x02\x40\x40"
+      "\x3f\x00\x04\x04\x00\xff\x00\xff\x00\xff\x00\xff\x05\x06\x00\x00\x00\x00\x00\x00"
+      "\x00\x00\x00\x00\x00\x00\x09\x02\x00\x08\x00\x00\x8a\x03\x00\x00\xff\xff\x07\x00"
+      "\x00\x00",
+      82);
+  std::string out;
+  for (std::uint32_t i = 0; i < blocks; ++i) {
+    std::string one(block);
+    const std::uint32_t all = i == 0 ? ~0U : 0, first = i << 17;
+    std::memcpy(one.data() + 12, &all, sizeof all), std::memcpy(one.data() + 16, &first, sizeof first);
+    out += one;
+  }
+  return out;
+}
+
+// 2,460 bytes may last 324 s, and are 655: nobody reads hours of nothing unless the caller says so.
+TEST_F(Sounds, LastNoLongerThanTheirSizeAllows) {
+  const auto put = [&](const char* name, std::uint32_t blocks) {
+    std::ofstream(path(name), std::ios::binary) << silence(blocks);
+    return path(name);
+  };
+  const auto good = read_sound(put("good.wv", 10));
+  ASSERT_TRUE(good) << good.error().message;
+  EXPECT_NEAR((*good)->seconds, 10 * 131'072.0 / 6000, 0.01);
+  const auto long_one = read_sound(put("long.wv", 30));
+  ASSERT_FALSE(long_one);
+  EXPECT_EQ(long_one.error().code, ErrorCode::range);
+  const auto any = read_sound(path("long.wv"), true);
+  ASSERT_TRUE(any) << any.error().message;
+  EXPECT_NEAR((*any)->seconds, 30 * 131'072.0 / 6000, 0.01);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 //
 // A .glb, read back as the specification of glTF 2.0 says, is where the film is. What three.js, Blender and the
 // validator make of such files is asked in tests/peers.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -181,12 +182,16 @@ TEST(Gltf, AFileReadBySpecificationIsWhereTheFilmIs) {
 }
 
 // As Blender's importer and assimp read it: the values alone, straight from one to the next, whatever a sampler says;
-// of a node's channels the last one counts, and one without a node is the first node's translation.
+// of a node's channels the last one counts, and one without a node is the translation of the node that is read first,
+// children before their parents.
 Mat4 by_values(const Glb& file, std::size_t node, double t) {
   Glb straight = file;
+  Json first = file.json["scenes"][0]["nodes"][0];
+  while (file.json["nodes"][first.get<std::size_t>()].contains("children"))
+    first = file.json["nodes"][first.get<std::size_t>()]["children"][0];
   Json kept = Json::array();
   for (Json channel : file.json["animations"][0]["channels"]) {
-    if (!channel["target"].contains("node")) channel["target"] = {{"node", 0}, {"path", "translation"}};
+    if (!channel["target"].contains("node")) channel["target"] = {{"node", first}, {"path", "translation"}};
     std::erase_if(kept.get_ref<Json::array_t&>(), [&](const Json& k) { return k["target"] == channel["target"]; });
     kept.push_back(channel);
   }
@@ -203,7 +208,8 @@ TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
   const std::string text = std::string(film) +
                            "create sign box color=red\nsign.color\n  1f red\n  73f blue\nsign.position\n"
                            "  1f (0 0 0) hold\n  24f (3 0 0) hold\n  47f (0 1 0)\n";
-  const Loaded loaded = load_text("create post box position=(7 0 0)\n" + text, "test.bx");
+  const Loaded loaded =
+      load_text("create post group position=(7 0 0)\ncreate post/lamp box position=(1 2 3)\n" + text, "test.bx");
   ASSERT_FALSE(has_errors(loaded.diagnostics)) << to_string(loaded.diagnostics.front());
   const Program program = Program::compile(loaded.document);
   ExportOptions options;
@@ -213,7 +219,7 @@ TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
   EXPECT_EQ(options.keys.style, KeyStyle::linear);
   ASSERT_TRUE(export_film(program, options));
   const Glb file(options.path);
-  for (const char* name : {"post", "ball", "arm", "arm/tip", "still", "sign"}) {
+  for (const char* name : {"post", "post/lamp", "ball", "arm", "arm/tip", "still", "sign"}) {
     std::size_t node = 0;
     while (file.json["nodes"][node]["name"] != name) ++node;
     const auto found = find_targets(std::string(name) + ".world", loaded.document);
@@ -226,6 +232,43 @@ TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
       for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 4; ++c) EXPECT_NEAR(is(r, c), due(r, c), 1e-3) << name << " at frame " << 1 + frame;
     }
+  }
+}
+
+// Steps of code, of which no track knows: each has its own pair of keys, wherever others end.
+TEST(Gltf, StepsThatOnlyCodeKnowsAreAllThere) {
+  const Folder folder;
+  for (const double rate : {23.1, 31.7, 36.57, 47.3, 61.1}) {
+    const Loaded loaded =
+        load_text(fmt::format("range 1f 97f\ncreate b box\nset b.position.x = \"floor(t * {})\"\n", rate), "test.bx");
+    ExportOptions options;
+    options.path = folder / "x.glb";
+    std::tie(options.from, options.until) = loaded.document.range();
+    options.keys = usual_keys(options.path);
+    ASSERT_TRUE(export_film(Program::compile(loaded.document), options));
+    const Glb file(options.path);
+    for (double frame = 0; frame <= 96; frame += 0.37) {
+      const double t = frame / 24, steps = t * rate;
+      if (std::ceil(steps) - steps < 0.02 * rate / 24) continue;  // it is on its way
+      EXPECT_NEAR(by_values(file, 0, t)(0, 3), std::floor(steps), 1e-3) << rate << " at frame " << 1 + frame;
+    }
+  }
+}
+
+// What jumps just behind a frame has not begun to do so in that frame.
+TEST(Gltf, WholeFramesAreThereHoweverSoonAJumpFollows) {
+  const Folder folder;
+  for (const double late : {0.0004, 0.003, 0.006, 0.0104, 0.02, 0.5}) {
+    const Loaded loaded = load_text(
+        fmt::format("range 1f 49f\ncreate b box\nset b.position.x = \"floor(t * 24 - {})\"\n", late), "test.bx");
+    ExportOptions options;
+    options.path = folder / "x.glb";
+    std::tie(options.from, options.until) = loaded.document.range();
+    options.keys = usual_keys(options.path);
+    ASSERT_TRUE(export_film(Program::compile(loaded.document), options));
+    const Glb file(options.path);
+    for (int frame = 0; frame <= 48; ++frame)
+      EXPECT_NEAR(by_values(file, 0, frame / 24.0)(0, 3), frame - 1, 1e-3) << late << " behind frame " << 1 + frame;
   }
 }
 

@@ -32,7 +32,7 @@ program=$(realpath -- "$program")
 [ $# -gt 0 ] || set -- gltf usda lottie drawings web typescript editor
 passed=0 failed=0
 for script; do
-  said=$(python3 "$root/tests/peers/$script.py" "$program" "$peers" 2>&1)
+  said=$(/usr/bin/python3 "$root/tests/peers/$script.py" "$program" "$peers" 2>&1)
   printf '%s\n' "$said" | grep -vE '^[0-9]+ passed, [0-9]+ failed$'
   counts=$(printf '%s\n' "$said" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p' | tail -n 1)
   [ -n "$counts" ] || counts="0 1"

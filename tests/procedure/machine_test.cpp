@@ -5,10 +5,33 @@
 #include <atomic>
 #include <thread>
 
+#include "base/still_wanted.h"
 #include "procedure/routines.h"
 
 namespace betwixt {
 namespace {
+
+// Code cannot hold on to work that is called off, however deep it asks other code; the next call is as ever.
+TEST(Lua, WorkThatIsCalledOffEnds) {
+  const std::string loop = "local s = 0 for i = 1, 10000 do s = s + i end return s";
+  const std::atomic<bool> gone{true}, over{false};
+  const std::atomic<int> others{0};
+  FakeQuestions q;
+  q.procedures["slow"] = made(Role::value, loop);
+  FakeHost host;
+  FakeInput in;
+  {
+    const StillWanted wanted(gone, over, others, {});
+    std::uint64_t cost = 0;
+    for (const std::string& code : {loop, std::string("value('slow')"), std::string("slow()")})
+      EXPECT_THROW((void)made(Role::value, code)->value(q, {}, cost), NotWanted) << code;
+    EXPECT_THROW((void)made(Role::command, loop)->command(host, {}), NotWanted);
+    EXPECT_THROW((void)made(Role::filter, loop)->filter(in, 0, {}), NotWanted);
+    EXPECT_THROW((void)made(Role::twerper, loop)->blend(0.5), NotWanted);
+  }
+  EXPECT_EQ(number("value('slow')", q), 50005000);
+  EXPECT_TRUE(made(Role::command, loop)->command(host, {}));
+}
 
 // shows: G54
 TEST(Lua, WhatNeverEndsIsStopped) {
@@ -58,7 +81,9 @@ TEST(Lua, WhatIsDoneInsideOneInstructionCounts) {
         std::string("local s = ('x'):rep(900000) while true do s:byte(1, 200000) end"),
         std::string("local t = {} for i = 1, 20 do t[('x'):rep(700000) .. i] = i end while true do pairs(t) end"),
         many + "for i = 1, 10000 do t[i] = nil end while true do pairs(t) end",
-        std::string("local t = {} for i = 1, 200000 do t[i] = vec(i, 0, 0) end while true do many(t) end")}) {
+        std::string("local t = {} for i = 1, 200000 do t[i] = vec(i, 0, 0) end while true do many(t) end"),
+        std::string("local f = ('%99.99f'):rep(20000) local t = {} for i = 1, 20000 do t[i] = 1e308 end "
+                    "while true do f:format(table.unpack(t)) end")}) {
     FakeQuestions q;
     q.procedures["many"] = made(Role::value, "1");
     const std::string why = error(source, q);
@@ -71,6 +96,23 @@ TEST(Lua, WhatIsDoneInsideOneInstructionCounts) {
   EXPECT_EQ(number("max(2, 5, 3) + math.min(2, -1)"), 4);
   EXPECT_EQ(error("max()"), "bad argument #1 to 'max' (number expected, got no value)");
   EXPECT_EQ(error("max(1, 'x')"), "bad argument #2 to 'max' (number expected, got string)");
+}
+
+// A collection goes through all that a call holds: many calls do not bring many of them.
+// shows: G54
+TEST(Lua, CallsOfWhoHoldsMuchStayCheap) {
+  FakeQuestions q;
+  q.procedures["one"] = made(Role::value, "1");
+  const auto cost_of = [&](const std::string& calls) {
+    std::uint64_t cost = 0;
+    const auto code = made(Role::value,
+                           "local held = {} for i = 1, 2000 do held[i] = ('x'):rep(1000) .. i end "
+                           "local s = 0 for i = 1, " +
+                               calls + " do s = s + one() end return s");
+    EXPECT_TRUE(code->value(q, {}, cost));
+    return cost;
+  };
+  EXPECT_LT(cost_of("2000") - cost_of("1000"), 1000 * 300U);
 }
 
 // A call and those that it waits for share one ceiling.

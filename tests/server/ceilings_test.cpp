@@ -85,6 +85,66 @@ TEST(Imaging, HasACeilingOfItsHistory) {
   EXPECT_EQ(folder.get("live.bx"), "create a sphere\nset a.radius 2\nset a.radius 4\n");
 }
 
+// Each object's own points count. Shared points count once. Points that are replaced do not count.
+TEST(Imaging, HasACeilingOfBytes) {
+  Stage s(at_most(&Ceilings::values, 10'000));
+  const auto host = s.imaging.arrive();
+  const auto points = [](std::size_t n, const char* x) {
+    std::string all = "(";
+    for (std::size_t i = 0; i < n; ++i) all += fmt::format("({} {})", x, i);
+    return all + ")";
+  };
+  s.done(host, "create l{1..40} polygon");
+  const char* const why = "texts, points, lists of names and code would have more than 10000 bytes";
+  changes_nothing(s, host, "set l*.points " + points(20, "i"), why);  // 40 times 480 bytes
+  s.done(host, "set l*.points " + points(300, "1"));                  // 7,200
+  changes_nothing(s, host, "set l1.points " + points(200, "2"), why);
+  s.say(host, "bundle");
+  for (int i = 1; i < 4; ++i) s.say(host, fmt::format("set l{}.points {}", i, points(50, "3")));
+  changes_nothing(s, host, "end", why);
+  s.done(host, "set l*.points " + points(300, "4"));  // in their place
+  s.done(host, "set l*.points ((0 0) (1 1))");
+  s.done(host, "set l{1..10}.points " + points(20, "i"));
+  s.done(host, "undo");
+  s.done(host, "undo");
+  changes_nothing(s, host, "set l1.points " + points(200, "2"), why);
+  s.done(host, "redo");
+  s.done(host, "set l1.points " + points(200, "2"));
+  s.expect_history();
+}
+
+TEST(Imaging, TextsAndCodeCountToo) {
+  Stage s(at_most(&Ceilings::values, 10'000));
+  const auto host = s.imaging.arrive();
+  s.done(host, "create t{1..4} text");
+  changes_nothing(s, host, "set t1.text \"" + std::string(10'001, 'x') + "\"", "more than 10000 bytes");
+  changes_nothing(s, host, "set t1.position.x = \"1 + " + std::string(10'000, ' ') + "t\"", "more than 10000 bytes");
+  s.done(host, "set t1.text \"" + std::string(6'000, 'x') + "\"");
+  changes_nothing(s, host, "set t2.text \"" + std::string(6'000, 'y') + "\"", "more than 10000 bytes");
+  s.done(host, "set t1.text \"short\"");
+  s.done(host, "set t2.text \"" + std::string(6'000, 'y') + "\"");
+}
+
+// After undo and redo, the counts are right.
+TEST(Imaging, CountsAreThoseOfTheDocumentThatIsGoneBackTo) {
+  Stage s;
+  const auto host = s.imaging.arrive();
+  const auto events = [&] {
+    const std::string answer = s.say(host, "stats");
+    const auto at = answer.find("\"events\":") + 9;
+    return answer.substr(at, answer.find(',', at) - at);
+  };
+  for (const char* line : {"create a{1..5} sphere", "at 1f a*.radius 2"}) s.done(host, line);
+  s.done(host, "at 2f a1.radius 3");
+  EXPECT_EQ(events(), "6");
+  s.done(host, "undo");
+  EXPECT_EQ(events(), "5");
+  s.done(host, "undo");
+  EXPECT_EQ(events(), "0");
+  for (int i = 0; i < 2; ++i) s.done(host, "redo");
+  EXPECT_EQ(events(), "6");
+}
+
 // More environments than allowed are refused; those that are there stay as they are. (C120, R-E8)
 // shows: C120 R-E8
 TEST(Imaging, HasACeiling) {

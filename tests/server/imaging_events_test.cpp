@@ -17,13 +17,13 @@ TEST(Imaging, TellsThoseWhoAsked) {
   auto told = s.imaging.events();
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].to, a);
-  EXPECT_EQ(told[0].line, "{\"event\":\"change\",\"tick\":0,\"host\":2,\"commands\":\"create ball sphere\"}\n");
+  EXPECT_EQ(*told[0].line, "{\"event\":\"change\",\"tick\":0,\"host\":2,\"commands\":\"create ball sphere\"}\n");
   s.imaging.shown({{1, Time{}, 0, {}}});
   EXPECT_TRUE(s.imaging.events().empty());
   s.imaging.shown({{30, from_seconds(1.2), 0, {}}});
   told = s.imaging.events();
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].line, "{\"event\":\"note\",\"seconds\":1,\"note\":\"there\"}\n");
+  EXPECT_EQ(*told[0].line, "{\"event\":\"note\",\"seconds\":1,\"note\":\"there\"}\n");
   s.imaging.shown({{31, from_seconds(1.3), 0, {}}});
   EXPECT_TRUE(s.imaging.events().empty());
   s.done(a, "unsubscribe");
@@ -31,7 +31,7 @@ TEST(Imaging, TellsThoseWhoAsked) {
   s.imaging.shown({{31, from_seconds(1.25), 1500, {}}});
   told = s.imaging.events();
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].line, "{\"event\":\"frame\",\"frame\":31,\"seconds\":1.25,\"late\":1.5}\n");
+  EXPECT_EQ(*told[0].line, "{\"event\":\"frame\",\"frame\":31,\"seconds\":1.25,\"late\":1.5}\n");
 }
 
 // What touches is told to whoever asked, as the time goes by. (C148, C150)
@@ -48,7 +48,7 @@ TEST(Imaging, TellsOfContacts) {
   for (int t = 0; t <= 30; ++t) {
     s.imaging.shown({{t + 1, from_seconds(t / 30.0), 0, {}}});
     for (const auto& e : s.imaging.events()) {
-      told += e.line;
+      told += *e.line;
       EXPECT_EQ(e.to, a);
     }
   }
@@ -90,7 +90,7 @@ TEST(Imaging, FramesAreToldInTheirOrderWhateverComesBetween) {
     s.imaging.shown(
         {{number, from_seconds(number / 30.0), 0, {}}, {number + 1, from_seconds((number + 1) / 30.0), 0, {}}});
     for (const auto& e : s.imaging.events())
-      if (e.to == a) frames.push_back(e.line.substr(0, e.line.find(",\"seconds")));
+      if (e.to == a) frames.push_back(e.line->substr(0, e.line->find(",\"seconds")));
   }
   EXPECT_GT(looked, 0);
   ASSERT_GT(frames.size(), 4u);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <random>
 #include <set>
@@ -261,6 +262,132 @@ TEST(Imaging, ACheckpointAndADamagedJournal) {
   EXPECT_EQ(before, last);
 }
 
+// Another server starts in the folder. Returns its messages.
+std::string goes_on(
+    const Folder& folder, const std::function<void(Imaging&)>& then = [](Imaging&) {}) {
+  Imaging imaging({});
+  const auto begun = imaging.begin("", folder / "live.bx", false, 0);
+  EXPECT_TRUE(begun) << (begun ? "" : begun.error().message);
+  if (!begun) return "";
+  EXPECT_FALSE(has_errors(*begun)) << to_string((*begun)[0]);
+  then(imaging);
+  std::string said;
+  for (const Diagnostic& d : *begun) said += to_string(d);
+  return said;
+}
+
+// Commands in the last second before the limit of time can be loaded; later ones are refused.
+TEST(Imaging, NothingIsStampedBeyondAllTimes) {
+  const Folder folder;
+  std::string history;
+  {
+    Stage s({}, "", folder / "live.bx");
+    const auto host = s.imaging.arrive();
+    s.done(host, "create ball sphere");
+    s.done(host, "seek 4599999999s");
+    s.done(host, "set ball.drive (e1)");
+    s.done(host, "seek 4600000000s");
+    s.refused(host, "set ball.drive (e2)", "it is later now than times reach");
+    s.refused(host, "animate e2 every 1t by rotate(1deg, y)", "it is later now than times reach", 5 * second);
+    s.say(host, "bundle");
+    s.say(host, "set ball.radius 3");
+    s.say(host, "halt e*");
+    s.refused(host, "end", "line 9: it is later now");
+    s.done(host, "set ball.radius 2");
+    s.expect_history();
+    history = s.imaging.history();
+  }
+  EXPECT_EQ(goes_on(folder, [&](Imaging& again) { EXPECT_EQ(again.history(), history); }), "");
+}
+
+const char* const some_mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+// A file that a command needs has gone: the command is set aside, and so are those that need what it made.
+TEST(Imaging, WhatCannotBeDoneAgainIsSetAside) {
+  const Folder folder;
+  folder.put("m.obj", some_mesh);
+  {
+    Stage s({}, "", folder / "live.bx");
+    const auto host = s.imaging.arrive();
+    for (const char* line :
+         {"create ball sphere", "create m mesh file=\"m.obj\"", "set ball.radius 2", "m.position", "  1f (1 2 3)",
+          "save", "create box box", "hang m on ball", "hang box on ball", "undo", "set m.position (1 1 1)", "undo"})
+      s.done(host, line);
+  }
+  std::filesystem::rename(folder / "m.obj", folder / "away");
+  const std::string history = "create ball sphere\nset ball.radius 2\ncreate box box\n";
+  const std::string said = goes_on(folder, [&](Imaging& again) {
+    EXPECT_EQ(again.history(), history);
+    const auto host = again.arrive();
+    EXPECT_TRUE(holds(again.enter(host, "set-aside", 0).line, "create m mesh"));
+    EXPECT_TRUE(holds(again.enter(host, "eval ball.radius", 0).line, "\"ball.radius\":2"));
+  });
+  EXPECT_TRUE(holds(said, "3 commands") && holds(said, "live.bx.set-aside") && holds(said, "m.obj")) << said;
+  const std::string aside = folder.get("live.bx.set-aside");
+  for (const char* line : {"\ncreate m mesh file=\"m.obj\"\n", "\nm.position\n  1f (1 2 3)\n", "\nhang m on ball\n"})
+    EXPECT_TRUE(holds(aside, line)) << line << aside;
+  // Later starts have no message and lose nothing more, and neither does a shell.
+  for (int k = 0; k < 2; ++k)
+    EXPECT_EQ(goes_on(folder, [&](Imaging& again) { EXPECT_EQ(again.history(), history); }), "");
+  EXPECT_EQ(folder.get("live.bx.set-aside"), aside);
+  {
+    Session shell;
+    ASSERT_TRUE(shell.open(folder / "live.bx", Session::Earlier::recover).done);
+    EXPECT_EQ(shell.text(), history);
+  }
+  // When the file is back, the set-aside file is a script that can be carried out.
+  std::filesystem::rename(folder / "away", folder / "m.obj");
+  folder.put("all.bx", history + aside);
+  EXPECT_FALSE(has_errors(load_file(folder / "all.bx").diagnostics));
+}
+
+// The same after a server that ended normally: the script has all commands then.
+TEST(Imaging, LinesOfTheScriptThatItLeftAreSetAside) {
+  const Folder folder;
+  folder.put("m.obj", some_mesh);
+  folder.put("live.bx", "# the author's\n");
+  {
+    Stage s({}, "", folder / "live.bx");
+    const auto host = s.imaging.arrive();
+    for (const char* line : {"create m mesh file=\"m.obj\"", "m.position", "  1f (1 2 3)", "create ball sphere"})
+      s.done(host, line);
+    ASSERT_TRUE(s.imaging.finish());
+  }
+  const std::string whole = folder.get("live.bx");
+  std::filesystem::remove(folder / "m.obj");
+  const std::string left = "# the author's\ncreate ball sphere\n";
+  EXPECT_TRUE(holds(goes_on(folder, [&](Imaging& i) { EXPECT_EQ(i.history(), left); }), "2 commands"));
+  EXPECT_EQ(folder.get("live.bx"), left);
+  EXPECT_EQ(folder.get("live.bx.orig"), whole);
+  EXPECT_TRUE(holds(folder.get("live.bx.set-aside"), "m.position\n  1f (1 2 3)\n"));
+  EXPECT_EQ(goes_on(folder, [&](Imaging& i) { EXPECT_TRUE(i.finish()); }), "");
+  // An error in a line that a person has added stops the start.
+  folder.put("live.bx", left + "hide moon of\n");
+  Imaging refused({});
+  const auto begun = refused.begin("", folder / "live.bx", false, 0);
+  ASSERT_TRUE(begun);
+  EXPECT_TRUE(has_errors(*begun));
+  EXPECT_EQ(folder.get("live.bx"), left + "hide moon of\n");
+}
+
+// A start that was killed leaves a mark. The next one tries the history in a copy of the process; it lives, so nothing
+// is set aside.
+TEST(Imaging, AStartThatWasKilledLosesNothing) {
+  const Folder folder;
+  std::string history;
+  {
+    Stage s({}, "", folder / "live.bx");
+    const auto host = s.imaging.arrive();
+    for (const char* line : {"create ball sphere", "set ball.radius = \"error('procedure:', 0)\"", "undo"})
+      s.done(host, line);
+    history = s.imaging.history();
+  }
+  folder.put(".live.bx.starting", "");
+  EXPECT_EQ(goes_on(folder, [&](Imaging& i) { EXPECT_EQ(i.history(), history); }), "");
+  EXPECT_FALSE(folder.has(".live.bx.starting"));
+  EXPECT_FALSE(folder.has("live.bx.set-aside"));
+}
+
 // What somebody else has written into the file meanwhile is not lost.
 TEST(Imaging, OthersTextsAreNotReplaced) {
   const Folder folder;
@@ -352,6 +479,8 @@ TEST(Imaging, HistoriesMakeTheDocument) {
           "end",
           "# said",
           "seek 10t",
+          "seek -4600000000s",
+          "seek 4600000000s",
           fmt::format("at {}t animate {} every 1t by translate(1 0 0)", pick(200), e()),
           fmt::format("make l{}", pick(2)),
           fmt::format("at {}t make l{}", pick(200), pick(2)),

@@ -131,6 +131,59 @@ TEST(Imaging, NobodyWaitsForWhatTakesLong) {
   s.expect_history();
 }
 
+// The server answers questions about many objects from one version of the document, beside other lines.
+TEST(Imaging, QuestionsAboutManyLetOthersGoOn) {
+  Stage s;
+  const auto asks = s.imaging.arrive(), changes = s.imaging.arrive();
+  for (const char* line : {"create b{1..3} box", "alias all = b{1..3}", "at 1f note \"before\"", "set b1.size (5 5 5)"})
+    s.done(asks, line);
+  int works = 0;
+  s.imaging.work_beside([&](const std::function<void()>& work, Imaging::Claim) {
+    if (++works == 1) {
+      for (const char* line : {"set b1.size (7 7 7)", "create b4 box", "at 1f note later"}) s.say(changes, line);
+    }
+    work();
+    return true;
+  });
+  for (const auto& [question, before] :
+       {std::pair{"eval b*.size.x", "\"b1.size.x\":5,\"b2.size.x\":1,\"b3.size.x\":1}"},
+        {"eval all.size.x", "\"b1.size.x\":5,\"b2.size.x\":1,\"b3.size.x\":1}"},
+        {"describe b1", "size             (5 5 5)"},
+        {"history", "set b1.size (5 5 5)\\n\""},
+        {"list b*", "b3  box       0 events\\n\""}}) {
+    works = 0;
+    const std::string answer = s.say(asks, question);
+    EXPECT_TRUE(holds(answer, "\"ok\":true") && holds(answer, before)) << answer;
+    EXPECT_GE(works, 1) << question;
+    s.done(changes, "undo"), s.done(changes, "undo");
+  }
+  s.refused(asks, "eval " + std::string(Imaging::longest_question, 'x'), "'eval' has at most 65536 bytes");
+}
+
+// Names that stand for many, and rows below a pattern, do not look as if they spoke of many.
+TEST(Imaging, WhateverSpeaksOfManyIsWorkedOutBeside) {
+  Stage s;
+  const auto host = s.imaging.arrive();
+  for (const char* line : {"create {a,b} sphere", "alias both = a b"}) s.done(host, line);
+  int works = 0;
+  s.imaging.work_beside([&](const std::function<void()>& work, Imaging::Claim) { return ++works, work(), true; });
+  const auto beside = [&](const char* line) {
+    works = 0;
+    s.done(host, line);
+    return works == 1;
+  };
+  EXPECT_TRUE(beside("set both.radius 2"));
+  EXPECT_TRUE(beside("at 3f both.radius 2"));
+  EXPECT_FALSE(beside("set a.radius 3"));
+  EXPECT_TRUE(beside("both.position"));
+  EXPECT_TRUE(beside("  4f (1 0 0)"));
+  EXPECT_FALSE(beside("b.position"));
+  EXPECT_FALSE(beside("  5f (1 0 0)"));
+  EXPECT_TRUE(beside("{a,b}.position"));
+  EXPECT_TRUE(beside("  6f (1 0 0)"));
+  s.expect_history();
+}
+
 // A few values that need no code are said at once; what may take long is not.
 TEST(Imaging, WhatIsQuicklyKnownIsSaidAtOnce) {
   Stage s;

@@ -71,7 +71,8 @@ TEST(Lanes, WhatIsLongGivesWayOnlyWhereSomebodyWaits) {
 }
 
 TEST(Lanes, FewWorkAtATime) {
-  Lanes lanes;
+  constexpr auto never = 1h;
+  Lanes lanes(Lanes::Patience{never, never, never, never});
   std::atomic<int> working{0}, most{0};
   std::vector<std::future<bool>> all;
   for (int i = 0; i < 100; ++i)
@@ -86,6 +87,25 @@ TEST(Lanes, FewWorkAtATime) {
     }));
   for (auto& one : all) EXPECT_TRUE(one.get());
   EXPECT_LE(most, 8);
+}
+
+// Work that never asks StillWanted, such as compiling: other work does not wait for it.
+TEST(Lanes, WhatCannotBeInterruptedKeepsNobodyWaiting) {
+  Lanes lanes(Lanes::Patience{0ms, 0ms, 0ms, 0ms});
+  std::promise<void> ends;
+  const std::shared_future<void> end(ends.get_future());
+  std::atomic<int> begun{0};
+  std::vector<std::future<bool>> stuck;
+  for (int i = 0; i < 10; ++i)
+    stuck.push_back(std::async(std::launch::async, [&] { return lanes.run([&] { ++begun, end.wait(); }, stays); }));
+  while (begun < 10) std::this_thread::yield();
+  int done = 0;
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(lanes.run([&] { ++done; }, stays));
+  EXPECT_EQ(done, 20);
+  ends.set_value();
+  for (auto& one : stuck) EXPECT_TRUE(one.get());
+  EXPECT_EQ(begun, 10);
+  EXPECT_TRUE(lanes.run([&] { ++done; }, stays));
 }
 
 TEST(Lanes, EndWithAllThatWaits) {

@@ -125,6 +125,19 @@ TEST(ServerTime, WithoutItsFileItBeginsAtNothing) {
   }
 }
 
+TEST(ServerTime, BeginsAnewWhereThatIsAskedFor) {
+  const Folder folder;
+  {
+    Stage s({}, "", folder / "live.bx");
+    slide(s);
+  }
+  Imaging::Options options;
+  options.from_start = true;
+  Stage again(options, "", folder / "live.bx");
+  EXPECT_EQ(tick_of(again), 0);
+  EXPECT_EQ(tick_of(again, tick(3)), 3) << "it goes";
+}
+
 TEST(ServerTime, IsWrittenAheadNowAndThen) {
   const Folder folder;
   Stage without, s({}, "", folder / "live.bx");

@@ -66,9 +66,9 @@ maximised() {
     printf 'create ball sphere\n' >big.bx
     openbox >openbox.log 2>&1 &
     for how in add,maximized_vert,maximized_horz remove,above; do
-      timeout 100 "$build/bin/betwixt-studio" big.bx --discard >said 2>&1 &
+      timeout 900 "$build/bin/betwixt-studio" big.bx --discard >said 2>&1 &
       studio=$!
-      for _ in {1..400}; do
+      for _ in {1..4000}; do
         window=$(wmctrl -l 2>/dev/null | awk '/big.bx/ { print $1 }')
         [ -z "$window" ] || break
         kill -0 $studio 2>/dev/null || exit 1
@@ -78,7 +78,7 @@ maximised() {
       wmctrl -i -r "$window" -b "$how"
       sleep 1
       # Until it has heard the key.
-      for _ in {1..100}; do
+      for _ in {1..2000}; do
         xdotool windowfocus "$window" key ctrl+q 2>/dev/null
         sleep 0.2
         kill -0 $studio 2>/dev/null || break

@@ -137,13 +137,35 @@ def looks(browser):
     page.close()
 
 
+# What gets into a page all the same is not run: the policy knows the page's own script and style by what stands in them.
+def policy(browser):
+    listens = "window.broken = []; addEventListener('securitypolicyviolation', (e) => broken.push(e.effectiveDirective));"
+    hostile = ("<script>window.ran = 'a script'</script><img src='none.png' onerror=\"window.ran = 'a handler'\">"
+               "<style>main { display: none }</style><base href='https://example.org/'>"
+               "<script src='data:text/javascript,window.ran=1'></script><iframe src='ball.html'></iframe>")
+    for name in ("ball.html", "linked.html", "alone.html"):
+        with open(f"{folder}/{name}", encoding="utf-8") as made:
+            page_text = made.read()
+        write("hostile.html", page_text.replace("</main>", hostile + "</main>"))
+        for file, forbidden in ((name, []), ("hostile.html", ["base-uri", "frame-src", "script-src-attr", "script-src-elem", "script-src-elem", "style-src-elem"])):
+            page = browser.page()
+            page.call("Page.addScriptToEvaluateOnNewDocument", source=listens)
+            page.go(f"file://{folder}/{file}")
+            page.until("document.querySelector('betwixt-player').readyState === 4")
+            page.do("await new Promise((r) => setTimeout(r, 100))")
+            same(f"{name} as {file}: what its policy forbade", page.ask("broken.sort()"), forbidden)
+            same(f"{name} as {file}: what ran", page.ask("window.ran ?? 'nothing'"), "nothing")
+            same(f"{name} as {file}: it is seen", page.ask("getComputedStyle(document.querySelector('main')).display"), "block")
+            page.close()
+
+
 odd = "# </script> <\\/script> <!-- <b>&amp; ümläut 🎈\n\n\ncreate ball sphere\n"
 web(write("ball.bx", text), "-o", "ball.html")
 web(write("odd.bx", odd), "-o", "odd.html")
 web("ball.bx", "odd.bx", "-o", "linked.html", "--link")
 web("ball.bx", "-o", "alone.html", "--no-edit", "--size", "400x300")
 with Browser() as browser:
-    for part in (typing, keys, looks):
+    for part in (typing, keys, looks, policy):
         try:
             part(browser)
         except Exception as e:

@@ -1,0 +1,415 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "server/quarantine.h"
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
+#include <new>
+#include <system_error>
+#include <tuple>
+
+#include "base/still_wanted.h"
+#include "exchange/geometry.h"
+#include "language/json.h"
+#include "server/frame_clock.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::size_t all_workers = 10;
+constexpr std::size_t slow_workers = 2;  // how many work out slow values anew
+constexpr std::size_t kept_free = 3;     // for values that are known to be quick
+constexpr int quick_again = 3;           // answers in a row
+constexpr Nanos longest = 32;            // in shares, by the clock: four frames
+constexpr std::size_t most_named = 20;   // in the statistics
+
+Nanos processor_time(std::thread& thread) {
+  clockid_t clock{};
+  timespec t{};
+  if (::pthread_getcpuclockid(thread.native_handle(), &clock) != 0 || ::clock_gettime(clock, &t) != 0) return 0;
+  return static_cast<Nanos>(t.tv_sec) * 1'000'000'000 + t.tv_nsec;
+}
+
+}  // namespace
+
+Quarantine::Quarantine(Options options) : options_(std::move(options)) {}
+
+Quarantine::~Quarantine() {
+  over_ = true;
+  for (const auto& w : workers_) w->bell.ring();
+  for (const auto& w : workers_) w->thread.join();
+}
+
+// ---- on the maker's thread
+
+bool Quarantine::ask(const Program& program, Time t) {
+  waited_ = 0;
+  const Program::Compiled& c = program.compiled();
+  if (c.lives.empty() && c.slow_shapes.empty()) return forget(), false;
+  if (sources_.empty() || &program_.compiled() != &c) adopt(program);
+  time_ = t, ++turn_;
+  for (const auto& w : workers_)  // one may still be at a question of the frame before
+    if (!w->slow && overstays(*w)) leave_behind(*w);
+  const bool came = gather(), answered = ask_quick();
+  ask_slow();
+  count_late();
+  return came || answered;
+}
+
+// The same function of the same object keeps its pace and its last answer.
+void Quarantine::adopt(const Program& program) {
+  const Program::Compiled& c = program.compiled();
+  const Scene& scene = c.document.scene();
+  std::map<std::tuple<Question::What, std::uint32_t, FunctionId>, std::size_t> before;
+  for (std::size_t i = 0; i < sources_.size(); ++i)
+    before[{sources_[i].question.what, sources_[i].object, sources_[i].function}] = i;
+  std::vector<Source> now;
+  for (const Question& q : questions_of(c)) {
+    Source s;
+    if (q.what == Question::live) s.object = c.lives[q.index].object, s.function = c.lives[q.index].function;
+    if (q.what == Question::shape) s.object = c.nodes[c.slow_shapes[q.index]].object;
+    const auto known = before.find({q.what, s.object, s.function});
+    if (known != before.end()) {
+      Source& was = sources_[known->second];
+      const Scene& old = program_.document().scene();
+      const auto spec = [&](const Scene& in) -> const FunctionSpec& { return spec_of(in, s.function); };
+      const bool alike =
+          q.what != Question::live || (spec(old).name == spec(scene).name && spec(old).type == spec(scene).type);
+      const bool same = q.what == Question::camera ||
+                        (scene.objects.same(s.object, old.objects) && scene.procedures.same(old.procedures));
+      if (alike) {
+        if (was.pending && !same) was.pending->items[was.item].unwanted = true, was.pending.reset();
+        s = std::move(was);
+        was.pending.reset();
+        if (s.pending) s.pending->items[s.item].source = now.size();
+      }
+    }
+    s.question = q, s.current = false;
+    s.constant = q.what == Question::shape && c.drawables[c.slow_shapes[q.index]].shape < c.shapes.size();
+    now.push_back(std::move(s));
+  }
+  for (Source& s : sources_)
+    if (s.pending) s.pending->items[s.item].unwanted = true, s.pending->items[s.item].source = nobody;
+  sources_ = std::move(now);
+  engage();
+  lives_ = c.lives.size(), shapes_ = c.slow_shapes.size();
+  ++edition_;
+  release(std::exchange(program_, program));
+}
+
+void Quarantine::forget() {
+  if (sources_.empty()) return;
+  for (Source& s : sources_)
+    if (s.pending) s.pending->items[s.item].unwanted = true, s.pending->items[s.item].source = nobody;
+  sources_.clear();
+  release(std::exchange(program_, Program()));
+  count_late();
+}
+
+// A worker does it: the last one to let go of a program frees it, which may take long.
+void Quarantine::release(Program program) {
+  Worker* const w = idle_worker();
+  if (!w) return;
+  w->slow = true;
+  const auto batch = std::make_shared<Batch>(std::move(program), Time{}, 0);
+  give(*w, batch);
+  batch->leave();
+}
+
+std::size_t Quarantine::place_of(const Question& q) const {
+  return q.what == Question::live ? q.index : q.what == Question::shape ? lives_ + q.index : lives_ + shapes_;
+}
+
+const Answer* Quarantine::answer(const Question& q) const {
+  const std::size_t i = place_of(q);
+  return i < sources_.size() && sources_[i].known ? &sources_[i].answer : nullptr;
+}
+
+bool Quarantine::quick(const Question& q) const {
+  const std::size_t i = place_of(q);
+  return i < sources_.size() && sources_[i].pace == Pace::quick;
+}
+
+// Takes the late answers that have come.
+bool Quarantine::gather() {
+  bool news = false;
+  for (Source& s : sources_)
+    if (s.pending && s.pending->items[s.item].done) {
+      const auto batch = std::exchange(s.pending, nullptr);
+      news = take(s, batch->items[s.item], *batch) || news;
+    }
+  return news;
+}
+
+bool Quarantine::take(Source& s, Item& item, const Batch& batch) {
+  if (!item.answered) return false;
+  s.answer = std::move(item.answer);
+  s.known = true, s.at = batch.time, s.asked = turn_;
+  s.current = item.edition == edition_;
+  s.streak = item.took <= options_.share ? s.streak + 1 : 0;
+  const bool quick = s.pace == Pace::unknown ? item.took <= 2 * options_.share : s.streak >= quick_again;
+  if (s.pace == Pace::unknown || quick) set_pace(s, quick ? Pace::quick : Pace::slow);
+  return true;
+}
+
+std::shared_ptr<Quarantine::Batch> Quarantine::batch_of(const std::vector<std::size_t>& sources) {
+  auto batch = std::make_shared<Batch>(program_, time_, sources.size());
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    batch->items[i].question = sources_[sources[i]].question, batch->items[i].source = sources[i];
+    batch->items[i].edition = edition_;
+  }
+  return batch;
+}
+
+// Questions that were never answered come last: they may be slow. Before them, the one with the oldest answer is first.
+std::vector<std::size_t> Quarantine::quick_ones() {
+  std::vector<std::size_t> quick, unknown;
+  const bool room = busy_slow() + kept_free < workers_.size();
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const Source& s = sources_[i];
+    if (s.pending || s.pace == Pace::slow || answered(s)) continue;
+    if (s.pace == Pace::quick)
+      quick.push_back(i);
+    else if (room)
+      unknown.push_back(i);
+  }
+  if (std::exchange(left_out_, false)) {
+    const auto earlier = [&](std::size_t a, std::size_t b) { return sources_[a].asked < sources_[b].asked; };
+    std::stable_sort(quick.begin(), quick.end(), earlier), std::stable_sort(unknown.begin(), unknown.end(), earlier);
+  }
+  quick.insert(quick.end(), unknown.begin(), unknown.end());
+  return quick;
+}
+
+bool Quarantine::ask_quick() {
+  const std::vector<std::size_t> wanted = quick_ones();
+  if (wanted.empty()) return false;
+  const auto batch = batch_of(wanted);
+  const Nanos begun = options_.now();
+  await(batch);
+  waited_ = options_.now() - begun;
+  return close(batch);
+}
+
+// The next worker continues the batch of one that is left behind.
+void Quarantine::await(const std::shared_ptr<Batch>& batch) {
+  while (batch->next < batch->items.size()) {
+    Worker* const w = idle_worker();
+    if (!w) return;
+    w->slow = false;
+    give(*w, batch);
+    while (!w->slow && !w->rests()) {
+      const Nanos now = options_.now();
+      if (overstays(*w))
+        leave_behind(*w);
+      else if (now >= until_)
+        return;
+      else
+        done_.wait(monotonic_now() + std::clamp<Nanos>(until_ - now, 50'000, options_.share / 2));
+    }
+    if (!w->slow || busy_slow() + kept_free >= workers_.size()) return;
+  }
+}
+
+// It has used its share of processor time twice, or it has used little in a long time and waits for something.
+bool Quarantine::overstays(Worker& w) {
+  const Nanos begun = w.begun;
+  if (begun == 0) return false;
+  const Nanos time = options_.now() - begun;
+  if (time <= options_.share) return false;
+  const Nanos used = processor_time(w.thread);
+  if (w.watched != begun) w.watched = begun, w.used = used;
+  return time > longest * options_.share || used - w.used > options_.share;
+}
+
+void Quarantine::leave_behind(Worker& w) {
+  w.slow = true;
+  step(w);
+  const std::lock_guard lock(w.mutex);
+  if (w.given) w.given->leave(), w.given.reset(), w.idle = !w.at;
+  if (!w.at || w.item >= w.at->items.size()) return;
+  const std::size_t source = w.at->items[w.item].source;
+  if (source < sources_.size()) set_pace(sources_[source], Pace::slow);
+}
+
+// Stops the batch, and takes its answers. Questions that have begun stay open.
+bool Quarantine::close(const std::shared_ptr<Batch>& batch) {
+  batch->closed = true;
+  const std::size_t size = batch->items.size(), begun = std::min(batch->next.exchange(size), size);
+  bool any = false;
+  left_out_ = begun < size;
+  for (std::size_t i = 0; i < begun; ++i) {
+    Source& s = sources_[batch->items[i].source];
+    if (batch->items[i].done)
+      any = take(s, batch->items[i], *batch) || any;
+    else
+      s.pending = batch, s.item = i;
+  }
+  batch->leave();
+  return any;
+}
+
+void Quarantine::ask_slow() {
+  std::vector<std::size_t> waiting;
+  for (std::size_t i = 0; i < sources_.size(); ++i)
+    if (const Source& s = sources_[i]; !s.pending && (late(s) || (s.pace == Pace::unknown && !answered(s))))
+      waiting.push_back(i);
+  if (waiting.empty()) return;
+  std::stable_sort(waiting.begin(), waiting.end(),
+                   [&](std::size_t a, std::size_t b) { return sources_[a].asked < sources_[b].asked; });
+  for (const std::size_t i : waiting) {
+    Worker* const w = busy_slow() < slow_workers ? idle_worker() : nullptr;
+    if (!w) return;
+    w->slow = true;
+    Source& s = sources_[i];
+    s.asked = turn_, s.item = 0, s.pending = batch_of({i});
+    give(*w, s.pending);
+    s.pending->leave();
+  }
+}
+
+void Quarantine::set_pace(Source& s, Pace pace) {
+  const bool told = s.question.what != Question::camera && (s.pace == Pace::slow) != (pace == Pace::slow);
+  s.pace = pace;
+  if (pace == Pace::slow) s.streak = 0;
+  if (told) turns_.push_back({name(s), pace == Pace::slow, s.known ? 1000 * (time_ - s.at).seconds() : 0});
+}
+
+std::string Quarantine::name(const Source& s) const {
+  const Document& film = program_.document();
+  return s.question.what == Question::live ? film.name(Target{{s.object}, s.function, -1})
+                                           : film.name(ObjectId{s.object});
+}
+
+void Quarantine::count_late() {
+  std::size_t slow = 0;
+  std::string named_ones;
+  std::size_t all = 0;
+  for (Source& s : sources_) {
+    if (!named(s) && s.frames == 0) continue;
+    const bool is_late = named(s) && late(s);
+    if (is_late) ++s.frames;
+    if (named(s)) ++slow;
+    if (++all > most_named) continue;
+    named_ones += fmt::format("{}{{\"target\":{},\"late_ms\":{:.1f},\"frames\":{}}}", all > 1 ? "," : "",
+                              json_text(name(s)), is_late && s.known ? 1000 * (time_ - s.at).seconds() : 0.0, s.frames);
+  }
+  const std::lock_guard lock(told_in_use_);
+  told_ = fmt::format("\"quarantine\":{},\"quarantined\":[{}]", slow, named_ones);
+}
+
+std::string Quarantine::stats() const {
+  const std::lock_guard lock(told_in_use_);
+  return told_.empty() ? "\"quarantine\":0,\"quarantined\":[]" : told_;
+}
+
+std::vector<std::string> Quarantine::late() const {
+  std::vector<std::string> all;
+  for (const Source& s : sources_)
+    if (named(s) && all.size() < most_named)
+      all.push_back(
+          fmt::format("{} takes longer than a frame has: it is worked out beside, and shown when it comes", name(s)));
+  return all;
+}
+
+// ---- workers
+
+std::size_t Quarantine::busy_slow() {
+  return static_cast<std::size_t>(
+      std::count_if(workers_.begin(), workers_.end(), [](const auto& w) { return w->slow && !w->rests(); }));
+}
+
+// Returns null if all are at work.
+Quarantine::Worker* Quarantine::idle_worker() {
+  for (const auto& w : workers_)
+    if (w->rests()) return w.get();
+  return nullptr;
+}
+
+// Starts all of them at once. A new thread may have to wait for the process's memory; later frames do not.
+void Quarantine::engage() {
+  if (!workers_.empty()) return;
+  for (std::size_t i = 0; i < all_workers; ++i) {
+    auto made = std::make_unique<Worker>();
+    try {
+      made->thread = std::thread([this, w = made.get()] { work(*w); });
+    } catch (const std::system_error&) {
+      return;
+    }
+    workers_.push_back(std::move(made));
+  }
+}
+
+// A slow one has an ordinary priority. It is no lower: a worker that hardly runs would keep the process's memory
+// locked.
+void Quarantine::step(const Worker& w) const {
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(w.id.load()), w.slow ? 0 : options_.nice);
+}
+
+void Quarantine::give(Worker& w, std::shared_ptr<Batch> batch) {
+  ++batch->users;
+  {
+    const std::lock_guard lock(w.mutex);
+    w.given.swap(batch), w.idle = false;
+  }
+  if (batch) batch->leave();  // the worker has not begun it
+  w.bell.ring();
+}
+
+void Quarantine::work(Worker& w) {
+  w.id = static_cast<int>(::syscall(SYS_gettid));
+  while (!over_) {
+    w.bell.wait();
+    std::shared_ptr<Batch> batch;
+    {
+      const std::lock_guard lock(w.mutex);
+      w.at = std::move(w.given), batch = w.at;
+      w.given.reset();
+    }
+    if (!batch) continue;
+    step(w);
+    serve(w, *batch);
+    batch->leave();
+    const bool late = (w.slow || batch->closed) && !batch->items.empty();
+    {
+      const std::lock_guard lock(w.mutex);
+      w.at.reset(), w.idle = !w.given;
+    }
+    done_.ring();
+    if (late && options_.heard) options_.heard();
+  }
+}
+
+void Quarantine::serve(Worker& w, Batch& batch) {
+  const std::size_t size = batch.items.size();
+  for (std::size_t i; !over_ && (i = batch.next++) < size;) {
+    Item& item = batch.items[i];
+    w.item = i, w.begun = options_.now();
+    const Nanos before = size == 1 ? StillWanted::used().count() : w.begun.load();
+    work_out_item(item, batch);
+    item.took = (size == 1 ? StillWanted::used().count() : options_.now()) - before;
+    w.begun = 0;
+    item.done = true;
+    if (w.slow) return;  // the rest is for the next worker
+  }
+}
+
+void Quarantine::work_out_item(Item& item, const Batch& batch) const {
+  try {
+    const StillWanted wanted(item.unwanted, over_, nobody_, {});
+    item.answer = work_out(batch.program.compiled(), item.question, batch.time);
+    if (item.answer.shape) item.answer.mesh = realise(*item.answer.shape).mesh;
+    item.answered = true;
+  } catch (const NotWanted&) {
+  } catch (const std::exception&) {  // memory is short: the last answer stays
+  }
+}
+
+}  // namespace betwixt
