@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the files of betwixt algebra share.
+// Declarations that the files of betwixt algebra share.
 #pragma once
 
 #include <functional>
@@ -29,43 +29,43 @@ struct Point {
 struct Asked {
   Motion motion;
   std::vector<Point> points;
-  std::vector<double> frames;  // empty: all
+  std::vector<double> frames;  // empty means all
   std::optional<Method> method;
   Vec3 origin;
 };
 
-// The number that an option has.
+// Reads the number of an option.
 Result<double> read_number(std::string_view text, std::string_view option);
-// Numbers with commas between them, two or three.
+// Reads points: two or three numbers with commas between them.
 Result<std::vector<Point>> read_points(const std::string&);
-// What is wrong with a text, under it. The exit code.
+// Prints an error below the place in its text. Returns the exit code.
 int complain_about(const std::string& text, const Error&, const char* name = "motion");
 
 struct Shown {
   std::vector<Point> points;
-  std::optional<Mat4> matrix;  // of CSS
+  std::optional<Mat4> matrix;  // of a CSS transform
 };
-// Shows frames as text or as JSON. `show` says what is in a frame, or why nothing is; `head` is what stands in JSON
-// between the steps and the frames, `tail` behind them. The exit code.
+// Prints frames as text or JSON. `show` computes a frame, or returns why it has none. `head` and `tail` are JSON before
+// and after the frames. Returns the exit code.
 int show_frames(const Call&, const Asked&, const std::string& head, const std::string& tail,
                 const std::function<Status(double k, Shown&)>& show);
 
-// Operations, as text or JSON.
+// Print or return the counts of operations, as text or JSON.
 void print_counts(const Call&, const Asked&);
 std::string count_json(const Call&, const Asked&);
-// Two rows of the source's table meet the motion at its end only.
+// Returns whether the paper's geometric method is exact only at the motion's end, as in two rows of its table.
 bool end_only(const Motion&);
-// How far from where they belong such a scheme has the points, at its worst.
+// Returns the largest distance of the points from their exact places under such a method.
 double off_the_way(const Call&, const Asked&);
 
-// The matrix in letters, as text or JSON. The exit code.
+// Prints the matrix in symbols, as text or JSON. Returns the exit code.
 int show_symbols(const Call&, const Asked&);
 
-// Whether what is asked is more than what a browser shows from `none` to a list of moving, turning and scaling.
+// Returns whether the call needs more than a list of translations, rotations and scalings that starts from `none`.
 bool beyond_motions(const Call&);
-// The frames of that. The exit code.
+// Prints the frames of such a call. Returns the exit code.
 int show_css(const Call&, const Asked&);
-// What percentages are of; none where nothing is said of it.
+// Returns the size for percentages, or nullopt if the call has none.
 Result<std::optional<CssSize>> read_size(const Call&);
 
 }  // namespace betwixt::algebra_command

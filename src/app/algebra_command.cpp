@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt algebra: the frames of a string of translations, rotations and scalings, and what they cost.
+// betwixt algebra: the frames of a product of translations, rotations and scalings, and their cost in operations.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -22,7 +22,7 @@ namespace {
 using algebra_command::Asked, algebra_command::Call, algebra_command::Point, algebra_command::Shown;
 
 constexpr Method methods[] = {Method::matrix, Method::geometric, Method::differences, Method::best};
-constexpr std::int64_t most_stepped = 1'000'000;  // what is farther is sought
+constexpr std::int64_t most_stepped = 1'000'000;  // steps; a frame farther away is found by seek()
 
 Status placed(double k, std::vector<Point>& points, const std::function<Vec3(std::size_t)>& place) {
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -33,7 +33,7 @@ Status placed(double k, std::vector<Point>& points, const std::function<Vec3(std
   return Nothing{};
 }
 
-// Each frame worked out by itself.
+// Computes one frame by itself.
 Status one_frame(const Call& call, const Asked& asked, double k, Shown& shown) {
   const Mat4 m = k == std::floor(k) && std::abs(k) < 9e15
                      ? *frame(asked.motion, static_cast<std::int64_t>(k), call.steps)
@@ -46,7 +46,7 @@ Result<Steps<double>> made_steps(const Call& call, const Asked& asked) {
   for (const Point& p : asked.points) x.push_back(p.at.x), y.push_back(p.at.y);
   return Steps<double>::make(asked.motion, call.steps, *asked.method, x, y);
 }
-// By the method, from the frame before.
+// Computes a frame by the method, from the frame before.
 Status next_frame(Steps<double>& steps, double at, Shown& shown) {
   const auto k = static_cast<std::int64_t>(at);
   if (k < steps.frame() || k - steps.frame() > most_stepped) steps.seek(k);
@@ -83,7 +83,7 @@ Status read_steps(Call& call) {
               fmt::format("--steps: '{}' is no whole number of steps", call.steps_text.substr(0, 60)));
 }
 
-// What --origin says, in `asked`.
+// Reads --origin into `asked`.
 Status read_origin(const Call& call, Asked& asked) {
   if (call.origin.empty()) return Nothing{};
   const auto place = algebra_command::read_points(call.origin);
@@ -94,7 +94,7 @@ Status read_origin(const Call& call, Asked& asked) {
   return Nothing{};
 }
 
-// What the motion is, in `asked`; the exit code where it is none.
+// Reads the motion into `asked`. Returns the exit code.
 int read_motion(const Call& call, Asked& asked) {
   const auto size = algebra_command::read_size(call);
   if (!size) return complain(size.error(), wrong_call);
@@ -127,7 +127,7 @@ int print_css(const Asked& asked) {
   return all_done;
 }
 
-// Says what cannot be before frames are written; the exit code where there is such.
+// Reports errors before the first frame is printed. Returns the exit code.
 int look_ahead(const Call& call, const Asked& asked) {
   if (!asked.method) return all_done;
   const auto steps = made_steps(call, asked);
@@ -142,7 +142,7 @@ int look_ahead(const Call& call, const Asked& asked) {
 }
 
 int show_motion(const Call& call, const Asked& asked) {
-  const bool made = call.css || call.inverse;  // what was not given as it is
+  const bool made = call.css || call.inverse;  // the motion is computed, not the one given
   if (made && !call.json) fmt::print("{}\n", to_string(asked.motion));
   if (const int code = look_ahead(call, asked); code != all_done) return code;
   if (call.count && !call.json) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt algebra --count: what the methods cost, and what the source prints of them.
+// betwixt algebra --count: the cost of the methods, beside the counts that the paper prints.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,12 +19,12 @@ constexpr Method methods[] = {Method::matrix, Method::geometric, Method::differe
 std::string json(const Cost& c) {
   return fmt::format("{{\"per_point\":{},\"besides\":{},\"functions\":{}}}", c.per_point, c.besides, c.functions);
 }
-// With sines and their like.
+// Includes the calls of sines and exponentials.
 std::string whole_text(const Cost& c) {
   return to_string(c) + (c.functions == 0 ? "" : fmt::format(", {} f", c.functions));
 }
 
-// The source's geometric method scales by the linear law: of that its count is.
+// The paper's geometric method scales by the linear law, so its count is for that law.
 Motion counted(const Motion& motion, Method m) {
   Motion as = motion;
   if (m == Method::geometric)
@@ -48,7 +48,7 @@ std::vector<Counted> counts(const Call& call, const Asked& asked) {
   return all;
 }
 
-// What stands below the tables.
+// Returns the notes below the tables.
 std::string notes(const Call& call, const Asked& asked, const std::vector<Counted>& all) {
   std::string text;
   for (const Counted& c : all)

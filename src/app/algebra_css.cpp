@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt algebra --css: what a browser shows between two lists, or between `none` and one that is no motion.
+// betwixt algebra --css: the frames that a browser shows between two lists, or between `none` and a list that is no
+// motion.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ struct Lists {
   CssList from, to;
 };
 
-// What is read, in `list`; the exit code where that cannot be.
+// Reads a list. Returns the exit code.
 int read_list(const std::string& text, const Call& call, const char* name, CssList& list) {
   const auto size = read_size(call);
   if (!size) return complain(size.error(), wrong_call);
@@ -34,7 +35,7 @@ int read_lists(const Call& call, Lists& lists) {
   if (code == all_done) code = read_list(call.css_to, call, "to", second);
   if (code == all_done) code = read_list(call.css_under, call, "under", under);
   if (code != all_done) return code;
-  // One list alone is the end, and the beginning is none.
+  // A single list is the end; the start is `none`.
   if (call.css_to.empty()) std::swap(first, second);
   const auto over = [&](const CssList& list) {
     if (call.accumulate) return css_accumulated(under, list);
@@ -46,7 +47,7 @@ int read_lists(const Call& call, Lists& lists) {
   return all_done;
 }
 
-// Nothing of it leaves the plane z = 0.
+// Returns whether a list stays in the plane z = 0.
 bool planar(const CssList& list) {
   using Kind = CssFunction::Kind;
   return std::all_of(list.begin(), list.end(), [](const CssFunction& f) {
@@ -56,7 +57,7 @@ bool planar(const CssList& list) {
   });
 }
 
-// What browsers do not do function by function.
+// Prints notices about pairs that browsers do not interpolate function by function.
 void say_what_is_lost(const CssBetween& now) {
   const auto say = [](const std::string& what) { tell_user(fmt::format("betwixt: notice: {}\n", what)); };
   if (now.mixed != 0)

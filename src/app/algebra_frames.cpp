@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What betwixt algebra reads and shows, whatever moves the points.
+// The input and output of betwixt algebra, for all methods.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -75,9 +75,9 @@ Result<std::vector<Point>> read_points(const std::string& text) {
   return points;
 }
 
-// What is wrong with the motion, under its text.
+// Prints an error of the motion below its text.
 int complain_about(const std::string& text, const Error& e, const char* name) {
-  constexpr int width = 100;  // of a long text what is around the place
+  constexpr int width = 100;  // of a long text only the part around the error is shown
   const int from = std::max(0, e.place.column - 1 - width / 2);
   const std::string_view rest =
       std::string_view(text).substr(first_characters(text, static_cast<std::size_t>(from)).size());
@@ -91,7 +91,7 @@ int show_frames(const Call& call, const Asked& asked, const std::string& head, c
                 const std::function<Status(double k, Shown&)>& show) {
   const std::size_t count = asked.frames.empty() ? static_cast<std::size_t>(call.steps) + 1 : asked.frames.size();
   Shown shown{asked.points, std::nullopt};
-  // Half an object would be none.
+  // Collect the whole object first: after an error, no half of it may be printed.
   std::string object = fmt::format("{{\"steps\":{},{}\"frames\":[", call.steps, head);
   for (std::size_t i = 0; i < count; ++i) {
     const double k = asked.frames.empty() ? static_cast<double>(i) : asked.frames[i];

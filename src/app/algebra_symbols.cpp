@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt algebra --symbols: the matrix of a motion in letters.
+// betwixt algebra --symbols: the matrix of a motion in symbols.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// Of the plane, or of space.
+// Returns the rows of the matrix, in the plane or in space.
 std::vector<Row> rows_of(const Symbols& symbols, bool planar) {
   std::vector<Row> rows;
   const std::size_t count = planar ? 2 : 3;

@@ -19,7 +19,7 @@
 namespace betwixt {
 namespace {
 
-// The files that a script uses, as its lines name them.
+// Returns the files that a script includes by `use`.
 std::vector<std::string> used(const std::string& file, std::string_view text) {
   std::vector<std::string> all;
   for (std::size_t at = 0; at < text.size();) {
@@ -32,7 +32,7 @@ std::vector<std::string> used(const std::string& file, std::string_view text) {
   return all;
 }
 
-// Code as the script has it: without the values of names before it, "local k, i = 0.25, 3 return …".
+// Returns code as the script has it: without the values of names before it, "local k, i = 0.25, 3 return …".
 std::string_view as_written(std::string_view source, std::string_view script) {
   if (!source.starts_with("local ") || script.find(source) != std::string_view::npos) return source;
   for (std::size_t at = source.find(' '); at != std::string_view::npos; at = source.find(' ', at + 1))
@@ -40,7 +40,7 @@ std::string_view as_written(std::string_view source, std::string_view script) {
   return source;
 }
 
-// Whether the code stands in that script, or in one that it uses; then the error has its place.
+// Finds the code in the script or in those that it uses, and sets the error's place. Returns false if it is in none.
 bool place_in(Diagnostic& d, const std::string& file, const std::string& source, int deep = 0) {
   const auto text = script_text(file);
   if (!text) return false;
@@ -50,7 +50,7 @@ bool place_in(Diagnostic& d, const std::string& file, const std::string& source,
   return std::any_of(files.begin(), files.end(), [&](const auto& f) { return place_in(d, f, source, deep + 1); });
 }
 
-// The error where its code stands; without a place where that is in no script.
+// Returns the error with the place of its code, or without a place if no script has the code.
 Diagnostic placed_error(const Frame::CodeError& e, const std::string& file) {
   Diagnostic d;
   d.what = fail(ErrorCode::type, e.message);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the subcommands share.
+// Declarations that the subcommands share.
 #pragma once
 
 #include <mutex>
@@ -18,50 +18,51 @@ namespace betwixt {
 
 enum Exit { all_done = 0, wrong_input = 1, wrong_call = 2, machine_failed = 3, interrupted = 130 };
 
-// Says an error on standard error. The exit code: machine_failed where the machine is to blame, else `otherwise`.
+// Prints an error to standard error. Returns the exit code: machine_failed for errors of the machine, otherwise the
+// given one.
 int complain(const Error&, int otherwise);
 
-// Says a remark on a script on standard error. One without a place begins with the program's name.
+// Prints a diagnostic of a script to standard error. One without a place begins with the program's name.
 void tell_user(const Diagnostic&);
 
-// What --read-anywhere and --tex say.
+// The options --read-anywhere and --tex.
 LoadOptions& load_options();
 
-// Loads a script, from standard input where it is "-".
+// Loads a script; "-" is standard input.
 Loaded load_script(const std::string& file);
-// The same, saying its errors and warnings on standard error; none where it has errors.
+// The same, and prints its errors and warnings to standard error. Returns nullopt if it has errors.
 std::optional<Document> open_script(const std::string& file);
 
-// A time of the command line; a bare number is a frame. Errors name the option.
+// Reads a time from the command line; a bare number is a frame. Errors name the option.
 Result<Time> read_time(const std::string& text, const Document&, const std::string& option);
 
-// `text`: "A..B", "A.." to the end of the film, or empty for the document's own range. Errors name what was said.
+// `text`: "A..B", "A.." to the end of the film, or "" for the document's own range. Errors quote the text.
 Result<FrameList> read_frames(const std::string& text, const Document&, const std::string& option = "--frames");
 
-// Says on standard error what procedures did wrong, each thing once. From any thread.
+// Prints errors of procedures to standard error, each only once. Any thread may call it.
 class Problems {
  public:
   void say(const std::vector<std::string>&);
-  void known(const std::string& problem) { said_.insert(problem); }  // it has been said
+  void known(const std::string& problem) { said_.insert(problem); }  // already printed
 
  private:
   std::mutex mutex_;
   std::set<std::string> said_;
 };
 
-// From here on Ctrl-C and friends only ask the program to stop.
+// After this call Ctrl-C, SIGTERM and SIGHUP only set stop_requested().
 void catch_stops();
 bool stop_requested();
-void release_stops();  // they end the program again
+void release_stops();  // the signals end the program again
 
 struct PictureCall;
 
-// What the shell does with a document. `frames`: "A..B", or empty for all.
+// Commands of the shell that need a document. `frames`: "A..B", or "" for all.
 Status plot_document(const Document&, const std::vector<std::string>& targets, const std::string& frames,
                      const std::string& out);
-// What keys have changed of how it is drawn stays in `picture`.
+// Stores changes that the user makes by keys in `picture`.
 Status play_document(const Document&, const std::string& frames, PictureCall& picture);
-// Sets a style, a number of samples or a size, and says what it is then. Errors: range, name.
+// Sets a style, a number of samples or a size, and returns a text with the new value. Errors: range, name.
 Result<std::string> change_picture(PictureCall&, const Document&, const std::string& what, const std::string& value);
 
 }  // namespace betwixt

@@ -59,8 +59,8 @@ void add_parameter(CLI::App& app, const Parameter& p) {
   if (p.hidden) o->group("");
 }
 
-// In the order of its rows, hidden ones first: behind the last that is shown they would leave an empty line. What they
-// need and exclude of each other when all are there.
+// Adds parameters in the order of the rows, but hidden ones first, because after the last visible one they would leave
+// an empty line. Needs and excludes are set when all options exist.
 CLI::App* add_subcommand(CLI::App& app, const Subcommand& s) {
   CLI::App* sub = app.add_subcommand(s.name, s.sentence);
   for (const bool hidden : {true, false})
@@ -89,7 +89,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-// What is wrong with a command line, in our words where the parser's are poor.
+// Describes an error of the command line, in our words where the parser's are poor.
 std::string explain(const CLI::App& app, const CLI::ParseError& e) {
   const auto asked = app.get_subcommands();
   const CLI::App& place = asked.empty() ? app : *asked.front();
@@ -106,7 +106,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& e) {
   return e.what();
 }
 
-// The program's own words, without its subcommands.
+// Sets the program's own options and help.
 void describe(CLI::App& app) {
   app.set_version_flag("-V,--version", version_line(), "the version, and the commit that it was built from");
   app.set_help_flag("-h,--help", "this help, or a command's");

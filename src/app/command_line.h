@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From words on the command line to subcommands. Its source is all that sees the library that reads them.
+// Parses the command line. Only its source includes the parser's library.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace betwixt {
 
-// Carries out what is asked for; gives the exit code.
+// Runs the subcommand. Returns the exit code.
 int command_line(int argc, char** argv);
-// What --help says about a subcommand.
+// Returns the --help text of a subcommand.
 std::string help_of(const Subcommand&);
 
 }  // namespace betwixt

@@ -16,14 +16,14 @@ namespace {
 constexpr const char* head =
     "# SPDX-FileCopyrightText: 2026 The Betwixt authors\n# SPDX-License-Identifier: Apache-2.0\n";
 
-// In single quotes, for any of the shells.
+// Puts a text into single quotes, for all three shells.
 std::string in_quotes(std::string_view text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
 }
 
-// "-o,--output": both.
+// Splits "-o,--output" into both names.
 std::vector<std::string> spellings(const Parameter& p) {
   const std::size_t comma = p.name.find(',');
   if (comma == std::string::npos) return {p.name};
@@ -36,7 +36,7 @@ void each_parameter(const Subcommand& s, bool options, const See& see) {
     if (p.is_option() == options && !p.hidden) see(p);
 }
 
-// The words that are offered for it, each once; "" where there are none.
+// Returns the words to offer for a parameter, without duplicates, or "".
 std::string words_for(const Parameter& p) {
   if (p.offer != Offer::commands) return fmt::format("{}", fmt::join(p.words, " "));
   std::set<std::string> words(p.words.begin(), p.words.end());
@@ -44,7 +44,7 @@ std::string words_for(const Parameter& p) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-// The words of its arguments.
+// Returns the words to offer for the arguments.
 std::string argument_words(const Subcommand& s) {
   std::string all;
   each_parameter(s, false, [&](const Parameter& p) { all += words_for(p); });
@@ -63,7 +63,7 @@ std::string command_names() {
 
 // ---- bash
 
-// The case of an option that takes a value: what is offered for it.
+// Returns the case for an option's value.
 std::string bash_value(const Parameter& p, const std::string& indent) {
   if (p.is_flag()) return {};
   const std::string words = words_for(p);
@@ -90,7 +90,7 @@ std::string bash_case(const Subcommand& s) {
 
 // ---- zsh
 
-// What stands in the brackets and between the colons of a row of _arguments.
+// Escapes a text for the brackets and colons in a row of _arguments.
 std::string zsh_escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -107,7 +107,7 @@ std::string zsh_action(const Parameter& p) {
       return "_files";
     case Offer::scripts:
       return "_files -g \"*.bx\"";
-    case Offer::commands:  // they are words
+    case Offer::commands:  // their names are among the words
     case Offer::nothing:
       break;
   }
@@ -116,7 +116,7 @@ std::string zsh_action(const Parameter& p) {
 
 bool is_list(const Parameter& p) { return p.repeated || std::holds_alternative<std::vector<std::string>*>(p.into); }
 
-// The option that excludes this one, whichever of both says so.
+// Returns the option that excludes this one; either of the two may declare it.
 std::string rival(const Subcommand& s, const Parameter& p) {
   for (const Parameter& other : s.takes)
     if (other.excludes == p.name) return other.name;
@@ -221,7 +221,7 @@ case $command in
 std::string fish_completion() {
   const std::string none = "not __fish_seen_subcommand_from $commands";
   std::string out = head + fmt::format("set -l commands {}\ncomplete -c betwixt -f\n", command_names());
-  // The condition holds a variable of this file: it stands in double quotes.
+  // The condition contains a variable of this file, so it needs double quotes.
   for (const Subcommand& s : subcommands())
     out += fmt::format("complete -c betwixt -n \"{}\" -a {} -d {}\n", none, s.name, in_quotes(s.sentence));
   out += fmt::format("complete -c betwixt -n \"{}\" -l version -d 'the version'\n", none);

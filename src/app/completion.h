@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What shells are told about the program, so that they complete its words. Made from the subcommands' rows.
+// Completion scripts for shells, generated from the subcommands' rows.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt contacts: what touches and what leaves the view in a film, as JSON lines.
+// betwixt contacts: which objects touch or leave the view in a film, as JSON lines.
 #include <fmt/format.h>
 
 #include "app/command.h"

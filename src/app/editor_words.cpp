@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-// Longer ones first: of those that begin alike the longer is meant.
+// Puts longer words first, so that they match before their own prefixes.
 std::string either(Words words, const char* between) {
   std::ranges::sort(words, [](auto a, auto b) { return a.size() != b.size() ? a.size() > b.size() : a < b; });
   words.erase(std::unique(words.begin(), words.end()), words.end());
@@ -31,7 +31,7 @@ Words words_of(HelpGroup group) {
     if (e.group == group) all.push_back(e.word);
   return all;
 }
-// Verbs that make what the word behind them names.
+// Verbs whose next word is a new name.
 constexpr const char* makers[] = {"create", "layer", "animate", "make", "alias", "define", "procedure"};
 
 constexpr const char* not_by_hand = "Written by betwixt help --print {}: the words are those of its rows.";
@@ -46,7 +46,7 @@ std::string vim_syntax() {
   const auto match = [&](const char* group, const std::string& pattern) {
     out += fmt::format("syn match betwixt{} '{}'\n", group, pattern);
   };
-  // What stands further down counts where two fit.
+  // In vim the later one of two matches wins.
   match("Number", R"([-+]\=\%(\d\+\.\=\d*\|\.\d\+\)\%([eE][-+]\=\d\+\)\=\%(deg\|rad\|turn\|mm\|cm\|m\)\=\>)");
   match("Time", R"(\<[-+]\=\%(\d\+\.\=\d*\|\.\d\+\)\%(ms\|f\|s\|t\)\>)");
   match("Time", R"(\<\d\+:[0-9:.]\+)");
@@ -92,9 +92,9 @@ std::string textmate_grammar() {
     if (escapes) one["patterns"] = Json::array({{{"name", "constant.character.escape.betwixt"}, {"match", R"(\\.)"}}});
     patterns.push_back(std::move(one));
   };
-  // No word goes on behind it.
+  // The end of a word.
   constexpr std::string_view end = "(?![\\w/-])";
-  // What stands first counts where two fit.
+  // In TextMate grammars the first one of two matches wins.
   match("comment.line.number-sign", R"((?<=^|[\s(),=])#(?=\s|$).*$)");
   text("triple", "\"\"\"", false);
   text("double", "\"", true);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How editors colour scripts that know words by patterns only. Made from the rows of the language.
+// Syntax highlighting for editors that know words only by patterns, generated from the rows of the language.
 #pragma once
 
 #include <string>

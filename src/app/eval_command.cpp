@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt eval: what values are at what times.
+// betwixt eval: values at given times.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -23,7 +23,7 @@ struct EvalCall {
   bool json = false, stats = false;
 };
 
-// What whole frames at the times cost: the first one makes all, those after it what differs.
+// Prints the cost of whole frames at the times: the first one evaluates all, later ones only the changes.
 void print_stats(const Program& program, const std::vector<std::pair<std::string, Time>>& times) {
   Evaluation e(program);
   Spending first, after;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt export: a film as motion, for other programs.
+// betwixt export: writes a film's motion for other programs.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -24,7 +24,7 @@ struct ExportCall {
   bool keep_old = false;
 };
 
-// Objects that words of the call name, each once.
+// Returns the objects that words name, without duplicates.
 Result<std::vector<ObjectId>> named(const std::vector<std::string>& words, const Document& d) {
   std::vector<ObjectId> all;
   for (const std::string& word : words) {
@@ -40,7 +40,7 @@ Result<std::vector<ObjectId>> named(const std::vector<std::string>& words, const
   return all;
 }
 
-// How much is done, on a terminal.
+// Prints the progress on a terminal.
 class Percent {
  public:
   bool operator()(double done) {

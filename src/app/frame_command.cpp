@@ -41,7 +41,7 @@ Status write(const FrameCall& call, const DeepPicture& light) {
   return write_png(call.out, shown, !call.keep_old);
 }
 
-// Draws it, and writes it as its name says.
+// Renders the picture and writes it in the format of its name.
 Status draw(const FrameCall& call, const Program& program, Time t, const RenderOptions& options,
             const std::optional<Exposure>& exposure, Renderer& renderer) {
   Evaluation evaluation(program);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is heard while a film plays.
+// Sound during playback.
 #pragma once
 
 #include <condition_variable>
@@ -15,10 +15,10 @@
 
 namespace betwixt {
 
-// Sound in step with a playhead, mixed in a thread of its own: pictures never wait for it.
+// Plays sound in step with a playhead. A thread of its own mixes it, so pictures never wait for it.
 class Hearing {
  public:
-  // Null where the film has no sounds. The device is opened, and files begin to be read.
+  // Opens the device and starts to read the sound files. Returns null if the film has no sounds.
   static std::unique_ptr<Hearing> open(const Program&, const FrameList&, bool loop);
   Hearing(const Program&, const FrameList&, bool loop);
   ~Hearing();
@@ -26,22 +26,22 @@ class Hearing {
   Hearing& operator=(const Hearing&) = delete;
 
   bool has_device() const { return output_ != nullptr; }
-  // To begin with, waits for what is heard first, but not for long.
+  // Waits a short time for the first sounds to be ready.
   void await_beginning();
-  // `muted`: nothing is heard.
+  // `muted`: plays silence.
   void follow(const Program&, const Playhead::Place&, bool muted);
 
  private:
   void play();
 
   const double rate_;                          // frames a second
-  const std::unique_ptr<SoundOutput> output_;  // none: there is no device
+  const std::unique_ptr<SoundOutput> output_;  // null if there is no device
   Soundtrack track_;
   SoundStream stream_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  Program program_, heard_;               // as it is said, and as the thread has it
-  std::optional<Playhead::Place> place_;  // none: nothing is to be heard
+  Program program_, heard_;               // the latest program, and the one that the thread uses
+  std::optional<Playhead::Place> place_;  // nullopt plays silence
   bool begun_ = false, over_ = false;
   std::thread player_;
 };

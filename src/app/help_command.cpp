@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt help: a subcommand's help, or a word's of the language. Also prints what is installed beside the program.
+// betwixt help: help for a subcommand or a word of the language. Also prints files that are installed with the program.
 #include <fmt/format.h>
 
 #include "app/command.h"
@@ -20,7 +20,7 @@ struct HelpCall {
   std::string word, print;
 };
 
-// All commands, and where to go on.
+// Lists all commands and the next steps.
 std::string overview() {
   std::string out = "Betwixt makes films from scripts: event-driven animation.\nUsage: betwixt COMMAND …\n\nCommands\n";
   for (const Subcommand& s : subcommands()) out += fmt::format("  {:10} {}\n", s.name, s.sentence);

@@ -26,7 +26,7 @@ struct JoinCall {
   bool alpha = false, keep_old = false;
 };
 
-// Whole numbers with something between them.
+// Reads two whole numbers with a separator. Returns nullopt on an error.
 std::optional<std::pair<int, int>> two_numbers(std::string_view text, std::string_view between) {
   int a = 0, b = 0;
   const char* const end = text.data() + text.size();
@@ -58,7 +58,7 @@ Error holes(const JoinCall& call, const std::vector<int>& missing, std::size_t o
               fmt::format("betwixt render SCRIPT -o {} --missing makes them", call.pictures));
 }
 
-// What the film is of. Errors: range, file (holes).
+// Returns the numbers of the film's pictures. Errors: range, file (missing pictures).
 Result<std::vector<int>> numbers(const JoinCall& call, const Output& pictures) {
   if (pictures.format)
     return fail(ErrorCode::range, fmt::format("\"{}\" is no name of numbered pictures", call.pictures),
@@ -79,7 +79,7 @@ Result<std::vector<int>> numbers(const JoinCall& call, const Output& pictures) {
   return all;
 }
 
-// Whole ones that are not as large as the first.
+// Returns the numbers of intact pictures that differ in size from the first.
 std::vector<int> other_sizes(const Output& pictures, const std::vector<int>& all, const FilmOptions& options) {
   std::vector<int> others;
   for (const int n : all)
@@ -89,7 +89,7 @@ std::vector<int> other_sizes(const Output& pictures, const std::vector<int>& all
   return others;
 }
 
-// Only where one was broken: all that are, then.
+// Returns all broken pictures. Called only after one was found.
 std::vector<int> broken_ones(const Output& pictures, const std::vector<int>& all, const FilmOptions& options) {
   std::vector<int> broken;
   for (const int n : all)
@@ -103,7 +103,7 @@ bool has_clear(const DeepPicture& picture) {
   return false;
 }
 
-// The script whose sounds are heard, where one is named. Errors have been said; the exit code.
+// Loads the script with the film's sounds, if the call names one. Prints errors and returns the exit code.
 int open_sounds(const JoinCall& call, std::optional<Program>& heard) {
   if (call.sound.empty()) return all_done;
   if (!takes_sound(call.out))

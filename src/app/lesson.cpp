@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The page's words stand in web/lesson.html; what it shows, its scripts ask of the engine that is in the page as well.
+// The page's text is in web/lesson.html. Its scripts get the figures from the engine, which is embedded too.
 #include "app/lesson.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ std::string list(const std::vector<Vec3>& points) {
   return "[" + out + "]";
 }
 
-// With what the page begins. A motion's text has nothing in it that could end a script.
+// Returns the initial data of the page. A motion's text contains nothing that could end a script.
 std::string begins_with(const std::string& text, const LessonOptions& options) {
   return fmt::format("{{\"text\":{},\"steps\":{},\"points\":{}}}", json_text(text), options.steps,
                      list(options.points));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A page that teaches motions: one to begin with, which is edited there.
+// A web page that teaches motions. It starts with one motion, which the reader can edit.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ struct LessonOptions {
   std::vector<Vec3> points;  // shown beside the figure
 };
 
-// One HTML file that needs nothing else, the engine in it; written whole or not at all. Errors: those of `check`; range
-// (a path that does not end in .html or .htm; steps below 1 or too many; more factors, points or larger numbers than a
-// page can show); file; machine (the engine for pages is not here).
+// Writes one HTML file that needs no others and contains the engine. It is written whole or not at all. Errors: those
+// of `check`; range (a path that does not end in .html or .htm; steps below 1 or too many; more factors, points or
+// larger numbers than a page can show); file; machine (the engine for pages is not installed).
 Status write_lesson(const std::string& path, const Motion&, const LessonOptions&);
 
 }  // namespace betwixt

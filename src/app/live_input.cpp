@@ -24,15 +24,15 @@ constexpr int deepest_bundle = 8;
 constexpr std::size_t most_messages = 4096;  // of one packet
 constexpr int most_packets = 2048;           // of one poll
 
-// Half of what lies between a number of four bytes and the next.
+// Returns half the distance to the next number of four bytes.
 double half_step(float f) {
   return 0.5 * (static_cast<double>(std::nextafter(std::abs(f), std::numeric_limits<float>::infinity())) - std::abs(f));
 }
 
-// One message; liblo checks it against its type tags.
+// Reads one message; liblo checks it against its type tags.
 bool read_message(std::span<const std::uint8_t> bytes, std::vector<LiveMessage>& out) {
   if (bytes.size() < 4 || bytes[0] != '/' || std::find(bytes.begin(), bytes.end(), 0) == bytes.end()) return false;
-  std::vector<std::uint8_t> own(bytes.begin(), bytes.end());  // liblo works in place
+  std::vector<std::uint8_t> own(bytes.begin(), bytes.end());  // liblo changes the bytes
   int why = 0;
   const std::unique_ptr<void, void (*)(lo_message)> message(lo_message_deserialise(own.data(), own.size(), &why),
                                                             lo_message_free);
@@ -54,7 +54,7 @@ bool read_message(std::span<const std::uint8_t> bytes, std::vector<LiveMessage>&
   return true;
 }
 
-// "#bundle", a time, then elements: a length and a message or a bundle.
+// Reads "#bundle", a time, then elements: a length and a message or a bundle.
 bool read_element(std::span<const std::uint8_t> bytes, int depth, std::vector<LiveMessage>& out) {
   constexpr std::string_view bundle{"#bundle", 8};
   if (out.size() >= most_messages || depth > deepest_bundle) return false;
@@ -70,11 +70,11 @@ bool read_element(std::span<const std::uint8_t> bytes, int depth, std::vector<Li
   return true;
 }
 
-// The ports that can be opened. No sequencer is no error; what RtMidi throws stays here.
+// Opens all MIDI ports that it can. A missing sequencer is no error; exceptions of RtMidi do not leave this class.
 class Midi {
  public:
   Midi() {
-    if (::access("/dev/snd/seq", R_OK | W_OK) != 0) return;  // ALSA would say so on standard error, over the picture
+    if (::access("/dev/snd/seq", R_OK | W_OK) != 0) return;  // otherwise ALSA prints an error over the picture
     try {
       const unsigned ports = quiet()->getPortCount();
       for (unsigned i = 0; i < std::min(ports, 16u); ++i) {
@@ -82,7 +82,7 @@ class Midi {
         in->openPort(i, "controls");
         ports_.push_back(std::move(in));
       }
-    } catch (...) {  // the ports so far
+    } catch (...) {  // keep the ports opened before
     }
   }
   void poll(std::vector<LiveMessage>& out) {
@@ -100,7 +100,7 @@ class Midi {
   }
 
  private:
-  // RtMidi says its warnings on standard error, where they would spoil the picture.
+  // Silences RtMidi, whose warnings on standard error would spoil the picture.
   static std::unique_ptr<RtMidiIn> quiet() {
     auto in = std::make_unique<RtMidiIn>(RtMidi::UNSPECIFIED, "betwixt");
     in->setErrorCallback([](RtMidiError::Type, const std::string&, void*) {}, nullptr);
@@ -109,7 +109,7 @@ class Midi {
   std::vector<std::unique_ptr<RtMidiIn>> ports_;
 };
 
-// When the system got a packet, by its own stamp; now, if it has none.
+// Returns the system's timestamp of a packet, or now if it has none.
 std::chrono::steady_clock::time_point arrival(msghdr& packet) {
   using namespace std::chrono;
   const auto now = steady_clock::now();
@@ -182,7 +182,7 @@ std::optional<LiveMessage> read_midi(std::span<const std::uint8_t> m) {
       return LiveMessage{fmt::format("/midi/note/{}/{}", channel, m[1]), {m[2] / 127.0}, {0.5 / 127}, {}};
     case 0xB0:
       return LiveMessage{fmt::format("/midi/cc/{}/{}", channel, m[1]), {m[2] / 127.0}, {0.5 / 127}, {}};
-    case 0xE0: {  // the middle, 8192, is 0; both ends are reached
+    case 0xE0: {  // maps the middle, 8192, to 0, and reaches both ends
       const int bend = (m[1] | m[2] << 7) - 8192;
       return LiveMessage{
           fmt::format("/midi/bend/{}", channel), {bend / (bend < 0 ? 8192.0 : 8191.0)}, {0.5 / 8192}, {}};
@@ -209,7 +209,7 @@ Result<std::unique_ptr<LiveInput>> LiveInput::open(const std::string& where) {
     return fail(ErrorCode::range, fmt::format("--listen: there is no address {}", host));
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owned(found, ::freeaddrinfo);
   const int s = ::socket(found->ai_family, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  const int room = 1 << 20;  // for what comes between two pictures; the system may give less
+  const int room = 1 << 20;  // for packets between two pictures; the system may give less
   if (s >= 0) ::setsockopt(s, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
   const int stamped = 1;
   if (s >= 0) ::setsockopt(s, SOL_SOCKET, SO_TIMESTAMPNS, &stamped, sizeof stamped);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt lsp: a language server on standard input and output. One thread reads, so that what is said of a text while
-// nothing waits is left off as soon as more comes; the other one does all the work.
+// betwixt lsp: a language server on standard input and output. One thread reads, so that new input can interrupt
+// background checks of a text. The other one does all the work.
 #include <unistd.h>
 
 #include <array>
@@ -22,12 +22,12 @@
 namespace betwixt {
 namespace {
 
-// What has come and was not taken yet.
+// Input that has arrived but is not taken yet.
 class Inbox {
  public:
   const std::atomic<bool>& any() const { return any_; }
 
-  // Reads until there is no more.
+  // Reads until the end of the input.
   void read_all() {
     std::array<char, 65536> bytes;
     for (;;) {
@@ -42,7 +42,7 @@ class Inbox {
     }
   }
 
-  // Waits for some where `wait`. False: there is no more.
+  // Takes the input; with `wait`, waits until there is some. Returns false at the end of the input.
   bool take(std::string& out, bool wait) {
     std::unique_lock lock(mutex_);
     if (wait) came_.wait(lock, [&] { return any_.load(); });
@@ -65,8 +65,8 @@ struct LspCall {
 };
 
 int lsp(const LspCall&) {
-  std::signal(SIGPIPE, SIG_IGN);     // who does not listen any more ends the input too
-  static Inbox& inbox = *new Inbox;  // for good: the thread may wait for it longer than all else lives
+  std::signal(SIGPIPE, SIG_IGN);     // a client that stops reading ends the input too
+  static Inbox& inbox = *new Inbox;  // never freed, because the thread may still wait on it at exit
   std::thread([] { inbox.read_all(); }).detach();
   LanguageServer server(load_options(), &inbox.any());
   std::string bytes;

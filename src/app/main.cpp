@@ -12,11 +12,10 @@
 
 namespace {
 
-// Nothing that is opened later gets the place of a standard stream that is closed: what is meant for it would be
-// written there.
+// Opens closed standard streams, because a file opened later would get their number, and receive output meant for them.
 void fill_streams() {
   for (int file = 0; file <= STDERR_FILENO; ++file)
-    if (::fcntl(file, F_GETFD) < 0) (void)::open("/dev/null", O_RDWR);  // takes the lowest that is free: this one
+    if (::fcntl(file, F_GETFD) < 0) (void)::open("/dev/null", O_RDWR);  // takes the lowest free number: this one
 }
 
 }  // namespace
@@ -25,7 +24,7 @@ int main(int argc, char** argv) {
   fill_streams();
   try {
     return betwixt::command_line(argc, argv);
-  } catch (const std::exception& e) {  // memory that is not to be had, above all
+  } catch (const std::exception& e) {  // above all, out of memory
     betwixt::tell_user(std::string("betwixt: error: the machine failed: ") + e.what() + "\n");
     return betwixt::machine_failed;
   }

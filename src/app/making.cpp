@@ -25,7 +25,7 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-// One line on a terminal that says how far the film is; silent where there is none.
+// Shows the progress in one line on a terminal; prints nothing elsewhere.
 class Bar {
  public:
   Bar(int frames, bool lines) : lines_(lines), shown_(lines || ::isatty(STDERR_FILENO) == 1), frames_(frames) {}
@@ -55,7 +55,7 @@ class Bar {
     winsize size{};
     return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
   }
-  const bool lines_;  // for a program that reads it
+  const bool lines_;  // for programs that read the output
   const bool shown_;
   const int frames_;
   double next_ = 0;

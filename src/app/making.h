@@ -8,14 +8,14 @@
 
 namespace betwixt {
 
-// Makes the film, and shows how far it is: on a terminal, or `in_lines`, wherever they go.
+// Makes the film and shows the progress: on a terminal, or `in_lines` to any output.
 Result<FilmStats> make_showing(const FilmOptions&, const std::function<Result<Painter>()>& new_painter,
                                bool in_lines = false);
 Result<FilmStats> make_deep_showing(const FilmOptions&, const std::function<Result<DeepPainter>()>& new_painter,
                                     bool in_lines = false);
-// That the film cannot have what is clear.
+// Warns that the film's format has no transparency.
 void say_not_clear(const std::string& path);
-// Says what was made, or why not. The exit code.
+// Prints the result or the error. Returns the exit code.
 int say_made(const Result<FilmStats>&, const FilmOptions&);
 
 }  // namespace betwixt

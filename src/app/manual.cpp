@@ -13,7 +13,7 @@
 namespace betwixt {
 namespace {
 
-// As troff takes it for itself.
+// Escapes a text for troff.
 std::string roff(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -35,9 +35,9 @@ std::string roff(std::string_view text) {
 std::string bold(std::string_view text) { return "\\fB" + roff(text) + "\\fP"; }
 std::string slanted(std::string_view text) { return "\\fI" + roff(text) + "\\fP"; }
 
-// A paragraph; options in it stand out.
+// Returns a paragraph with bold options.
 std::string prose(std::string_view text) {
-  std::string out = "\\&";  // whatever it begins with: no request
+  std::string out = "\\&";  // prevents a request at the start of the line
   while (!text.empty()) {
     std::size_t option = text.find("--");
     if (option == text.npos) option = text.size();
@@ -70,7 +70,7 @@ std::string synopsis() {
       std::string text = p.is_option() ? bold(name) : slanted(name);
       if (!p.value.empty()) text += "\\ " + slanted(p.value);
       if (std::holds_alternative<std::vector<std::string>*>(p.into) && !p.is_option()) text += "...";
-      out += (p.required ? text : "[" + text + "]") + "\\&\n";  // no sentence ends there
+      out += (p.required ? text : "[" + text + "]") + "\\&\n";  // not the end of a sentence
     }
     out += ".YS\n";
   }

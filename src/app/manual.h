@@ -6,7 +6,7 @@
 
 namespace betwixt {
 
-// The manual page, as troff: packaging/betwixt.1.in with what the subcommands' rows say.
+// Returns the manual page as troff: packaging/betwixt.1.in, filled in from the subcommands' rows.
 std::string manual_page();
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pages from their texts.
+// Fills in the templates of web pages.
 #pragma once
 
 #include <initializer_list>
@@ -11,10 +11,11 @@
 
 namespace betwixt {
 
-// As text of XML and HTML. What they cannot hold, and what turns the direction of writing, is made visible (utf8.h).
+// Escapes a text for XML and HTML. Characters that they do not allow, and those that change the direction of writing,
+// are made visible (utf8.h).
 std::string escaped(std::string_view text);
 
-// A page in which each {{name}} is what stands beside that name. In one pass: what is filled in is not looked at again.
+// Replaces each {{name}} by its text, in one pass: text filled in is not searched again.
 std::string filled(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string>> parts);
 
 }  // namespace betwixt

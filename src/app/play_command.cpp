@@ -30,14 +30,14 @@ namespace {
 
 struct PlayCall {
   std::string file, frames, listen, record;
-  PictureCall picture{{960, 540, 1}};  // a character blends its pixels anyway
+  PictureCall picture{{960, 540, 1}};  // a character averages its pixels anyway
   bool terminal = false, loop = false, mute = false, overwrite = false;
-  std::string said = "--frames";  // how whoever calls says the frames
+  std::string said = "--frames";  // the caller's name for the frames, in errors
 };
 
 class Player {
  public:
-  // `live`: what controls say; null: nobody listens. `take`: what records it; null: nothing does.
+  // `live`: messages of controls, or null. `take`: records them, or null.
   Player(const Document& document, PlayCall& call, const FrameList& frames, Terminal& terminal, LiveInput* live,
          Take* take)
       : document_(document),
@@ -52,7 +52,7 @@ class Player {
         hearing_(Hearing::open(program_, frames, call.loop)) {}
 
   Status run() {
-    // Time begins with the first picture, however long that takes.
+    // The clock starts after the first picture, however long that takes.
     if (Status s = show(0); !s) return s;
     if (hearing_) hearing_->await_beginning();
     head_.jump(0);
@@ -63,18 +63,18 @@ class Player {
       obey(k);
       if (hearing_) hearing_->follow(program_, head_.place(), call_.mute);
       if (Status s = show(k); !s) return s;
-      if (!terminal_.has_keys() && !head_.playing()) break;  // nobody could go on from here
+      if (!terminal_.has_keys() && !head_.playing()) break;  // without keys, playback could not be resumed
       const double pause = head_.playing() ? std::min(head_.until_next(), 0.25) : live_ ? 0.02 : 0.1;
       for (const Key key : terminal_.wait(pause, closed)) press(key);
     }
     if (take_) take_->end(frames_.time(taken_ + 1));
     return Nothing{};
   }
-  // How many of the controls' messages turned something.
+  // Returns how many messages changed a target.
   std::size_t turned() const { return turned_; }
 
  private:
-  // What controls have said since the last picture; it takes effect at the frame that is shown next.
+  // Applies the messages received since the last picture to the next frame.
   void obey(int k) {
     if (!live_) return;
     bool turned = false;
@@ -136,7 +136,7 @@ class Player {
     }
   }
 
-  // Another style, other samples or another size, at once.
+  // Changes the style, the samples or the size at once.
   void alter(Key key) {
     RenderOptions p = call_.picture.of(document_);
     const auto next = [](const auto& all, const auto& now) {
@@ -158,7 +158,7 @@ class Player {
     altered_ = fmt::format("{} {}x{} {}", p.style, p.width, p.height, p.samples);
   }
 
-  // The largest box of cells of the film's own shape, in the middle; a row is left for the status line.
+  // Returns the largest box of cells with the film's aspect ratio, in the middle; the last row is for the status line.
   struct Box {
     int column = 1, row = 1, columns = 1, rows = 1;
   };
@@ -173,14 +173,13 @@ class Player {
     return b;
   }
 
-  // A renderer whose pictures are as large as the characters can show, in the film's shape, and no larger than asked
-  // for.
+  // Creates a renderer for pictures as large as the characters can show, but not larger than the film's size.
   Status fit(const TerminalSize& size) {
     if (renderer_ && size == size_) return Nothing{};
     size_ = size;
     RenderOptions o = call_.picture.of(document_);
     const Box b = box(size);
-    const double shrink = std::min(1.0, 8.0 * b.columns / o.width);  // 8 pixels a character tell all symbols apart
+    const double shrink = std::min(1.0, 8.0 * b.columns / o.width);  // 8 pixels a character distinguish all symbols
     o.width = std::max(1, static_cast<int>(std::lround(o.width * shrink)));
     o.height = std::max(1, static_cast<int>(std::lround(o.height * shrink)));
     Result<std::unique_ptr<Renderer>> made = make_renderer(o);
@@ -194,7 +193,7 @@ class Player {
   Status show(int k) {
     if (Status s = fit(terminal_.size()); !s) return s;
     listen(k);
-    std::string out = "\x1b[?2026h";  // terminals that know this show the whole at once
+    std::string out = "\x1b[?2026h";  // terminals that support it show the picture as a whole
     if (k != shown_ || stale_) {
       stale_ = false;
       evaluation_.to(frames_.time(k));
@@ -210,7 +209,7 @@ class Player {
     return Nothing{};
   }
 
-  // Notes that playing has passed, or that stand exactly where was jumped to.
+  // Shows notes that playback has passed, or that are exactly at the frame after a jump.
   void listen(int k) {
     if (k == heard_) return;
     const bool passed = (head_.playing() || k == head_.last()) && k > heard_;
@@ -249,7 +248,7 @@ class Player {
       line += std::string(columns - used, ' ');
     return fmt::format("\x1b[{};1H\x1b[7m{}\x1b[0m", size_.rows, line);
   }
-  // What strangers send may hold anything; a terminal would obey some of it.
+  // Replaces control characters: messages come from the network, and a terminal would obey them.
   static std::string legible(std::string text) {
     for (char& c : text)
       if (c < 32 || c > 126) c = '?';
@@ -264,23 +263,22 @@ class Player {
   Terminal& terminal_;
   LiveInput* const live_;
   Take* const take_;
-  int taken_ = 0;        // the frame that controls spoke at last
-  bool sought_ = false;  // a key went elsewhere since
+  int taken_ = 0;        // the frame of the last messages
+  bool sought_ = false;  // a key has moved the playhead since then
   Playhead head_;
-  const std::unique_ptr<Hearing> hearing_;  // null: the film has no sounds
+  const std::unique_ptr<Hearing> hearing_;  // null if the film has no sounds
   bool quit_ = false;
   TerminalSize size_;
   std::unique_ptr<Renderer> renderer_;
   Picture picture_;
   int shown_ = -1, heard_ = -1, dropped_ = 0;
-  bool stale_ = false;  // what is shown is not what the document says by now
+  bool stale_ = false;  // the picture is older than the document
   std::size_t turned_ = 0;
   std::string note_, said_, last_drawn_, altered_;
   Playhead::Clock::time_point noted_ = Playhead::Clock::now();
 };
 
-// Where what controls say is written when the film ends; empty: nowhere. That the place is free is seen before
-// anybody plays.
+// Returns the file for the recording, or "" if there is none. Checks before playback that the file can be written.
 Result<std::string> record_place(const Document& document, const PlayCall& call) {
   if (call.listen.empty() && !call.record.empty())
     return fail(ErrorCode::range, "--record: there is nothing to record", "--listen PORT takes in what controls say");
@@ -296,8 +294,8 @@ Result<std::string> record_place(const Document& document, const PlayCall& call)
   return place;
 }
 
-// The author's text, comments and all, with what was recorded behind it; where that would be another film (the script
-// was edited meanwhile), the film alone.
+// Writes the author's text, comments included, with the recording at its end. If the script was edited during playback,
+// that would be another film; then it writes the recorded document without comments.
 Status write_recording(const Take& take, const std::string& script, const std::string& place, bool overwrite) {
   std::string text;
   if (const auto read = script_text(script)) text = take.text(*read);
@@ -337,9 +335,10 @@ Status play(const Document& document, PlayCall& call) {
   return played;
 }
 
-// In a window, where there is a display and what it takes: nothing is asked for then that only a terminal does.
+// Returns whether to play in a window: there is a display and a studio, and the call needs no terminal.
 bool in_a_window(const PlayCall& call) {
-  return !call.terminal && !is_stream(call.file) && call.listen.empty() && call.frames.empty() && has_display() && has_studio();
+  return !call.terminal && !is_stream(call.file) && call.listen.empty() && call.frames.empty() && has_display() &&
+         has_studio();
 }
 
 int play(PlayCall& call) {
@@ -372,7 +371,7 @@ Status play_document(const Document& document, const std::string& frames, Pictur
 
 namespace {
 
-// What comes in while it plays.
+// The options for live input.
 std::vector<Parameter> live_parameters(PlayCall& call) {
   return {{.name = "--listen",
            .value = "[HOST:]PORT",

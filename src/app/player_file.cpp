@@ -12,7 +12,7 @@ namespace betwixt {
 namespace {
 
 constexpr const char* player = "betwixt-player.js";
-constexpr std::string_view enders[] = {"/script", "script", "!--"};  // behind '<'
+constexpr std::string_view enders[] = {"/script", "script", "!--"};  // after '<'
 
 bool begins_with_word(std::string_view text, std::string_view word) {
   if (text.size() < word.size()) return false;
@@ -46,7 +46,7 @@ Result<std::string> read_player() {
   if (!path) return path;
   auto text = read_whole(*path);
   if (!text) return fail(ErrorCode::machine, text.error().message, text.error().hint);
-  // It would end where it must not.
+  // These sequences would end the script element too early.
   for (std::size_t at = text->find('<'); at != text->npos; at = text->find('<', at + 1))
     for (const std::string_view ender : {"/script", "!--"})
       if (begins_with_word(std::string_view(*text).substr(at + 1), ender))

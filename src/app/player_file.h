@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The engine and the player for web pages: one file of JavaScript, which is built apart and put into pages.
+// The engine and player for web pages: one JavaScript file, built separately and embedded into pages.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace betwixt {
 
-// Where it is: BETWIXT_PLAYER, beside the program, or where it was installed. Errors: machine (it is not here).
+// Returns its path: BETWIXT_PLAYER, beside the program, or the installed one. Errors: machine (not found).
 Result<std::string> find_player();
-// What is in it, to stand between <script> and </script>. Errors: machine.
+// Returns its content, fit for a <script> element. Errors: machine.
 Result<std::string> read_player();
 
-// A text that is no JavaScript between <script type="…"> and </script>: what would end it gets a backslash more
-// (<\/script, <\!--, <\script), which the page takes away again.
+// Escapes a text for a <script type="…"> element that is no JavaScript. Sequences that would end it get a backslash
+// more (<\/script, <\!--, <\script), which the page removes again.
 std::string as_script_text(std::string_view);
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where playing is.
+// The playhead of the terminal player.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace betwixt {
 
-// Which frame is due. Time comes from the clock, never from counting pictures: a late picture is dropped.
+// Computes which frame is due. Time comes from the clock, not from a count of pictures: late pictures are dropped.
 class Playhead {
  public:
   using Clock = std::chrono::steady_clock;
@@ -20,14 +20,14 @@ class Playhead {
 
   Playhead(const FrameList& frames, bool loop) : frames_(frames), loop_(loop) {}
   bool playing() const { return playing_; }
-  // At that frame since that moment; while it plays, on from there.
+  // The position at a moment; during playback it continues from there.
   struct Place {
     bool playing;
     int frame;
     Clock::time_point since;
   };
   Place place() const { return {playing_, at_, started_}; }
-  // A film that is not played again: whether its last frame has been there for its time.
+  // Returns whether the last frame has had its full time; always false in a loop.
   bool ended() const {
     return playing_ && !loop_ && at_ + since(started_) * frames_.rate.per_second() >= frames_.count;
   }

@@ -23,14 +23,14 @@ struct PlotCall {
 };
 
 constexpr int samples_per_frame = 4;
-constexpr int most_samples = 200'000;  // a curve; more than any paper shows
+constexpr int most_samples = 200'000;  // of a curve; more than any paper can show
 constexpr double degrees = 180 / pi;
 
-// One number of a target, as a function of time.
+// A number of a target, as a function of time.
 struct Number {
   const Program* program;
   Target target;
-  std::size_t index = 0;  // among the numbers of the reading
+  std::size_t index = 0;  // among the numbers of the value
   double unit = 1;        // angles are drawn in degrees
   double at(Time t) const {
     const std::vector<double> all = numbers(program->read(target, t));
@@ -38,8 +38,8 @@ struct Number {
   }
 };
 
-// Whether the value jumps between two times that are near each other; if so they close in on the jump. A steep slope
-// shows by its fall having two halves, however small the part that is looked at.
+// Returns whether the value jumps between two nearby times, and moves them to both sides of the jump. A steep slope is
+// no jump: at some scale its two halves both change.
 bool find_jump(const Number& n, Time& a, Time& b, double least) {
   double from = n.at(a), to = n.at(b);
   if (std::abs(to - from) < least) return false;
@@ -89,7 +89,7 @@ Stroke events(const Number& n, const Document& document, const Target& target, c
   return all;
 }
 
-// The curves of a target; none where it is not made of numbers.
+// Returns the curves of a target, or none if it has no numbers.
 std::vector<DrawnCurve> curves(const Program& program, const Target& target, const FrameList& frames, Time last) {
   const bool asked = target.query().has_value();
   if (asked && target.component < 0) return {};  // a matrix
@@ -105,7 +105,7 @@ std::vector<DrawnCurve> curves(const Program& program, const Target& target, con
     const std::string_view part = count == 4  ? std::string_view("wxyz").substr(i, 1)
                                   : count > 1 ? component_name(type, static_cast<int>(i))
                                               : "";
-    Target own = target;  // a component's events, where the components have tracks of their own
+    Target own = target;  // the component's events, if components have tracks of their own
     if (count > 1 && static_cast<int>(count) == component_count(type)) own.component = static_cast<int>(i);
     all.push_back(
         {document.name(target) + (part.empty() ? "" : fmt::format(".{}", part)) + (angles ? " (degrees)" : ""),

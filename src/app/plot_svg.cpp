@@ -20,14 +20,14 @@ constexpr std::array<const char*, 10> colors{"#2f6fb3", "#d9822b", "#3f9b5f", "#
 
 std::string label(double v) { return fmt::format("{:.10g}", std::abs(v) < 1e-12 ? 0 : v); }
 
-// Where values come to stand on the paper.
+// Maps values to the paper.
 struct Paper {
   double x0, x1, y0, y1, bottom;
   double x(double frame) const { return left + (frame - x0) / (x1 - x0) * (width - left - right); }
   double y(double value) const { return bottom - (value - y0) / (y1 - y0) * (bottom - top); }
 };
 
-// A step of 1, 2 or 5 times a power of ten.
+// Returns the smallest step of 1, 2 or 5 times a power of ten that is at least `least`.
 double round_step(double least) {
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double s : {1.0, 2.0, 5.0})
@@ -46,7 +46,7 @@ std::pair<double, double> extent(const Plot& plot) {
   return {low - air, high + air};
 }
 
-// The path of a stroke without the points that lie, to a twentieth of a pixel, on the way between others.
+// Returns the path of a stroke, without points that are within a twentieth of a pixel of the line between others.
 std::string path(const Stroke& stroke, const Paper& paper) {
   std::vector<std::pair<double, double>> at;
   for (const auto& [frame, v] : stroke) at.emplace_back(paper.x(frame), paper.y(v));
@@ -62,7 +62,7 @@ std::string path(const Stroke& stroke, const Paper& paper) {
       if (std::abs(ay + (by - ay) * (bx > ax ? (at[i].first - ax) / (bx - ax) : 0) - at[i].second) > 0.05) return false;
     return true;
   };
-  constexpr std::size_t longest = 64;  // points looked over at once
+  constexpr std::size_t longest = 64;  // limits the search
   put(0);
   for (std::size_t i = 1; i < at.size(); ++i)
     if (i + 1 == at.size() || i - kept >= longest || !straight(i + 1)) put(i), kept = i;
@@ -86,7 +86,7 @@ std::string axes(const Plot& plot, const Paper& paper) {
     s += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}f</text>\n", paper.x(x),
                      paper.bottom + 18, label(x));
   s += "</g>\n<g font-size=\"11\" fill=\"#848b95\" stroke=\"none\">\n";
-  // Seconds have round numbers of their own, at ticks of their own.
+  // Seconds have ticks of their own, at round numbers.
   const double rate = plot.rate.per_second();
   for (const double t : ticks((paper.x0 - 1) / rate, (paper.x1 - 1) / rate, 8)) {
     const double x = paper.x(1 + t * rate);
@@ -116,7 +116,7 @@ std::string drawn(const DrawnCurve& c, const char* color, const Paper& paper) {
   return s + "</g>\n";
 }
 
-// Names beside their colours, in rows under the axis.
+// Draws the names with their colours, in rows below the axis.
 std::string legend(const Plot& plot, double bottom, std::size_t columns) {
   std::string s = "<g font-size=\"13\" fill=\"#3b4048\">\n";
   const double column = (width - left - right) / static_cast<double>(columns);

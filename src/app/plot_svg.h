@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Value against time, as a drawing.
+// Draws values against time as SVG.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace betwixt {
 // x: frame numbers, y: values.
 using Stroke = std::vector<std::pair<double, double>>;
 
-// One number of a target. A cut ends one stroke and begins the next.
+// The curve of one number of a target. A jump ends one stroke and begins the next.
 struct DrawnCurve {
   std::string name;
   std::vector<Stroke> strokes;
@@ -31,7 +31,7 @@ struct Plot {
 
 std::string to_svg(const Plot&);
 
-// Round numbers that divide low to high into at most `most` parts.
+// Returns round numbers that divide low to high into at most `most` parts.
 std::vector<double> ticks(double low, double high, int most);
 
 }  // namespace betwixt

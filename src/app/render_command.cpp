@@ -33,7 +33,7 @@ struct RenderCall {
   bool missing = false, keep_old = false, keep_going = false, stats = false, plan = false, progress = false;
 };
 
-// What a film would be, for those who have it made in parts.
+// Prints a description of the film, for programs that render it in parts.
 int print_plan(const FilmOptions& o, const FrameList& frames) {
   const Result<Output> place = read_output(o.path);
   if (!place) return complain(place.error(), wrong_call);
@@ -60,9 +60,9 @@ void print_stats(const FilmStats& s, const Spending& spent, const Program& progr
   print_sizes(program);
 }
 
-// What the film cannot have that its script has.
+// Prints notices about features of the script that the film's format lacks.
 void say_what_is_lost(const RenderCall& call, const Document& document) {
-  if (!read_output(call.out)) return;  // nothing is made
+  if (!read_output(call.out)) return;  // the path is invalid, so no film is made
   if (document.transparent() && !takes_alpha(call.out)) say_not_clear(call.out);
   if (has_sounds(document) && !takes_sound(call.out))
     tell_user(fmt::format("betwixt: notice: {} has no sound; .mp4, .webm and .mov do\n", call.out));

@@ -31,7 +31,7 @@ struct ServeCall {
   bool anywhere = false, overwrite = false;
 };
 
-// Pictures as characters, for whoever sits before the server.
+// Shows pictures as characters in the server's terminal.
 class TerminalScreen final : public Screen {
  public:
   TerminalScreen(std::unique_ptr<Terminal> terminal, std::unique_ptr<Renderer> renderer)
@@ -61,7 +61,7 @@ class TerminalScreen final : public Screen {
   std::string text_;
 };
 
-// A window. When it is closed the server goes on: hosts are served, frames are seen by nobody.
+// Shows pictures in a window. If the user closes it the server still serves hosts, without showing frames.
 class WindowScreen final : public Screen {
  public:
   WindowScreen(std::unique_ptr<Window> window, std::unique_ptr<Renderer> renderer)
@@ -148,9 +148,9 @@ Result<Listener> listen(const ServeCall& call) {
   return Listener::unix_socket(path);
 }
 
-// Stops come as a file, so that none is missed; all threads inherit this.
+// Blocks the stop signals and returns a file descriptor for them, so that none is missed. All threads inherit this.
 int stops() {
-  ::signal(SIGPIPE, SIG_IGN);  // whoever reads what we say may go
+  ::signal(SIGPIPE, SIG_IGN);  // the reader of our output may exit
   sigset_t set;
   ::sigemptyset(&set);
   for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&set, s);
@@ -159,13 +159,13 @@ int stops() {
 }
 
 int serve(ServeCall& call) {
-  ::mallopt(M_MMAP_THRESHOLD, 1 << 18);  // what hosts' long lines and answers took is given back when they go
+  ::mallopt(M_MMAP_THRESHOLD, 1 << 18);  // returns the memory of long lines and answers to the system when hosts leave
   call.serve.stop = stops();
   call.imaging.load = load_options();
   if (const auto& size = call.picture.size)
     call.imaging.contacts.aspect = static_cast<double>(size->first) / size->second;
-  std::optional<Error> no_film;  // set by the film's thread, read when that has ended
-  // The clock is asked for its figures while hosts are served; it begins after what it shows.
+  std::optional<Error> no_film;  // set by the film's thread; read after that thread has ended
+  // The clock starts after the document is loaded; hosts can ask for its figures before.
   std::unique_ptr<FrameClock> clock;
   call.imaging.stats = [&] { return clock ? clock->stats() : std::string(); };
   call.imaging.warn = [](const std::string& what) { tell_user(fmt::format("betwixt: warning: {}\n", what)); };
@@ -206,7 +206,7 @@ int serve(ServeCall& call) {
   if (doors[0].asks() && call.token_file.empty()) tell_user(fmt::format("token {}\n", call.serve.token));
   tell_user(fmt::format("serving at {}; frames at {:g} a second, class {}{}\n", doors[0].name(), rate->per_second(),
                         to_string(clock->priority()), clock->why().empty() ? "" : " (" + clock->why() + ")"));
-  // A film takes time to be finished; nothing else is waited for.
+  // At the end, wait only for a film, which takes time to be completed.
   const bool film = call.to.starts_with("film:");
   const auto end_soon = [film] {
     std::thread([film] {
@@ -223,14 +223,14 @@ int serve(ServeCall& call) {
   if (const Status whole = served ? imaging.finish(monotonic_now()) : Status(Nothing{}); !whole)
     call.imaging.warn(whole.error().message + "; the journal beside it has all that was answered");
   if (served) end_soon();
-  doors.clear();  // hosts see that it ends, even if a worker takes long
-  clock.reset();  // what it showed is finished
+  doors.clear();  // hosts see the end at once, even if a worker takes long
+  clock.reset();  // completes the film or picture
   ::close(call.serve.stop);
   if (!served) return complain(served.error(), machine_failed);
   return no_film ? complain(*no_film, wrong_call) : static_cast<int>(all_done);
 }
 
-// What hosts may ask for at most.
+// The limits for hosts.
 std::vector<Parameter> ceiling_parameters(Imaging::Options& options) {
   Ceilings& most = options.ceilings;
   const auto ceiling = [](const char* name, const std::string& sentence, std::size_t& to) {
@@ -245,7 +245,7 @@ std::vector<Parameter> ceiling_parameters(Imaging::Options& options) {
           ceiling("--checkpoint", "bytes of log after which the script is written anew", options.checkpoint)};
 }
 
-// Where hosts come in.
+// The addresses for hosts.
 std::vector<Parameter> door_parameters(ServeCall& call) {
   return {
       file_option("--socket", "PATH", "a socket for hosts; by default $XDG_RUNTIME_DIR/betwixt.sock", &call.socket),
@@ -278,7 +278,7 @@ std::vector<Parameter> clock_parameters(ServeCall& call) {
            .range = {{1, 100'000}}}};
 }
 
-// Where frames go, and how many.
+// The output and the rate of frames.
 std::vector<Parameter> place_parameters(ServeCall& call) {
   return {{.name = "--to",
            .value = "PLACE",

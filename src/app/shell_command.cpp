@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt shell: a session with a person at a terminal, or with a script on standard input.
+// betwixt shell: an interactive session at a terminal, or a script on standard input.
 #include <fmt/format.h>
 #include <histedit.h>
 #include <signal.h>
@@ -38,18 +38,18 @@ struct ShellCall {
   bool recover = false, discard = false, quiet = false;
 };
 
-// Where lines come from. None: there are no more.
+// The source of lines. line() and answer() return nullopt at the end of the input.
 class LineSource {
  public:
   virtual ~LineSource() = default;
   virtual std::optional<std::string> line(const std::string& prompt) = 0;
   virtual std::optional<std::string> answer(const std::string& question) = 0;
-  virtual void push_back(std::string) {}       // lines that were read too far
-  virtual bool called_off() { return false; }  // the line, by Ctrl-C
+  virtual void push_back(std::string) {}       // lines read too early
+  virtual bool called_off() { return false; }  // whether Ctrl-C cancelled the line
   virtual bool person() const { return false; }
 };
 
-// What goes into a file or to another program stays as it is.
+// Makes control characters visible on a terminal. Files and other programs get the text unchanged.
 void put(const std::string& text, std::FILE* to) {
   std::fputs((::isatty(::fileno(to)) == 1 ? visible_lines(text) : text).c_str(), to);
 }
@@ -87,14 +87,15 @@ class Pipe : public LineSource {
 
 volatile sig_atomic_t line_cancelled = 0;
 
-// Ctrl-C reaches the reading of a line, and nothing else.
+// Makes Ctrl-C interrupt only the reading of a line.
 void listen_for_cancel() {
   struct sigaction action {};
   action.sa_handler = [](int) { line_cancelled = 1; };
-  ::sigaction(SIGINT, &action, nullptr);  // without SA_RESTART: the reading ends
+  ::sigaction(SIGINT, &action, nullptr);  // without SA_RESTART, so that the read ends
 }
 
-// One letter from the terminal: 1, at the end 0, on Ctrl-C -1 (the editor's own reading would go on).
+// Reads one letter from the terminal. Returns 1, 0 at the end, or -1 after Ctrl-C, which the editor's own function
+// would ignore.
 int read_letter(wchar_t* out) {
   std::mbstate_t state{};
   for (;;) {
@@ -103,7 +104,7 @@ int read_letter(wchar_t* out) {
     if (n < 0 && errno == EINTR && !line_cancelled) continue;
     if (n <= 0) return static_cast<int>(n);
     const std::size_t used = std::mbrtowc(out, &byte, 1, &state);
-    if (used == static_cast<std::size_t>(-1)) state = {};  // no letter: left out
+    if (used == static_cast<std::size_t>(-1)) state = {};  // skips bytes that are no letter
     if (used <= 1) return 1;
   }
 }
@@ -116,11 +117,11 @@ fs::path history_file() {
   return {};
 }
 
-// A person at a terminal: lines can be edited, recalled and completed.
+// A terminal with line editing, history and completion.
 class Keyboard : public LineSource {
  public:
   explicit Keyboard(const Session& session) : session_(session), past_(history_file()) {
-    const char* locale = std::setlocale(LC_CTYPE, "");  // letters of more than one byte
+    const char* locale = std::setlocale(LC_CTYPE, "");  // for letters of several bytes
     if (!locale || std::strcmp(locale, "C") == 0 || std::strcmp(locale, "POSIX") == 0)
       std::setlocale(LC_CTYPE, "C.UTF-8");
     edit_ = el_init("betwixt", stdin, stdout, stderr);
@@ -177,7 +178,7 @@ class Keyboard : public LineSource {
 
   std::optional<std::string> read(const std::string& asked) {
     const std::string prompt = visible_lines(asked);
-    // The editor's prompt is one line; what stands above it is said first.
+    // The editor's prompt has one line; print the lines above it first.
     const std::size_t nl = prompt.rfind('\n');
     if (nl != std::string::npos) fmt::print("{}", prompt.substr(0, nl + 1));
     std::fflush(stdout);
@@ -210,8 +211,8 @@ class Keyboard : public LineSource {
       common.resize(n);
     }
     std::string more = common.substr(std::min(typed, common.size()));
-    const bool inside = line->cursor < line->lastchar && *line->cursor != ' ';  // the word goes on behind it
-    const bool open = common.ends_with('=');                                    // its value follows
+    const bool inside = line->cursor < line->lastchar && *line->cursor != ' ';  // the cursor is inside the word
+    const bool open = common.ends_with('=');                                    // a value follows
     if (all.size() == 1 && !inside && !open && !wants_dot(before, common)) more += ' ';
     if (!more.empty()) return el_insertstr(edit_, more.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
     constexpr std::size_t shown = 200;
@@ -222,7 +223,7 @@ class Keyboard : public LineSource {
     return CC_REDISPLAY;
   }
 
-  // Whether an object's name is but the beginning of a target there.
+  // Returns whether the command takes targets, so that an object's name needs a dot.
   bool wants_dot(const std::string& before, const std::string& word) const {
     static constexpr std::string_view takes_objects[] = {
         "remove", "rename", "hang",   "attach", "couple", "detach", "letgo",    "look", "show", "hide",
@@ -243,7 +244,7 @@ class Keyboard : public LineSource {
   bool cancelled_ = false;
 };
 
-// One key that is pressed; 0 where nobody presses any more.
+// Waits for a key. Returns 0 at the end of the input.
 char pressed_key() {
   termios before{};
   if (::tcgetattr(STDIN_FILENO, &before) != 0) return 0;
@@ -257,7 +258,7 @@ char pressed_key() {
   return key;
 }
 
-// Text for a person, a page at a time where it is longer than the terminal.
+// Prints text for a person, page by page if it is longer than the terminal.
 void page(std::string_view text) {
   winsize w{};
   const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &w) == 0 && w.ws_row > 2;
@@ -278,7 +279,7 @@ void page(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-// One logical line: more is read while a bracket or a """ is open.
+// Reads one logical line: as long as a bracket or a """ is open, it reads more lines.
 std::optional<std::string> read_line(LineSource& in, const std::string& prompt) {
   std::optional<std::string> line = in.line(prompt);
   if (!line || in.called_off()) return line ? std::optional<std::string>("") : std::nullopt;
@@ -286,7 +287,7 @@ std::optional<std::string> read_line(LineSource& in, const std::string& prompt) 
   while (Session::needs_more(whole)) {
     const std::optional<std::string> more = in.line("... ");
     if (in.called_off()) return "";
-    if (!more) {  // never closed: the first line is at fault, what stands below it is not
+    if (!more) {  // never closed: only the first line is wrong, so push back the others
       const std::size_t nl = whole.find('\n');
       if (nl == std::string::npos) break;
       in.push_back(whole.substr(nl + 1));
@@ -354,7 +355,7 @@ int shell(const ShellCall& call) {
     const Session::Answer answer = session.enter(line.value_or("quit"));
     say(answer, line.has_value());
     if (answer.quit) break;
-    if (!line && !person) break;  // nobody is there to stay for
+    if (!line && !person) break;  // a script has ended
   }
   return wrong && !person ? wrong_input : all_done;
 }

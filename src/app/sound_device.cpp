@@ -34,13 +34,13 @@ class Device final : public SoundOutput {
     const auto pairs = static_cast<snd_pcm_uframes_t>(stereo.size() / 2);
     if (waiting() == 0) given_ = 0, begun_ = Clock::now();
     given_ += static_cast<std::int64_t>(pairs);
-    // It has run dry, or slept, or was told to forget.
+    // Recover after an underrun, a suspend or forget().
     if (const auto done = snd_pcm_writei(pcm_, stereo.data(), pairs); done < 0) {
       if (snd_pcm_recover(pcm_, static_cast<int>(done), 1) == 0) (void)snd_pcm_writei(pcm_, stereo.data(), pairs);
     }
     if (snd_pcm_state(pcm_) != SND_PCM_STATE_PREPARED) return;
     snd_pcm_start(pcm_);
-    // Some take everything at once, such as ALSA's own `null`; time goes by nevertheless.
+    // Some devices take everything at once, such as ALSA's own `null`. Then the clock counts the time.
     if (waiting() == 0) by_clock_ = true;
   }
   void forget() override {
@@ -53,7 +53,7 @@ class Device final : public SoundOutput {
   using Clock = std::chrono::steady_clock;
   snd_pcm_t* const pcm_;
   bool by_clock_ = false;
-  std::int64_t given_ = 0;  // since then
+  std::int64_t given_ = 0;  // pairs written since begun_
   Clock::time_point begun_ = Clock::now();
 };
 
@@ -62,11 +62,12 @@ void say_nothing(const char*, int, const char*, int, const char*, ...) {}
 }  // namespace
 
 std::unique_ptr<SoundOutput> open_sound_device() {
-  // It would write to the terminal that a film is shown in.
+  // ALSA would print errors to the terminal that shows the film.
   snd_lib_error_set_handler(say_nothing);
   snd_pcm_t* pcm = nullptr;
   if (snd_pcm_open(&pcm, "default", SND_PCM_STREAM_PLAYBACK, SND_PCM_NONBLOCK) != 0) return nullptr;
-  constexpr unsigned microseconds = 4 * 1'000'000 * SoundStream::ahead / sound_rate;  // never full, so nothing waits
+  // Room for more than the sound thread ever writes ahead, so that no write waits.
+  constexpr unsigned microseconds = 4 * 1'000'000 * SoundStream::ahead / sound_rate;
   if (snd_pcm_set_params(pcm, SND_PCM_FORMAT_FLOAT_LE, SND_PCM_ACCESS_RW_INTERLEAVED, 2, sound_rate, 1, microseconds) !=
       0) {
     snd_pcm_close(pcm);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sound device, through ALSA, which has the sound servers' devices too.
+// The sound device, through ALSA, which also reaches the devices of sound servers.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace betwixt {
 
-// Null: there is none, or it has no room for one more.
+// Returns null if there is no device, or it accepts no more streams.
 std::unique_ptr<SoundOutput> open_sound_device();
 
 }  // namespace betwixt

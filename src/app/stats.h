@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What --stats says, on standard error.
+// The output of --stats, on standard error.
 #pragma once
 
 #include <mutex>
@@ -13,13 +13,13 @@
 
 namespace betwixt {
 
-// Gathers where the time goes, from any thread.
+// Sums up where the time goes. Any thread may add to it.
 class Spending {
  public:
-  // Of the making of one frame, on one thread.
+  // Measures one frame on one thread.
   class Listening {
    public:
-    explicit Listening(Spending* to) : to_(to) {  // null: nobody wants to know
+    explicit Listening(Spending* to) : to_(to) {  // null measures nothing
       if (to_) times_.emplace();
     }
     ~Listening() {
@@ -32,7 +32,7 @@ class Spending {
     Spending* const to_;
     std::optional<StageTimes> times_;
   };
-  // Prints the milliseconds a frame of some stages, of what `encoding` seconds took besides, and of all else.
+  // Prints the milliseconds a frame of some stages, of `encoding` if given, and of all the rest.
   void print(const std::string& title, std::initializer_list<Stage> stages,
              std::optional<double> encoding = std::nullopt) const;
 
@@ -43,7 +43,7 @@ class Spending {
   int frames_ = 0;
 };
 
-// How many bytes document and program take.
+// Prints the sizes of document and program in bytes.
 void print_sizes(const Program&);
 
 }  // namespace betwixt

@@ -17,7 +17,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_read = std::size_t{1} << 30;  // as of a script in a file
+constexpr std::size_t most_read = std::size_t{1} << 30;  // the limit for script files, too
 
 Result<std::string> standard_input() {
   std::string text;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// "-" in the place of a file: standard input for a script, standard output for what is made.
+// "-" as a file name: standard input for a script, standard output for results.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@
 
 namespace betwixt {
 
-// Whether a script comes from standard input; then its name in errors is "<stdin>".
+// Returns whether a script comes from standard input. Errors then call it "<stdin>".
 bool is_stream(const std::string& file);
-// What a script says, of a file or of standard input, which is read once. Errors: file.
+// Returns the text of a script. Standard input is read only once. Errors: file.
 Result<std::string> script_text(const std::string& file);
 
-// Where something is made that is to go to standard output: "-", or "-.webm" where the ending says what it is. Until
-// it is whole it lies in a folder of its own, which goes with this.
+// A result for standard output: "-", or "-.webm" with the ending that gives the format. Until it is complete it is a
+// file in a temporary folder, which the destructor removes.
 class Outgoing {
  public:
-  // `out` becomes the path to make it at. `usual`: the ending of "-"; empty: it has to be said.
-  // Errors: range (no ending, or a terminal, which shows no pictures), machine.
+  // Replaces `out` by the temporary path. `usual`: the ending of "-"; if empty, the user must give one. Errors: range
+  // (no ending, or the output is a terminal, which shows no pictures), machine.
   static Result<Outgoing> begin(std::string& out, const std::string& usual);
   Outgoing() = default;
   Outgoing(Outgoing&&) noexcept;
@@ -31,7 +31,7 @@ class Outgoing {
   Status send() const;  // errors: machine
 
  private:
-  std::string folder_, path_;  // empty: it goes where it is made
+  std::string folder_, path_;  // empty if the result has a file name of its own
 };
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The studio, a program of its own (src/studio).
+// Starts the studio, a separate program (src/studio).
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace betwixt {
 
-bool has_display();  // to open windows on
-bool has_studio();   // it has been built
-// The studio takes this program's place; returns only if it cannot. Errors: machine.
+bool has_display();  // whether windows can be opened
+bool has_studio();   // whether it has been built
+// Replaces this process by the studio. Returns only if that fails. Errors: machine.
 Status become_studio(std::vector<std::string> arguments, const std::string& file);
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The studio is a program of its own: it is found and becomes this one.
+// betwixt studio: finds the studio, a separate program, and replaces this process by it.
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,7 +38,7 @@ struct StudioCall {
 int studio(StudioCall& call) {
   if (is_stream(call.file))
     return complain(fail(ErrorCode::range, "a film is worked on in a file, which standard input is not"), wrong_call);
-  // The toolkit would give up in words of its own.
+  // Qt would abort with a message of its own.
   if (call.screenshot.empty() && !std::getenv("QT_QPA_PLATFORM") && !has_display())
     return complain(fail(ErrorCode::machine, "there is no display for a window",
                          "set DISPLAY; --screenshot OUT.png makes a picture of the window without one"),

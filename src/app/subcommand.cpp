@@ -19,7 +19,7 @@
 namespace betwixt {
 namespace {
 
-// Who is enlisted while the program starts, in any order.
+// Subcommands register here while the program starts, in any order.
 std::vector<std::function<Subcommand()>>& enlisted() {
   static std::vector<std::function<Subcommand()>> all;
   return all;
@@ -37,7 +37,7 @@ Status read_colours(const std::string& text) {
   return Nothing{};
 }
 
-// How many samples the styles take, each number once: "1, 4, 9 or 16; traced: 1 to 4096".
+// Returns the sample counts of the styles, without duplicates: "1, 4, 9 or 16; traced: 1 to 4096".
 std::string sample_counts() {
   std::string said;
   std::string_view last;
@@ -49,7 +49,7 @@ std::string sample_counts() {
   return said;
 }
 
-// Of a style, or of any where none is said yet.
+// Reads a number of samples that the style allows, or any style if none is given.
 Status read_samples(const std::string& text, PictureCall& to, const std::string& style = {}) {
   int n = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);

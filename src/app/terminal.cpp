@@ -19,13 +19,13 @@ namespace betwixt {
 namespace {
 
 constexpr std::string_view enter =
-    "\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";  // other screen, no cursor, no wrapping, clear
+    "\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";  // alternate screen, no cursor, no wrapping, clear
 constexpr std::string_view leave = "\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
 termios saved{};
 volatile sig_atomic_t raw = 0, on_stage = 0;
 
-// Also called when the program is about to die: only what is safe in a signal handler.
+// Signal handlers call this too, so it uses only functions that are safe there.
 void restore() {
   if (on_stage != 0) {
     on_stage = 0;
@@ -39,7 +39,7 @@ void restore() {
 
 void die(int signal) {
   restore();
-  ::raise(signal);  // SA_RESETHAND: this time for good
+  ::raise(signal);  // SA_RESETHAND: this time it ends the program
 }
 
 void catch_deaths() {
@@ -49,7 +49,7 @@ void catch_deaths() {
   for (const int s : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGQUIT}) ::sigaction(s, &action, nullptr);
 }
 
-// Keys one by one and unseen; Ctrl-C stays a signal.
+// Single keys without echo; Ctrl-C remains a signal.
 bool make_raw() {
   if (::isatty(STDIN_FILENO) != 1 || ::tcgetattr(STDIN_FILENO, &saved) != 0) return false;
   termios t = saved;
@@ -69,7 +69,7 @@ ChafaCanvasMode colors_of(ChafaTermInfo* info) {
   return CHAFA_CANVAS_MODE_INDEXED_16;
 }
 
-// Everything libchafa needs to draw so many characters; made again when the number changes.
+// The libchafa objects for a grid of characters; created again if its size changes.
 class Canvas {
  public:
   Canvas(int columns, int rows) : columns_(columns), rows_(rows) {
@@ -156,7 +156,7 @@ std::vector<Key> read_keys(std::string_view typed) {
       typed.remove_prefix(known->typed.size());
       continue;
     }
-    std::size_t length = 1;  // of something unknown: a control sequence ends with a letter or ~
+    std::size_t length = 1;  // an unknown control sequence ends with a letter or ~
     if (typed.starts_with("\x1b[")) {
       length = 2;
       while (length < typed.size() && (typed[length] < '@' || typed[length] > '~')) ++length;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The terminal as a stage: its other screen, keys as they are pressed, and everything put back whatever happens.
+// The terminal for pictures: the alternate screen, single keys, and a restore of all settings however the program ends.
 #pragma once
 
 #include <memory>
@@ -34,11 +34,11 @@ enum class Key {
 
 struct TerminalSize {
   int columns = 80, rows = 24;
-  double cell_aspect = 0.5;  // a character's width to its height
+  double cell_aspect = 0.5;  // width of a character divided by its height
   friend bool operator==(const TerminalSize&, const TerminalSize&) = default;
 };
 
-// There is one terminal, so there is at most one of these.
+// There is one terminal, so there is at most one instance.
 class Terminal {
  public:
   static Result<std::unique_ptr<Terminal>> open();  // Errors: type (standard output is no terminal)
@@ -48,18 +48,18 @@ class Terminal {
 
   TerminalSize size() const;
   bool has_keys() const { return keys_; }
-  bool write(std::string_view) const;  // all at once, so that no half picture shows; false: it has gone away
-  std::vector<Key> wait(double seconds, bool& closed) const;  // what was pressed; returns early when something was
+  bool write(std::string_view) const;  // in one call, so that no half picture shows; false: closed
+  std::vector<Key> wait(double seconds, bool& closed) const;  // the keys pressed; returns early if there are any
 
  private:
   explicit Terminal(bool keys) : keys_(keys) {}
   const bool keys_;
 };
 
-// A picture as characters in `columns` x `rows` cells, put at a place (from 1) of the screen.
+// Returns a picture as characters in `columns` x `rows` cells, at a position (from 1) of the screen.
 std::string characters(const Picture&, int column, int row, int columns, int rows);
 
-// Sequences of what was typed; what means nothing is left out.
+// Parses typed bytes into keys. Unknown sequences are skipped.
 std::vector<Key> read_keys(std::string_view typed);
 
 }  // namespace betwixt

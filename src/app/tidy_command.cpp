@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt tidy: a script in its canonical form.
+// betwixt tidy: rewrites a script in its canonical form.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -16,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-// Written beside the file first, with its rights, then put in place.
+// Writes a file beside the script, with the same permissions, then renames it.
 int replace(const std::string& file, const std::string& text) {
   const int reason = put_file(file, text, {.like_old = true});
   if (reason == 0) return all_done;
@@ -35,9 +35,9 @@ int tidy(const TidyCall& call) {
   if (call.write && is_stream(call.file))
     return complain(fail(ErrorCode::range, "standard input has no place to be put back to"), wrong_call);
   if (std::filesystem::exists(call.file, ignored) && !std::filesystem::is_directory(call.file, ignored) &&
-      !std::filesystem::is_regular_file(call.file, ignored))  // read twice, a pipe would be empty
+      !std::filesystem::is_regular_file(call.file, ignored))  // a pipe would be empty at the second reading
     return complain(fail(ErrorCode::file, fmt::format("'{}': only a file can be tidied", call.file)), wrong_call);
-  if (!open_script(call.file)) return wrong_input;  // a script that cannot be read is left alone
+  if (!open_script(call.file)) return wrong_input;  // a script with errors stays as it is
   const Result<std::string> text = script_text(call.file);
   if (!text) return complain(text.error(), wrong_input);
   const std::string tidied = betwixt::tidy(*text);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt web: a page that plays films, and in which they are edited.
+// betwixt web: makes a page that plays films, and in which readers can edit them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ Status ready(const WebCall& call) {
   return check_place(call.out, !call.keep_old);
 }
 
-// One page has one file of each name.
+// A page can have only one file of each name.
 Status no_two_of_one_name(const std::vector<PageFilm>& films) {
   PageFiles all;
   for (const PageFilm& film : films)
@@ -51,7 +51,7 @@ Status no_two_of_one_name(const std::vector<PageFilm>& films) {
   return Nothing{};
 }
 
-// What pages share that lie in one folder; all versions of it begin with `mark`.
+// Writes a file that all pages of a folder share. All its versions begin with `mark`; a file that does not is an error.
 Status put_beside(const fs::path& page, std::string_view name, std::string_view text, std::string_view mark,
                   bool overwrite) {
   const std::string path = (page.parent_path() / name).string();
@@ -84,7 +84,7 @@ int web(WebCall& call) {
   }
   if (const Status s = no_two_of_one_name(films); !s) return complain(s.error(), wrong_input);
   PageOptions options;
-  options.title = !call.title.empty() ? call.title
+  options.title = !call.title.empty()              ? call.title
                   : films.size() == 1 || *outgoing ? fs::path(films[0].name).stem().string()
                                                    : fs::path(call.out).stem().string();
   options.size = call.size, options.edit = !call.no_edit;
@@ -103,7 +103,8 @@ int web(WebCall& call) {
   for (const PageFilm& film : films)
     for (const std::string& lost : film.lost) tell_user(fmt::format("betwixt: notice: {}: {}\n", film.name, lost));
   tell_user(fmt::format("{} film{}, {} file{}, {:.0f} kB, {}\n", films.size(), films.size() == 1 ? "" : "s", files,
-                        files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000), *outgoing ? "standard output" : call.out));
+                        files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000),
+                        *outgoing ? "standard output" : call.out));
   return all_done;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The page's words stand in web/page.html. Everything in it can be read; only files and the player are packed.
+// The page's text is in web/page.html. Everything in the page is readable; only files and the player are packed.
 #include "app/web_page.h"
 
 #include <fmt/format.h>
@@ -32,15 +32,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_looks = 60;  // at a film, for its fonts
-// The font of every page, and letters that it has there (web/CMakeLists.txt): first and last ones. As bytes they come
-// in the order of their numbers.
+constexpr int most_looks = 60;  // frames searched for fonts
+// The font of every page, and the ranges of letters that it has there (web/CMakeLists.txt), first and last. As UTF-8
+// they sort like their code points.
 constexpr std::string_view usual_font = "DejaVu Sans";
 constexpr std::pair<std::string_view, std::string_view> usual_letters[] = {
     {"\n", "ſ"}, {"Α", "ω"}, {"Ѐ", "џ"}, {"‐", "‧"}, {"←", "↙"}};
-constexpr std::size_t most_packed = std::size_t{256} << 20;  // bytes; no browser likes more
+constexpr std::size_t most_packed = std::size_t{256} << 20;  // bytes; browsers fail on more
 
-// What the comment says that a script begins with, without the file's name in front.
+// Returns the comment at the start of a script, without the file's name.
 std::string first_comment(std::string_view text) {
   std::string said;
   while (text.starts_with("# ")) {
@@ -61,7 +61,7 @@ bool only_the_program_reads(const std::string& path) {
   return std::find(std::begin(endings), std::end(endings), ending(path)) != std::end(endings);
 }
 
-// The mesh of a file as glTF.
+// Returns the mesh of a file as glTF.
 Result<std::string> as_gltf(const std::string& script, const std::string& name) {
   LoadOptions how = load_options();
   how.asked_for = {};
@@ -89,8 +89,8 @@ bool has_only_usual_letters(std::string_view text) {
   return true;
 }
 
-// Fonts that a page has to bring along, those of all texts that are seen some time; and what pages leave out of
-// pictures.
+// Collects the fonts of all texts that the film shows, which the page must contain, and the effects that pages leave
+// out.
 void look_through(PageFilm& film, const Document& document) {
   const Program program = Program::compile(document);
   const auto [first, last] = document.range();
@@ -123,7 +123,7 @@ void look_through(PageFilm& film, const Document& document) {
         fmt::format("the page has {} in place of the font {}, which is one of a collection", usual_font, family));
 }
 
-// Other things that films have and pages lack.
+// Adds other features that films have and pages lack.
 void add_losses(PageFilm& film, const Document& document) {
   const Scene& scene = document.scene();
   std::vector<std::string> sounds, dials;
@@ -165,7 +165,7 @@ std::string player_markup(const PageFilm& film, const PageOptions& options, bool
   const auto [width, height] = options.size.value_or(film.size);
   const std::string fixed = options.size ? " class=\"fixed\"" : "";
   const std::string alt = film.about.empty() ? "" : fmt::format(" alt=\"{}\"", escaped(film.about));
-  // What begins with a line's end loses it when a page is read, and so nothing else is lost.
+  // HTML drops a newline at the start of an element, so give it one to drop.
   return fmt::format(
       "<betwixt-player controls loop{}{} width=\"{}\" height=\"{}\"{}>\n"
       "<script type=\"text/betwixt\" data-name=\"{}\">\n{}</script>\n</betwixt-player>\n",
@@ -225,7 +225,7 @@ std::string web_page(const std::vector<PageFilm>& films, const PageOptions& opti
   const bool beside = options.player.empty();
   const std::string player = beside ? policy.script_beside("betwixt-player.js") : policy.script("\n" + options.player);
   std::string look = beside ? policy.style_beside("betwixt-page.css") : policy.style("\n" + std::string(page_css));
-  // Where a server's policy forbids styles in a page, it is as wide, and as high as its film has it.
+  // If a server's policy forbids styles in a page, the player keeps the page's width and the film's aspect ratio.
   if (options.size)
     look += "\n" + policy.style(fmt::format(".fixed {{ width: {}px; height: {}px; }}", options.size->first,
                                             options.size->second));

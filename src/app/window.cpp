@@ -16,7 +16,7 @@ class XWindow final : public Window {
  public:
   XWindow(Display* display, const std::string& title, int width, int height)
       : display_(display), width_(width), height_(height) {
-    // The library would end the program when a display goes away or a window is closed under its hands.
+    // Xlib would end the program if the display disappears or another program closes the window.
     XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
     XSetIOErrorHandler([](Display*) { return 0; });
     XSetIOErrorExitHandler(
@@ -49,7 +49,7 @@ class XWindow final : public Window {
       image_->data = nullptr;  // the pixels are ours
       XDestroyImage(image_);
     }
-    if (gone_) return;  // there is nobody to say goodbye to
+    if (gone_) return;  // the connection is closed
     XFreePixmap(display_, pixmap_);
     XDestroyWindow(display_, window_);
     XCloseDisplay(display_);
@@ -68,7 +68,7 @@ class XWindow final : public Window {
   }
   void show() override {
     if (closed() || !image_) return;
-    // The window's background: the display itself puts it back where something had covered it.
+    // Sets the window's background: the display restores it by itself after another window covered it.
     XPutImage(display_, pixmap_, DefaultGC(display_, DefaultScreen(display_)), image_, 0, 0, 0, 0,
               static_cast<unsigned>(width_), static_cast<unsigned>(height_));
     XSetWindowBackgroundPixmap(display_, window_, pixmap_);

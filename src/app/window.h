@@ -14,15 +14,15 @@ namespace betwixt {
 
 class Window {
  public:
-  static bool has_display();  // one that answers
+  static bool has_display();  // whether there is a display that answers
   // Errors: machine (no display, or one without full colours).
   static Result<std::unique_ptr<Window>> open(const std::string& title, int width, int height);
   virtual ~Window() = default;
-  // Gets a picture ready; it must have the window's size …
+  // Prepares a picture; it must have the window's size.
   virtual void draw(const Picture&) = 0;
-  // … and puts it there whole.
+  // Shows the prepared picture as a whole.
   virtual void show() = 0;
-  // Somebody closed it, or the display has gone: nothing is shown any more.
+  // Returns whether the window or the display has been closed; then no more pictures show.
   virtual bool closed() = 0;
 };
 

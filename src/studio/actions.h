@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Everything that a key, a menu or the palette of commands can do, a row each.
+// All commands that have a key, a menu entry or a row in the command palette.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,10 @@ class Window;
 
 struct ActionRow {
   std::string_view menu, name;  // "Play", "Play forward"
-  std::string_view keys;        // "Space", "Ctrl+Z; Ctrl+U": any of them
-  std::string_view sentence;    // what it does; `…` are lines of the language that it says
+  std::string_view keys;        // "Space", "Ctrl+Z; Ctrl+U": any of these keys
+  std::string_view sentence;    // describes the command; `…` are the script lines that it carries out
   void (*run)(Window&);
-  bool (*is_on)(const Window&) = nullptr;  // of what is switched
+  bool (*is_on)(const Window&) = nullptr;  // whether a switch is on; null if the command is no switch
 };
 const std::vector<ActionRow>& action_rows();
 

@@ -9,7 +9,7 @@ namespace betwixt::studio {
 
 namespace {
 
-// What stands above the question, as a list of what was done, is no part of it.
+// Drops the lines above the question, such as a list of changes.
 std::string question_in(const std::string& whole) {
   const std::size_t above = whole.rfind('\n');
   return whole.substr(above == std::string::npos ? 0 : above + 1);

@@ -43,12 +43,12 @@ void Beside::run() {
 }
 
 void Beside::carry_out(const std::function<void()>& work) {
-  if (at_work_) return work();  // the one that is under way waits for an answer
+  if (at_work_) return work();  // the running work waits for an answer
   at_work_ = true;
   std::unique_lock lock(mutex_);
   done_ = false, wanted_ = &work;
   changed_.notify_all();
-  // What takes a moment is waited for: nobody sees that.
+  // Short work blocks the window, which the user cannot notice.
   const auto patient = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_);
   while (changed_.wait_until(lock, patient, [&] { return done_ || question_; }) && !done_) answer(lock);
   if (!done_) {
@@ -59,7 +59,7 @@ void Beside::carry_out(const std::function<void()>& work) {
   at_work_ = false;
 }
 
-// The window goes on, but for hands.
+// Runs the event loop without user input.
 void Beside::wait() {
   QEventLoop loop;
   connect(this, &Beside::done, &loop, &QEventLoop::quit, Qt::QueuedConnection);
@@ -84,13 +84,13 @@ void Beside::wait() {
   };
   {
     std::unique_lock lock(mutex_);
-    answer(lock);  // what was asked before the loop began
+    answer(lock);  // a question from before the loop began
   }
   while (under_way()) loop.exec(QEventLoop::ExcludeUserInputEvents);
   emit over();
 }
 
-// What the work asks in the window: it waits for that.
+// Runs the function that the worker wants in the window's thread; the worker waits for it.
 void Beside::answer(std::unique_lock<std::mutex>& lock) {
   if (!question_) return;
   const auto* question = question_;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Work that may take long is done beside the window's thread, which goes on: the window is drawn, and shows how far the
-// work is. Hands wait until it is done, and are heard then, in order.
+// Runs slow work on a worker thread, so that the window still draws and shows the progress. User input waits in the
+// queue until the work ends.
 #pragma once
 
 #include <QObject>
@@ -23,18 +23,20 @@ class Beside : public QObject {
   explicit Beside(QObject* parent = nullptr);
   ~Beside() override;
 
-  // Returns when the work is done. Where `hears` is false nothing may be carried out.
+  // Runs the work and returns when it is done. Do not call it while `hears` is false.
   void carry_out(const std::function<void()>& work);
-  // Nothing is under way, or what is waits for an answer: then what is carried out is done here and now.
+  // Returns true if no work is running, or if it waits for an answer; then carry_out() runs its argument at once, in
+  // the calling thread.
   bool hears() const { return !at_work_ || answers_; }
-  // Done in the window's thread, whichever thread asks for it; returns when it is done.
+  // Runs a function in the window's thread, whatever thread calls, and returns when it is done.
   void in_window(const std::function<void()>& work);
-  void set_patience(int milliseconds) { patience_ = milliseconds; }  // until it is told that work takes long
+  // Sets how long carry_out() blocks before it emits takes_long().
+  void set_patience(int milliseconds) { patience_ = milliseconds; }
 
  Q_SIGNALS:
-  void takes_long(float share);  // how far it is, 0 to 1; again and again, until it is over
+  void takes_long(float share);  // progress, 0 to 1; repeated until the work ends
   void over();
-  void done();  // of the worker; so is this:
+  void done();  // emitted by the worker, like this one:
   void asks();
 
  private:
@@ -48,7 +50,7 @@ class Beside : public QObject {
   const HowFar* how_far_ = nullptr;
   bool done_ = false, ends_ = false;
   float share_ = 0;
-  bool at_work_ = false, answers_ = false;  // of the window's thread
+  bool at_work_ = false, answers_ = false;  // used by the window's thread only
   int patience_ = 100;
   std::thread worker_;
 };

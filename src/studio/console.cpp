@@ -17,12 +17,12 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr int most_lines = 5000;  // of the log
-constexpr int longest = 300;      // letters of a line that are shown: a text that is written anew may be a whole film
-constexpr int most_input = 10;    // lines that are seen of one that goes on
+constexpr int most_lines = 5000;  // in the log
+constexpr int longest = 300;      // letters shown of one line, because a rewritten text may be a whole film
+constexpr int most_input = 10;    // visible lines of the input
 
-// What the line that is being written begins with, `at TIME` and `on LAYER` taken off; null: nothing that has help. Of
-// what is created the kind.
+// Returns the help for the first word of the input line, without `at TIME` and `on LAYER`; for `create` that of the
+// kind. Returns nullptr if the word has no help.
 const HelpEntry* help_of(const std::string& line) {
   std::vector<std::string> words = line_words(line);
   const auto known = [&](const std::string& word, std::initializer_list<HelpGroup> groups) -> const HelpEntry* {
@@ -39,7 +39,7 @@ const HelpEntry* help_of(const std::string& line) {
   return known(words[0], {HelpGroup::verb, HelpGroup::shell});
 }
 
-// Colour of a line of an answer: what is wrong, and what stands below it, until something else is said.
+// Returns the colour of a line of an answer. Indented lines keep the colour of the line before.
 QColor color_of(const QString& line, const QColor& before) {
   const Colors& c = colors();
   const auto says = [&](const char* what) {
@@ -75,7 +75,7 @@ std::string ConsoleLine::said_so_far() const {
   return toPlainText().left(textCursor().position()).replace('\n', ' ').toStdString();
 }
 
-// What was said before, or the line after it. False: there is none.
+// Shows an earlier or later line of the history. Returns false if there is none.
 bool ConsoleLine::remember(int step) {
   const qsizetype to = at_ + step;
   if (to < 0 || to > earlier_.size()) return false;
@@ -147,7 +147,7 @@ Console::Console(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
   show_help();
 }
 
-// What was pasted may be several lines: each is said by itself, as if it had been typed.
+// Pasted text may have several lines; each one is carried out by itself, as if typed.
 void Console::carry_out(const QString& lines) {
   const std::string all = lines.toStdString();
   for (std::string_view rest = all; !rest.empty();) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The language: a line, its help, and all that was said.
+// The console: an input line, its help, and a log of all lines and answers.
 #pragma once
 
 #include <QLabel>
@@ -12,7 +12,7 @@
 
 namespace betwixt::studio {
 
-// Where a line is written; it grows where a bracket is open. Enter says it, up and down are what was said before.
+// The input line. It grows while a bracket is open. Enter carries the line out; up and down recall earlier ones.
 class ConsoleLine : public WordEdit {
   Q_OBJECT
  public:
@@ -30,8 +30,8 @@ class ConsoleLine : public WordEdit {
  private:
   bool remember(int step);
   QStringList earlier_;
-  qsizetype at_ = 0;  // in what was said; its size: a new line
-  QString begun_;     // that was left to look at earlier ones
+  qsizetype at_ = 0;  // position in the history; equal to its size: a new line
+  QString begun_;     // the unfinished line, kept while an earlier one is shown
 };
 
 class Console : public QWidget {

@@ -21,7 +21,7 @@ constexpr double degree = pi / 180;
 
 bool drawn(Type t) { return row_of(t).channels > 0 || t == Type::boolean; }
 
-// A neighbour of an event on its track.
+// Returns the event of a track at a time.
 std::optional<EventView> view(const Document& d, const Target& t, std::optional<Time> at) {
   std::optional<EventView> out;
   if (at) each_event(d, t, *at, *at, [&](const EventView& e) { out = e; });
@@ -66,7 +66,7 @@ std::vector<CurveLine> curve_lines(const Document& d, const std::vector<ObjectId
           any = any || (!velocity && !t.target.layer);
           std::string name = before + d.name(t.target).substr(d.name(id).size() + 1);
           if (t.target.layer) name += " on " + d.name(t.target.layer);
-          // A turning is three angles or four numbers, as its events say.
+          // A rotation has three angles, or four numbers if its events are turns.
           bool turns = false;
           if (t.target.component < 0)
             each_event(d, t.target, t.first, t.first,
@@ -78,7 +78,7 @@ std::vector<CurveLine> curve_lines(const Document& d, const std::vector<ObjectId
                                       : number_count(f.type),
               f.components);
         }
-      // What a velocity alone makes is seen too.
+      // A component with a velocity but no events has a curve, too.
       for (const TrackView& t : tracks(d, id)) {
         Target value = t.target;
         value.velocity = false;
@@ -148,7 +148,7 @@ std::vector<Handle> handles(const Document& d, const CurveLine& line, Time at) {
     all.push_back({what, event, time, v, at, base});
   };
   const auto third = [](Time length) { return Time{length.flicks / 3}; };
-  // What leads on from here.
+  // Handles after the event.
   if (next && next->value) {
     const Time length = next->time - at;
     const std::string_view by = twerper_of(*track, *here);
@@ -166,7 +166,7 @@ std::vector<Handle> handles(const Document& d, const CurveLine& line, Time at) {
     }
     if (by != "hold") put(What::ease_out, at + here->ease_out, *value, *value);
   }
-  // What leads here.
+  // Handles before the event.
   if (last && last->value) {
     const Time length = at - last->time;
     const std::string_view by = twerper_of(*track, *last);
@@ -185,7 +185,7 @@ Lines handle_lines(const Document& d, const CurveLine& line, const Handle& h, Ti
   const auto next = next_event(d, h.event.target, h.event.time + Time{1});
   const auto last = event_before(d, h.event.target, h.event.time);
   EventDetail& detail = e.detail.edit();
-  // A way in value, of which one number is another one.
+  // Returns a tangent in which one number is replaced.
   const auto way = [&](const std::optional<Value>& was, double number) -> Value {
     double none[4] = {};
     return with_shown(line, was ? *was : with_numbers(e.value, none), number);
@@ -241,7 +241,7 @@ Lines point_lines(const Document& d, const CurveLine& line, const std::vector<Ev
     const auto value = shown(line, e.value);
     if (!value || e.keep || e.release || std::holds_alternative<Quat>(e.value)) continue;
     e.time = at.time + by;
-    // Sums of decimal numbers are the numbers that are meant.
+    // Rounding removes the errors of decimal sums.
     const auto put = [&](const Value& v) { return with_shown(line, v, rounded(*shown(line, v) + more, 1e-9)); };
     e.value = put(e.value);
     if (e.detail && e.detail->before) e.detail.edit().before = put(*e.detail->before);

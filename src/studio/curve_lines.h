@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What there is to draw of objects as curves, and what hands take hold of at their events.
+// The curves of objects as data, the handles at their events, and the script lines that a drag of them writes.
 #pragma once
 
 #include <optional>
@@ -14,36 +14,36 @@
 
 namespace betwixt::studio {
 
-// One number of what a target has.
+// One curve: one number of a target's value.
 struct CurveLine {
-  Target target;     // its track; of a function without events the whole
-  int part = 0;      // which number of its values
-  int color = 0;     // 0 x, 1 y, 2 z, 3: another
+  Target target;     // the track; for a function without events, the whole function
+  int part = 0;      // index of the number in the value
+  int color = 0;     // 0 x, 1 y, 2 z, 3 other
   std::string name;  // "position.x"
   Type type = Type::scalar;
   bool degrees = false, steps = false, swatch = false;
-  bool tracked = false;  // it has events
+  bool tracked = false;  // has events
   friend bool operator==(const CurveLine&, const CurveLine&) = default;
 };
-// In the order of functions; of colours one, for all three numbers.
+// Returns the curves in the order of the functions. A colour has one curve for its three numbers.
 std::vector<CurveLine> curve_lines(const Document&, const std::vector<ObjectId>&);
-// A value's number as the line shows it; none where it has none.
+// Returns the number of a value that the curve draws, or nullopt if the value has none.
 std::optional<double> shown(const CurveLine&, const Value&);
-// The same value with another number there.
+// Returns the value with this number replaced.
 Value with_shown(const CurveLine&, const Value&, double number);
 
-// Where a line swings far away from two events that are alike, as the line shows it; none where it does not.
+// An overshoot: the curve moves far away from two events with similar values. swing() returns nullopt if there is none.
 struct LineSwing {
   Time at;
   double value = 0;
-  std::string words;  // what to say about it
+  std::string words;  // the warning
 };
 std::optional<LineSwing> swing(const Document&, const CurveLine&);
 
-// How an event goes on, whoever says it: the track, the event, or nobody.
+// Returns the twerper after an event: the track's, the event's, or the default.
 std::string_view twerper_of(const TrackView&, const EventView&);
 
-// What can be taken hold of.
+// A point or handle that the user can drag.
 struct Handle {
   enum class What {
     point,
@@ -58,16 +58,16 @@ struct Handle {
   };
   What what = What::point;
   EventAt event;
-  Time time;         // where it is
-  double value = 0;  // as shown
-  Time from;         // what it is fastened to
+  Time time;         // its own place
+  double value = 0;  // in the curve's units
+  Time from;         // the point that it belongs to
   double base = 0;
   friend bool operator==(const Handle&, const Handle&) = default;
 };
 std::vector<Handle> handles(const Document&, const CurveLine&, Time event);
-// What it says when a handle is put elsewhere. `both`: a tangent's other side goes along.
+// Returns the lines that move a handle. `both`: also changes the tangent on the other side.
 Lines handle_lines(const Document&, const CurveLine&, const Handle&, Time, double value, bool both);
-// The points of a track that are selected are moved: in time all that are selected, in value those of this line.
+// Returns the lines that move the selected points: all of them in time, those of this curve in value.
 Lines point_lines(const Document&, const CurveLine&, const std::vector<EventAt>&, Time by, double more);
 
 }  // namespace betwixt::studio

@@ -17,7 +17,7 @@ QColor CurvePane::color(const CurveLine& line) const {
   return all[line.color];
 }
 
-// Lines at round values, with their numbers.
+// Draws lines at round values, with their numbers.
 void CurvePane::paint_values(QPainter& p) const {
   if (each_fills_) return;
   const Colors& c = colors();
@@ -64,7 +64,7 @@ void CurvePane::paint_curves(QPainter& p) const {
     bool on = false;
     for (std::size_t x = 0; x < samples_.columns(); ++x) {
       const std::optional<double> v = value(line, x);
-      if (!v) continue;  // not known yet
+      if (!v) continue;  // not computed yet
       const QPointF at(left + static_cast<double>(x), std::clamp(y_of(line, *v), -1e5, 1e5));
       if (on && lines_[line].steps && way.currentPosition().y() != at.y())
         way.lineTo(at.x(), way.currentPosition().y());
@@ -76,7 +76,7 @@ void CurvePane::paint_curves(QPainter& p) const {
   for (std::size_t i = 0; i < lines_.size() && i < samples_.lines().size(); ++i) {
     if (!seen(i)) continue;
     const CurveLine& line = lines_[i];
-    if (line.swatch) {  // colours are bands, one above the other
+    if (line.swatch) {  // draw colours as bands, one above the other
       const double h = line_height() * 0.8, y = strip(i) - h / 2;
       std::optional<Color> last;
       for (std::size_t x = 0; x < samples_.columns(); ++x) {
@@ -124,7 +124,7 @@ void CurvePane::paint_events(QPainter& p) const {
   }
 }
 
-// A ring where a track swings far away from two events that are alike, and the word that keeps it there.
+// Draws a ring at each overshoot, and the twerper that prevents it.
 void CurvePane::paint_swings(QPainter& p) const {
   const Colors& c = colors();
   for (const auto& [line, far] : swings_) {
@@ -138,7 +138,7 @@ void CurvePane::paint_swings(QPainter& p) const {
   }
 }
 
-// The word for the way on from an event that is selected, in the middle of the way.
+// Draws the twerper's name in the middle of the segment after each selected event.
 void CurvePane::paint_twerpers(QPainter& p) const {
   const Colors& c = colors();
   const Document& d = desk_.document();

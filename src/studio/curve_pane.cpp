@@ -17,7 +17,7 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr double patience = 6;  // ms of sampling between two looks at what hands do
+constexpr double patience = 6;  // ms of sampling between two checks for user input
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void CurvePane::showEvent(QShowEvent* e) {
 void CurvePane::resizeEvent(QResizeEvent* e) {
   TimePane::resizeEvent(e);
   middle_ = ruler_height() + (height() - ruler_height()) / 2.0;
-  if (fit_ == std::pair(center_, scale_)) fitted_ = false;  // nobody has chosen what is seen
+  if (fit_ == std::pair(center_, scale_)) fitted_ = false;  // the user has not zoomed since the fit
   lay_out();
 }
 
@@ -94,7 +94,7 @@ void CurvePane::fit() {
     for (std::size_t c = 0; seen(i) && !lines_[i].swatch && c < samples_.columns(); ++c)
       take(i, samples_.final(i, c)), take(i, samples_.has_bare(i) ? samples_.bare(i, c) : std::nullopt);
   for (const auto& [line, h] : points()) take(line, h.value);
-  // Lines of one function, or all.
+  // All curves, or those of one function if each fills the height.
   const auto alike = [&](std::size_t a, std::size_t b) {
     const Target &s = lines_[a].target, &t = lines_[b].target;
     return !each_fills_ || (s.object == t.object && s.function == t.function && s.velocity == t.velocity);
@@ -133,7 +133,7 @@ double CurvePane::strip(std::size_t line) const {
 QPointF CurvePane::place(std::size_t line, const Handle& h) const {
   if (lines_[line].swatch) return {x_of(h.time), strip(line)};
   QPointF at = place(line, h.time, h.value);
-  // Eases lie below the point, and can be taken hold of where there are none.
+  // Eases have their handles below the point, so that you can reach them even when their length is 0.
   const double stub = reach() * 1.5;
   if (h.what == Handle::What::ease_out) at = {std::max(at.x(), x_of(h.from) + stub), at.y() + 2.2 * reach()};
   if (h.what == Handle::What::ease_in) at = {std::min(at.x(), x_of(h.from) - stub), at.y() + 2.2 * reach()};
@@ -146,7 +146,7 @@ std::vector<std::pair<std::size_t, Handle>> CurvePane::points() const {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const CurveLine& line = lines_[i];
     if (!seen(i) || !line.tracked) continue;
-    // One in a pixel is enough.
+    // One point for each pixel is enough.
     for (auto t = next_event(desk_.document(), line.target, left); t && *t <= right;
          t = next_event(desk_.document(), line.target, std::max(*t + Time{1}, time_at(std::floor(x_of(*t)) + 1))))
       each_event(desk_.document(), line.target, *t, *t, [&](const EventView& e) {
@@ -164,7 +164,7 @@ std::vector<std::pair<std::size_t, Handle>> CurvePane::handles() const {
     for (std::size_t i = 0; i < lines_.size() && all.size() < most; ++i)
       if (seen(i) && lines_[i].target == e.target && !lines_[i].swatch)
         for (const Handle& h : studio::handles(desk_.document(), lines_[i], e.time)) {
-          // An ease is of all numbers, and has one bar.
+          // An ease applies to all numbers of the value, so it gets one bar.
           const bool ease = h.what == Handle::What::ease_in || h.what == Handle::What::ease_out;
           const bool first = std::ranges::none_of(
               all, [&](const auto& known) { return known.second.what == h.what && known.second.event == h.event; });
@@ -197,7 +197,7 @@ void CurvePane::press_name(QMouseEvent* e) {
   const auto i = static_cast<std::size_t>((e->position().y() - ruler_height() - 2) / line_height());
   if (e->position().y() < ruler_height() || i >= lines_.size()) return;
   const std::string name = lines_[i].name;
-  if (e->modifiers() & Qt::AltModifier) {  // this one alone, or all again
+  if (e->modifiers() & Qt::AltModifier) {  // shows this one alone, or all again
     const bool alone = hidden_.size() + 1 == lines_.size() && !hidden_.contains(name);
     hidden_.clear();
     for (const CurveLine& l : lines_)
@@ -340,7 +340,7 @@ bool CurvePane::key(int key, Qt::KeyboardModifiers with, bool act) {
     desk_.select_events(std::move(all));
     return true;
   }
-  // Values of the selected events, a little up or down.
+  // Moves the values of the selected events up or down by a small step.
   const bool up = key == Qt::Key_Up, down = key == Qt::Key_Down;
   if ((up || down) && with == Qt::ControlModifier && !desk_.events_selected().empty()) {
     const auto line = std::ranges::find(lines_, desk_.events_selected().back().target, &CurveLine::target);
@@ -363,7 +363,7 @@ void CurvePane::wheel(QWheelEvent* e) {
 
 void CurvePane::pan(double by) { center_ += by / scale_, update(); }
 
-// An event where the curve is.
+// Inserts an event on the nearest curve.
 void CurvePane::mouseDoubleClickEvent(QMouseEvent* e) {
   const QPointF at = e->position();
   if (e->button() != Qt::LeftButton || at.x() < axis_.gutter() || in_ruler(at) || point_at(at)) return;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The curves of what is selected; points, handles and eases that can be drawn.
+// The curves of the selected objects, with points, handles and eases that the user can drag.
 #pragma once
 
 #include <QTimer>
@@ -22,17 +22,17 @@ class CurvePane : public TimePane {
 
   const std::vector<CurveLine>& lines() const { return lines_; }
   const CurveSamples& samples() const { return samples_; }
-  void finish();  // all columns, for tests and screenshots
-  void fit();     // all values of what is seen
-  // Each function in the whole height, so that metres and degrees are seen together.
+  void finish();  // computes all columns now, for tests and screenshots
+  void fit();     // scales the view to all values of the visible curves
+  // Scales each curve to the full height, so that metres and degrees are readable together.
   void let_each_fill(bool);
   bool each_fills() const { return each_fills_; }
   QPointF place(std::size_t line, Time t, double value) const { return {x_of(t), y_of(line, value)}; }
   QPointF place(std::size_t line, const Handle& h) const;
   const std::vector<QRectF>& twerper_boxes() const { return words_; }
-  // Of each line that is seen to swing too far.
+  // Returns the overshoots, each with the index of its curve.
   const std::vector<std::pair<std::size_t, LineSwing>>& swings() const { return swings_; }
-  // Of the events that are selected, on lines that are seen.
+  // Returns the handles of the selected events on visible curves.
   std::vector<std::pair<std::size_t, Handle>> handles() const;
 
  Q_SIGNALS:
@@ -59,17 +59,17 @@ class CurvePane : public TimePane {
   double level_at(double y) const { return center_ + (middle_ - y) / scale_; }
   double y_of(std::size_t line, double value) const { return y_of((value - base_[line]) / unit_[line]); }
   double reach() const { return line_height() * 0.3; }
-  double strip(std::size_t line) const;  // the middle of a band of colours
+  double strip(std::size_t line) const;  // the middle of a colour's band
   bool seen(std::size_t line) const { return !hidden_.contains(lines_[line].name); }
   QColor color(const CurveLine&) const;
   void lay_out();
-  void sample();  // begins anew
+  void sample();  // starts again
   void go_on();
-  std::vector<std::pair<std::size_t, Handle>> points() const;  // of the events that are in view
+  std::vector<std::pair<std::size_t, Handle>> points() const;  // of the events in view
   std::optional<std::pair<std::size_t, Handle>> point_at(const QPointF&) const;
   std::optional<std::pair<std::size_t, Handle>> handle_at(const QPointF&) const;
   bool is_selected(const EventAt& e) const { return picked_.has(e); }
-  Lines said_by(QMouseEvent*);  // what the hand says
+  Lines said_by(QMouseEvent*);  // the lines for the current drag
   void press_name(QMouseEvent*);
   bool press_twerper(const QPointF&);
   void paint_values(QPainter&) const;
@@ -82,23 +82,23 @@ class CurvePane : public TimePane {
 
   std::vector<CurveLine> lines_;
   std::vector<std::pair<std::size_t, LineSwing>> swings_;
-  std::vector<ObjectId> shown_;  // whose these are
+  std::vector<ObjectId> shown_;  // the objects of the curves
   PickedTimes picked_;
-  std::set<std::string> hidden_;  // by name, whichever object it is
+  std::set<std::string> hidden_;  // curves by name, whatever the object
   CurveSamples samples_;
   QTimer more_;
-  double center_ = 0, scale_ = 50, middle_ = 0;  // the value in the middle; pixels for 1; where the middle is
-  std::vector<double> base_, unit_;              // of each line: 0 and 1, or what fills the height
+  double center_ = 0, scale_ = 50, middle_ = 0;  // the value in the middle; pixels for 1; the y of the middle
+  std::vector<double> base_, unit_;              // of each curve: 0 and 1, or its own fit
   bool fitted_ = false, each_fills_ = false;
-  std::pair<double, double> fit_;  // center_ and scale_ when all values were fitted last
+  std::pair<double, double> fit_;  // center_ and scale_ after the last fit
 
   Hand hand_ = Hand::none;
   QPointF from_, to_;
-  std::size_t line_ = 0;  // that the hand is on
+  std::size_t line_ = 0;  // the curve that is being dragged
   Handle held_;
   Time by_;
   std::vector<EventAt> before_;
-  mutable std::vector<QRectF> words_;  // where twerpers are written
+  mutable std::vector<QRectF> words_;  // boxes of the twerpers' labels
 };
 
 }  // namespace betwixt::studio

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-// Whether anything makes something else of what the function's track says.
+// Returns whether a layer, a filter or a velocity changes the value of the track.
 bool is_laid_over(const Document& d, const Target& t) {
   if (t.velocity || t.layer) return false;
   for (const Slot& slot : d.scene().objects[t.object.index].slots) {

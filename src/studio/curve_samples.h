@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Curves as the program makes them, a column of pixels each: coarse ones first, and finer as time allows, so that
-// nobody waits for code that is slow.
+// Samples of curves, one for each column of pixels. Coarse columns come first and finer ones as time allows, so that
+// slow procedures do not block the window.
 #pragma once
 
 #include <optional>
@@ -15,15 +15,15 @@ namespace betwixt::studio {
 
 class CurveSamples {
  public:
-  // Begins anew, with a time for each column.
+  // Starts again, with a time for each column.
   void begin(const Program&, std::vector<CurveLine>, std::vector<Time> columns);
-  // Goes on for so long; false: all is there.
+  // Computes samples for this long. Returns false when all are done.
   bool work(double milliseconds);
   bool complete() const { return next_ >= order_.size(); }
 
   const std::vector<CurveLine>& lines() const { return lines_; }
-  // Of a line at a column: what it is at last, and what its track alone says where filters, layers or velocities make
-  // something else of it. None: not known yet, or no number.
+  // Return a curve's number at a column: the final value, and the value of its track alone. The second one exists only
+  // where filters, layers or velocities change the result. Return nullopt if it is not computed yet or is no number.
   std::optional<double> final(std::size_t line, std::size_t column) const { return at(final_, line, column); }
   std::optional<double> bare(std::size_t line, std::size_t column) const { return at(bare_, line, column); }
   bool has_bare(std::size_t line) const { return laid_over_[line]; }
@@ -31,16 +31,16 @@ class CurveSamples {
   std::size_t columns() const { return times_.size(); }
 
  private:
-  using Numbers = std::vector<double>;  // line by line; not a number: none
+  using Numbers = std::vector<double>;  // line by line; NaN for no value
   std::optional<double> at(const Numbers&, std::size_t line, std::size_t column) const;
   void sample(std::size_t column);
 
   std::optional<Program> program_;
-  std::vector<std::pair<ObjectId, Program>> bare_programs_;  // of no layer, and of layers
+  std::vector<std::pair<ObjectId, Program>> bare_programs_;  // by layer; no layer for the objects themselves
   std::vector<CurveLine> lines_;
   std::vector<bool> laid_over_;
-  std::vector<Target> targets_;         // of the lines
-  std::vector<std::size_t> target_of_;  // of each line
+  std::vector<Target> targets_;         // the curves' targets, without duplicates
+  std::vector<std::size_t> target_of_;  // index of each curve's target
   std::vector<Time> times_;
   std::vector<std::size_t> order_;
   std::size_t next_ = 0;

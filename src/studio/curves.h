@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values against time, as they come out, with the events that make them.
+// The curve panel: the curves of the selected objects, and buttons above them.
 #pragma once
 
 #include <QWidget>

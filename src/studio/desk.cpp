@@ -14,16 +14,16 @@
 namespace betwixt::studio {
 namespace {
 
-// Every line as a remark.
+// Turns each line into a comment.
 std::string commented(const std::string& text) {
   std::string out = "# ";
   for (const char c : text) (out += c) += c == '\n' ? "# " : "";
   return out + "\n";
 }
 
-constexpr int typing_settles_after = 1000;  // ms: what is typed until then is one step, and in the journal
+constexpr int typing_settles_after = 1000;  // ms: text typed until then is one step in the journal
 constexpr int file_rests_after = 150;       // ms
-constexpr int ticks_a_second = 120;         // how often it is looked which frame is due
+constexpr int ticks_a_second = 120;         // how often playback checks which frame is due
 
 }  // namespace
 
@@ -89,7 +89,7 @@ void Desk::begin_with(const std::string& text) {
   take_over();
 }
 
-// What was said to the session is shown, and everybody told.
+// Stores an answer of the session and emits it.
 bool Desk::answer(const std::string& line, const Session::Answer& a) {
   last_said_ = a.said;
   if (a.done && !line.empty()) lines_.push_back(line);
@@ -140,7 +140,7 @@ void Desk::look_back() {
   if (ahead_ && beside_.hears()) take_over();
 }
 
-// From now on it is noticed when somebody else changes it. Editors put another file in its place: its folder tells.
+// Watches the file for changes by other programs. Editors replace a file by another one, so its folder is watched too.
 void Desk::know_file() {
   const std::string& name = session_->file();
   const auto there = read_whole(name);
@@ -162,7 +162,8 @@ void Desk::look_at_file() {
   std::optional<std::string> both = merge(file_text_, ours, *theirs);
   if (!both && ask) {
     const auto chosen = ask("The file was changed by someone else, in the same lines as here: theirs, ours or both? ");
-    // Both: theirs, and ours as remarks below them would be nobody's film; they are for a person to put together.
+    // For "both", their text follows as comments, because two films in one script would be no film. The user merges
+    // them.
     if (chosen && *chosen == "theirs") both = *theirs;
     if (chosen && *chosen == "both")
       both = ours + "\n# ---- the file, as someone else has changed it\n" + commented(*theirs);
@@ -196,7 +197,7 @@ void Desk::retype(std::string text) {
   });
   typing_ = ahead_ = true;
   text_ = std::move(text), diagnostics_ = std::move(loaded.diagnostics);
-  // Not from the last key on: who types without a pause would lose it all in a crash.
+  // Do not restart the timer at each key: a crash after long typing without a pause would lose it all.
   if (!typing_settles_.isActive()) typing_settles_.start();
   show(std::move(loaded.document));
 }

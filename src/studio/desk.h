@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What all panels work at: a film and what is done to it, where its time is, what is selected. Everything that a hand
-// does is a line of the language, which stands in the console, in the script and in the journal, and which one undo
-// takes back.
+// The document that all panels share: the session with its film, the playhead and the selection. Each action of the
+// user is a script line. It appears in the console, in the script and in the journal, and one undo takes it back.
 #pragma once
 
 #include <QFileSystemWatcher>
@@ -16,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#undef slots  // a word of Qt's that the scene has for itself
+#undef slots  // a macro of Qt's; the scene has a member of that name
 
 #include "betwixt/object.h"
 #include "betwixt/program.h"
@@ -27,14 +26,14 @@
 
 namespace betwixt::studio {
 
-// An event that is selected.
+// A selected event.
 struct EventAt {
   Target target;
   Time time;
   friend bool operator==(const EventAt&, const EventAt&) = default;
 };
 
-// As one word of a line.
+// Returns a text as one word of a script line, in quotes if needed.
 std::string quoted_word(const std::string&);
 
 class Desk : public QObject {
@@ -43,84 +42,86 @@ class Desk : public QObject {
   explicit Desk(const LoadOptions& = {});
   ~Desk() override;
 
-  // Who answers questions, "save, discard or stay?", with one of their words; none: nobody does, and nothing is lost.
+  // Answers a question, such as "save, discard or stay?", with one of its words. If it is empty or returns nullopt
+  // there is no answer, and nothing is lost.
   std::function<std::optional<std::string>(const std::string& question)> ask;
-  // Goes on with a script; "": a new film. What is said stands in the console; false: nothing has changed.
+  // Opens a script; "" starts a new film. The answer appears in the console. Returns false if nothing has changed.
   bool open(const QString& file, Session::Earlier = Session::Earlier::ask);
-  // A new film has this text; nobody has said it.
+  // Gives a new film this text, without a line in the console.
   void begin_with(const std::string& text);
-  // Looks whether somebody else has changed the file: what both changed is put together, or asked about.
+  // Checks whether another program has changed the file. Merges both changes, and asks where they conflict.
   void look_at_file();
   Session& session() { return *session_; }
   const Session& session() const { return *session_; }
 
-  // Where what takes long is done. While it does not hear, lines are not carried out.
+  // Runs slow work. While its hears() is false the desk carries out no lines.
   Beside& beside() { return beside_; }
 
-  // What is shown: the film, or what it would be, while a hand is still moving something.
+  // What the panels show: the film, or a preview of it during a drag.
   const Document& document() const { return document_; }
   const Program& program() const { return program_; }
   bool looks_ahead() const { return ahead_; }
 
-  // Carries lines out, several as one step. True where they were done; what is wrong with them is in the console, and
-  // the last thing said is in `last_said`.
+  // Carries out lines; several make one undo step. Returns whether that succeeded. Errors appear in the console, and
+  // the last answer is in `last_said`.
   bool say(const std::string& line);
   bool say(const std::vector<std::string>& lines);
-  // Shows what lines would do while a hand moves something. Lines that cannot be carried out leave what is shown.
+  // Shows a preview of lines during a drag. Returns false, and changes nothing, if the lines have errors.
   bool look_ahead(const std::vector<std::string>& lines);
-  void show_ahead(Document);  // the same, of what somebody else has worked out
-  // Shows what another text would do; when typing rests it becomes one step.
+  void show_ahead(Document);  // the same, for a document that the caller has computed
+  // Shows a preview of another text. It becomes one undo step when typing pauses.
   void retype(std::string text);
-  void settle_typing();  // now
-  void look_back();      // shows what there is
+  void settle_typing();  // makes the typed text a step now
+  void look_back();      // ends the preview
   void undo() { say(std::string("undo")); }
   void redo() { say(std::string("redo")); }
   const std::string& last_said() const { return last_said_; }
-  // All lines that were carried out since the script was opened: said again, one after the other, they make the film.
+  // Returns all lines carried out since the script was opened. Repeated in order, they make the same film.
   const std::vector<std::string>& session_lines() const { return lines_; }
-  // The author's text with all that was done; with what is being typed. Its errors and warnings.
+  // Returns the author's text with all changes, including text that is still being typed, and its errors and warnings.
   const std::string& text() const { return text_; }
   const Diagnostics& diagnostics() const { return diagnostics_; }
 
-  // Time. The playhead is where the picture is.
+  // Time. The picture shows the playhead's time.
   Transport& transport() { return transport_; }
   const Transport& transport() const { return transport_; }
   Time time() const { return time_; }
   void go_to(Time);
-  void step(int frames);     // on whole frames; stops
-  void play(int direction);  // the direction it plays in already: stops
+  void step(int frames);     // to whole frames; stops playback
+  void play(int direction);  // stops if it already plays in this direction
   void pause();
-  // The part that is played; none: the film's own range.
+  // Sets the part to play; nullopt: the film's own range.
   void set_range(std::optional<std::pair<Time, Time>>);
-  double frames_shown() const { return shown_rate_; }  // a second, while it plays
-  void picture_shown();                                // is told by whoever shows pictures
+  double frames_shown() const { return shown_rate_; }  // pictures a second during playback
+  void picture_shown();                                // the viewport calls this for each picture
 
-  // What is selected: objects, the last one leads; events.
+  // The selection: objects, of which the last one leads, and events.
   const std::vector<ObjectId>& selected() const { return selected_; }
   void select(std::vector<ObjectId>);
   const std::vector<EventAt>& events_selected() const { return events_; }
   void select_events(std::vector<EventAt>);
-  // The line of the script that the cursor is in, 1…; 0: nowhere. Panels light up what it speaks of.
+  // The script line with the cursor, from 1; 0 if there is none. Panels highlight the objects and targets that it
+  // names.
   int script_line() const { return script_line_; }
   void set_script_line(int);
 
-  // How names and times stand in lines.
+  // Names and times as a script line writes them.
   std::string name(ObjectId id) const { return document_.name(id); }
   std::string when(Time t) const;  // "24f", or seconds between frames
 
  Q_SIGNALS:
   void opened();            // another script
-  void named();             // the same one has another name
-  void document_changed();  // or what is shown of it
-  void text_changed();      // not while it is only looked ahead
+  void named();             // the same script, with another name
+  void document_changed();  // or its preview
+  void text_changed();      // not for previews
   void time_changed();
   void playing_changed();
-  void jumped();  // the playhead was put elsewhere
+  void jumped();  // the playhead moved other than by playback
   void selection_changed();
   void script_line_changed();
   void said(const QString& line, const QString& answer, bool refused);
   void colors_changed();
-  void wants_to_quit();  // "quit" was said and may be done
+  void wants_to_quit();  // after "quit", if it may happen
 
  private:
   void tick();
@@ -129,7 +130,7 @@ class Desk : public QObject {
   Status play_part(const Document&, const std::string& frames);
   void show(Document);
   bool answer(const std::string& line, const Session::Answer&);
-  // What the session answers, beside the window.
+  // Calls the session on the worker thread and returns its answer.
   template <class F>
   auto asked(F&& f);
 
@@ -142,9 +143,9 @@ class Desk : public QObject {
   std::vector<std::string> lines_;
   Diagnostics diagnostics_;
   QFileSystemWatcher watcher_;
-  QTimer file_rests_;      // editors write in several goes
-  std::string file_text_;  // what the file held when we last looked
-  bool typing_ = false;    // text_ is not the session's
+  QTimer file_rests_;      // editors write in several steps
+  std::string file_text_;  // the file's content when we last read it
+  bool typing_ = false;    // text_ differs from the session's text
   QTimer typing_settles_, clock_;
   Transport transport_;
   std::optional<std::pair<Time, Time>> range_;

@@ -16,7 +16,7 @@
 namespace betwixt::studio {
 namespace {
 
-// Tracks that get an event where one is inserted: those that have events, else the position's.
+// Returns the tracks for a new event: those with events; the position if an object has none.
 std::vector<Target> animated(const Document& d, const std::vector<ObjectId>& objects) {
   std::vector<Target> all;
   for (const ObjectId id : objects) {
@@ -80,7 +80,7 @@ void EventHands::select_copies(const std::vector<EventAt>& events, Time to, Obje
 
 void EventHands::paste() {
   if (copied_.empty()) return;
-  // On another object, where just one was copied from and one is selected.
+  // If the copied events belong to one object, and another one is selected, paste onto that.
   const ObjectId of = copied_.front().target.object;
   const bool one = std::ranges::all_of(copied_, [&](const EventAt& e) { return e.target.object == of; });
   ObjectId onto;
@@ -99,7 +99,7 @@ void EventHands::duplicate() {
 
 void EventHands::insert() {
   std::vector<Target> where = animated(desk_.document(), desk_.selected());
-  // An event would take the place of what code says, for the whole film.
+  // An event would replace the code for the whole film.
   for (const Target& t : where)
     if (Target whole(t.object, t.function); !t.layer && !made_by(desk_.document(), whole, desk_.time()).code.empty())
       emit desk_.said({},
@@ -158,7 +158,7 @@ bool EventHands::key(int key, Qt::KeyboardModifiers with, bool act) {
   }
 }
 
-// A row of a menu, with what it says in the language below the hand.
+// Adds a menu row with its script line as the tooltip.
 template <class F>
 static QAction* row(EventHands* hands, QMenu& in, const QString& what, const QString& keys, const QString& says,
                     F does) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is done to the events that are selected, by keys and menus, alike in all panels that show events.
+// Actions on the selected events, by keys and menus, shared by all panels that show events.
 #pragma once
 
 #include <QObject>
@@ -17,21 +17,21 @@ class EventHands : public QObject {
  public:
   static EventHands& of(Desk&);
 
-  // Carries out what a key means; without `act` it is only asked whether it means anything.
+  // Carries out the action of a key. Without `act` it only returns whether the key has one.
   bool key(int, Qt::KeyboardModifiers, bool act);
-  void fill(QMenu&);           // with what can be done to what is selected
-  void fill_twerpers(QMenu&);  // with how it can go on from there
+  void fill(QMenu&);           // with the actions on the selection
+  void fill_twerpers(QMenu&);  // with the twerpers for the selected events
 
   void clear();
   void reverse();
   void copy();
   void paste();      // at the playhead
-  void duplicate();  // from where they end on
+  void duplicate();  // from their end
   void insert();     // at the playhead, on the tracks of the selected objects
   void move(Time by);
   void twerper(const std::string& name);
   void extend(const std::string& how, const std::string& side);
-  // Says what moves or retimes the selected events; they stay selected where they have gone.
+  // Carries out lines that move or retime the selected events, and selects them at their new times.
   bool retime(const Lines&, const std::function<Time(Time)>& when);
 
  private:
@@ -39,7 +39,7 @@ class EventHands : public QObject {
   void select_copies(const std::vector<EventAt>&, Time to, ObjectId onto);
 
   Desk& desk_;
-  Document kept_;  // that was copied from
+  Document kept_;  // the document that copied_ refers to
   std::vector<EventAt> copied_;
 };
 

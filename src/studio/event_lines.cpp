@@ -25,7 +25,7 @@ namespace {
 
 using Segments = std::vector<std::pair<Time, Time>>;
 
-// The picked events of a track, in parts between which others stand.
+// Splits the picked events of a track into runs without other events between them.
 Segments parts(const Document& d, const Picked& p) {
   Segments all;
   for (const Time t : p.times)
@@ -36,7 +36,7 @@ Segments parts(const Document& d, const Picked& p) {
   return all;
 }
 
-// Whether those of a track between two times are just the picked ones.
+// Returns whether the events of a track between two times are exactly the picked ones.
 bool all_between(const Document& d, const Picked& p, Time from, Time to) {
   std::size_t there = 0;
   each_event(d, p.target, from, to, [&](const EventView&) { ++there; });
@@ -44,7 +44,7 @@ bool all_between(const Document& d, const Picked& p, Time from, Time to) {
          static_cast<std::size_t>(std::ranges::count_if(p.times, [&](Time t) { return from <= t && t <= to; }));
 }
 
-// Tracks to which the same is done are named together: "{ball,cube}.{position,color}".
+// Groups targets with the same edit: "{ball,cube}.{position,color}".
 class Together {
  public:
   explicit Together(const Document& d) : d_(d) {}
@@ -52,14 +52,14 @@ class Together {
     const std::string object = d_.name(t.object), all = d_.name(t);
     auto& [same, functions] = of(t, segments);
     if (functions.empty() || functions.back().object != object)
-      functions.push_back({object, {}});  // they come in order
+      functions.push_back({object, {}});  // targets come in order
     functions.back().functions.push_back(all.substr(object.size() + 1));
   }
-  // f(layer words, target words, segments)
+  // Calls f(layer words, target words, segments).
   template <class F>
   void each(F&& f) const {
     for (const auto& [same, objects] : groups_) {
-      std::vector<std::pair<std::string, std::vector<std::string>>> named;  // functions; objects that have just these
+      std::vector<std::pair<std::string, std::vector<std::string>>> named;  // functions; objects with just these
       for (const Of& o : objects) {
         const std::string functions = braces(o.functions);
         auto known = std::ranges::find(named, functions, &decltype(named)::value_type::first);
@@ -84,7 +84,7 @@ class Together {
     const auto known = std::ranges::find(groups_, same, &std::pair<Same, std::vector<Of>>::first);
     return known != groups_.end() ? *known : groups_.emplace_back(same, std::vector<Of>{});
   }
-  // Plain functions in one pair of braces; others, of components and velocities, each by themselves behind zeros.
+  // Puts plain functions into one pair of braces. Components and velocities stay separate, behind zero bytes.
   static std::string braces(const std::vector<std::string>& names) {
     std::string plain, others;
     int count = 0;
@@ -106,12 +106,12 @@ class Together {
   std::vector<std::pair<Same, std::vector<Of>>> groups_;
 };
 
-// A motion's row is of a segment: it is moved, and not written anew.
+// A row of a motion covers a segment, so it can be moved but not rewritten.
 bool is_motion(const Document& d, const Target& t) { return spec_of(d.scene(), t.function).type == Type::motion; }
 
 std::string words(const Document& d, Time from, Time to) { return format_time(from, d) + ".." + format_time(to, d); }
 
-// A value's velocity goes along with it: it is not told twice.
+// Moving a value also moves its velocity, so the velocity needs no line of its own.
 bool goes_along(const std::vector<Picked>& all, const Picked& velocity, Time at) {
   Target value = velocity.target;
   value.velocity = false;
@@ -120,7 +120,7 @@ bool goes_along(const std::vector<Picked>& all, const Picked& velocity, Time at)
   return false;
 }
 
-// Taken away, and written anew at other times.
+// Clears the events and writes them again at other times.
 Lines written_anew(const Document& d, const std::vector<Picked>& picked, const std::function<Time(Time)>& when) {
   Lines gone, come;
   Together away(d);
@@ -201,7 +201,7 @@ Lines move_lines(const Document& d, const std::vector<EventAt>& events, Time by)
     if (p.target.velocity) std::erase_if(own.times, [&](Time t) { return goes_along(picked, p, t); });
     if (own.times.empty()) continue;
     Segments segments = parts(d, own);
-    if (by > Time{}) std::ranges::reverse(segments);  // the last one makes room for the one before it
+    if (by > Time{}) std::ranges::reverse(segments);  // move the last one first, to make room for the one before it
     all.add(p.target, segments);
   }
   Lines lines;
@@ -327,7 +327,7 @@ Lines twerper_lines(const Document& d, const std::vector<EventAt>& events, std::
 
 namespace {
 
-// Finer than a billionth of its size no hand and no eye tells.
+// Rounds to 9 significant digits; no one can see a finer difference.
 Value plain(Value v) {
   const auto plain = [](double x) { return rounded(x, std::max(1e-9 * std::abs(x), 1e-9)); };
   if (auto* d = std::get_if<double>(&v)) *d = plain(*d);
@@ -339,7 +339,7 @@ Value plain(Value v) {
 }  // namespace
 
 Lines insert_lines(const Document& d, const Program& before, const std::vector<Target>& targets, Time t) {
-  std::map<std::uint32_t, Program> layers;  // programs of the bare tracks
+  std::map<std::uint32_t, Program> layers;  // programs of the layers' bare tracks, by layer
   std::vector<ObjectId> objects;
   for (const Target& at : targets) objects.push_back(at.object);
   Lines lines;
@@ -353,7 +353,7 @@ Lines insert_lines(const Document& d, const Program& before, const std::vector<T
     e.time = t;
     const Type type = spec_of(d.scene(), bare.function).type;
     const Value there = known->second.read(bare, t);
-    e.value = type == Type::scalar || type == Type::vector ? plain(there) : there;  // angles are said in degrees
+    e.value = type == Type::scalar || type == Type::vector ? plain(there) : there;  // angles are written in degrees
     lines.push_back(event_line(d, target, e) + way_of_new_event(d, target, t));
   }
   return lines;

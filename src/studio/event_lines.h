@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What hands do to events, in lines of the language: as few as say it, and in an order in which none lets one event
-// run over another.
+// Edits of events as script lines: few lines, in an order in which no event overwrites another.
 #pragma once
 
 #include <functional>
@@ -25,13 +24,13 @@ using Lines = std::vector<std::string>;
 struct TargetOrder {
   bool operator()(const Target&, const Target&) const;
 };
-// Events of one track, in the order of time.
+// Events of one track, in time order.
 struct Picked {
   Target target;
   std::vector<Time> times;
 };
 std::vector<Picked> by_track(std::vector<EventAt>);
-// Whether events are among many that are picked.
+// Tests whether events are in a large selection.
 class PickedTimes {
  public:
   PickedTimes() = default;
@@ -43,31 +42,31 @@ class PickedTimes {
  private:
   std::map<Target, std::vector<Time>, TargetOrder> of_;
 };
-// From the first of them to the last.
+// Returns the times of the first and the last event.
 std::pair<Time, Time> span(const std::vector<EventAt>&);
 
-// `move`: each by so much.
+// `move`: shifts each event by the same time.
 Lines move_lines(const Document&, const std::vector<EventAt>&, Time by);
-// `stretch`: what lies between two times lies between two others then.
+// `stretch`: maps the time span `from` to the span `to`.
 Lines stretch_lines(const Document&, const std::vector<EventAt>&, std::pair<Time, Time> from, std::pair<Time, Time> to);
 Lines reverse_lines(const Document&, const std::vector<EventAt>&);
 Lines clear_lines(const Document&, const std::vector<EventAt>&);
-// `copy`, of events of a document that may be an earlier one: the first of them comes at `to`. `onto`: the object that
-// gets them where they are all of another one; none: each its own.
+// `copy`: the first event comes at `to`. The source may be an earlier state of the document. `onto` gets the events if
+// they all belong to one object; without it each event stays on its own object.
 Lines copy_lines(const Document&, const Document& source, const std::vector<EventAt>&, Time to, ObjectId onto = {});
-// Each goes on with this twerper; "": with what goes without saying.
+// Sets the twerper after each event; "": the default.
 Lines twerper_lines(const Document&, const std::vector<EventAt>&, std::string_view twerper);
-// An event each, with the value that its track has there.
+// Inserts an event with the track's value on each target.
 Lines insert_lines(const Document&, const Program& before, const std::vector<Target>&, Time);
 
-// An event as a line: "on sway at 24f ball.position (1 2 3) smooth".
+// Returns an event as a line: "on sway at 24f ball.position (1 2 3) smooth".
 std::string event_line(const Document&, const Target&, const Event&);
 const Event* find_event(const Document&, const EventAt&);
-// What stands before and between in lines about a target: "on sway ", "ball.position".
+// Return the words for a target in a line: "on sway ", "ball.position".
 std::string layer_words(const Document&, const Target&);
 
-// The tracks of some objects alone, as if nothing were laid over them: no filters, layers, velocities. What a layer
-// holds for a function is asked for by the target without the layer, where `of_layer` is that layer.
+// Returns a document in which some objects have only their tracks: no filters, layers or velocities. With `of_layer`,
+// that layer's tracks replace the objects' own ones; read them by targets without the layer.
 Document bare_tracks(const Document&, const std::vector<ObjectId>&, ObjectId of_layer = {});
 
 }  // namespace betwixt::studio

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The film that is shown where nobody has one yet.
+// The film that a new user sees first.
 #pragma once
 
 namespace betwixt::studio {

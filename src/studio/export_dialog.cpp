@@ -27,7 +27,7 @@
 namespace betwixt::studio {
 namespace {
 
-// As a shell would have to read it.
+// Quotes a word for a shell.
 QString quoted(const QString& s) {
   static const QRegularExpression plain("^[A-Za-z0-9_./:%=+@,-]+$");
   return plain.match(s).hasMatch() ? s : "'" + QString(s).replace("'", "'\\''") + "'";
@@ -142,7 +142,7 @@ QString ExportDialog::command() const {
 
 void ExportDialog::show_command() { command_->setText(command()); }
 
-// What is not saved is in the film too: its text goes to a file beside the script, which is gone again afterwards.
+// Unsaved changes are rendered, too: the text goes to a temporary file beside the script.
 void ExportDialog::start() {
   if (running()) return;
   const QDir folder = QFileInfo(script_name()).absoluteDir();

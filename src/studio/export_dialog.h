@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The film as a file: a window for what `betwixt render` takes, which shows the line that it stands for, and how far
-// it is.
+// The dialog that renders the film to a file. It sets the options of `betwixt render`, and shows the command line and
+// the progress.
 #pragma once
 
 #include <QDialog>
@@ -26,9 +26,9 @@ class ExportDialog : public QDialog {
   Q_OBJECT
  public:
   explicit ExportDialog(Desk&, QWidget* parent = nullptr);
-  // Arguments of `betwixt`, of the file that the film is in.
+  // Returns the arguments of `betwixt`; `script` is the file with the film.
   QStringList arguments(const QString& script) const;
-  // As one would type it.
+  // Returns the command line as a user would type it.
   QString command() const;
   void start();
   bool running() const { return process_.state() != QProcess::NotRunning; }

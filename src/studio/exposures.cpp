@@ -21,7 +21,7 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr int frames_beyond = 100;  // rows behind the film's end
+constexpr int frames_beyond = 100;  // rows after the film's end
 
 }  // namespace
 
@@ -212,7 +212,7 @@ void Exposures::wheelEvent(QWheelEvent* e) {
   e->accept();
 }
 
-// What is written into a cell becomes its event; what is wiped out of it is gone.
+// Text typed into a cell becomes its event; an empty text deletes the event.
 void Exposures::edit(std::size_t column, int frame) {
   const Target target = columns_[column];
   const auto here = events_in(column, frame, frame);
@@ -273,7 +273,7 @@ void Exposures::keyPressEvent(QKeyEvent* e) {
   if (!key(e->key(), e->modifiers(), true)) QWidget::keyPressEvent(e);
 }
 
-// Events' values where they are; between two of them a line, a thick one where the value stays.
+// Paints the values of events, and a line between two of them: a thick one where the value holds.
 void Exposures::paint_column(QPainter& p, std::size_t column, int first, int last) const {
   const Colors& c = colors();
   const Document& d = desk_.document();
@@ -290,7 +290,7 @@ void Exposures::paint_column(QPainter& p, std::size_t column, int first, int las
     p.drawLine(QPointF(top.left() + w / 2, top.top() + 2), QPointF(top.left() + w / 2, bottom.bottom() - 2));
   };
   std::optional<Time> before = event_before(d, target, begin(first));
-  int free = first;  // the first row without a value behind the one before
+  int free = first;  // the first row below the last value
   int row = first - 1;
   each_event(d, target, begin(first), begin(last + 1) - Time{1}, [&](const EventView& e) {
     const int frame = static_cast<int>(std::floor(d.rate().frame_number(e.time)));
@@ -328,7 +328,7 @@ void Exposures::paintEvent(QPaintEvent*) {
     const bool outside = begin(f) < range.first || begin(f) > range.second;
     if (outside) p.fillRect(row, faint(c.line, 0.35F));
     if (f == playhead) p.fillRect(row, faint(c.playhead, 0.22F));
-    p.setPen(faint(c.line, (f - 1) % second == 0 ? 1.0F : 0.4F));  // seconds are told
+    p.setPen(faint(c.line, (f - 1) % second == 0 ? 1.0F : 0.4F));  // seconds get stronger lines
     p.drawLine(row.topLeft(), row.topRight());
     p.setPen(f == playhead ? c.playhead : c.dim);
     p.drawText(QRectF(0, row.top(), side() - 5, line_height()), Qt::AlignRight | Qt::AlignVCenter, QString::number(f));

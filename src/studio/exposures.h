@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sheet as animators have it on paper: a column for each track, a row for each frame, values in the cells.
+// The exposure sheet as on paper: a column for each track, a row for each frame, values in the cells.
 #pragma once
 
 #include <QWidget>
@@ -41,15 +41,15 @@ class Exposures : public QWidget {
  private:
   enum class Hand { none, scrub, box, move };
   int line_height() const;
-  int head() const { return 2 * line_height() + 4; }  // names
-  int side() const;                                   // frame numbers
+  int head() const { return 2 * line_height() + 4; }  // height of the tracks' names
+  int side() const;                                   // width of the frame numbers
   int column_width() const;
   int frame_at(double y) const;
   std::optional<std::size_t> column_at(double x) const;
   Time begin(int frame) const { return desk_.document().rate().frame(frame); }
-  std::vector<EventAt> events_in(std::size_t column, int first, int last) const;  // frames
+  std::vector<EventAt> events_in(std::size_t column, int first, int last) const;  // first and last frame
   void lay_out();
-  void show_frame();  // where the playhead is
+  void show_frame();  // scrolls to the playhead
   void edit(std::size_t column, int frame);
   bool key(int, Qt::KeyboardModifiers, bool act);
   void call_off();
@@ -61,7 +61,7 @@ class Exposures : public QWidget {
   std::vector<Target> columns_;
   PickedTimes picked_;
   std::size_t current_ = 0;
-  int first_ = 1;  // the frame of the first row
+  int first_ = 1;  // frame of the first row
   QScrollBar *down_, *across_;
   QLineEdit* words_ = nullptr;
   Hand hand_ = Hand::none;

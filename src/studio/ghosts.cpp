@@ -12,9 +12,9 @@ namespace betwixt::studio {
 namespace {
 
 constexpr int offsets[] = {-6, 6, -4, 4, -2, 2};  // frames; the nearest is drawn last
-constexpr std::size_t most = 200;                 // things in each
-constexpr double coarse = 40;                     // pixels, up to which no corner of a round thing is seen
-constexpr std::size_t most_corners = 60'000;      // of meshes, in each
+constexpr std::size_t most = 200;                 // objects in each
+constexpr double coarse = 40;                     // pixels; smaller round objects do not show their corners
+constexpr std::size_t most_corners = 60'000;      // corners of meshes in each
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void paint_silhouette(QPainter& p, const Scope& s, const Item& item, const QColo
     const QPointF corners[] = {*a, *b, *c};
     p.drawConvexPolygon(corners, 3);
   }
-  // Edges too: what is seen from its side is still there.
+  // Draw edges too, so that flat objects seen from the side are visible.
   p.setPen(QPen(color, 1)), p.setBrush(Qt::NoBrush);
   const auto& e = d.mesh->edges;
   for (std::size_t k = 0; k + 1 < e.size(); k += 2)
@@ -52,7 +52,7 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
     QPainter over(&all);
     const std::vector<ObjectId> ids = which();
     const Marks wanted(ids);
-    const auto here = [&](ObjectId id) {  // frames are in the order of objects
+    const auto here = [&](ObjectId id) {  // frames list items in the order of their objects
       const auto at = std::lower_bound(now.items.begin(), now.items.end(), id.index,
                                        [](const Item& i, std::uint32_t n) { return i.id.index < n; });
       return at != now.items.end() && at->id == id ? &*at : nullptr;
@@ -78,7 +78,7 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
       over.setOpacity(0.42 - 0.05 * std::abs(offset));
       over.drawImage(0, 0, one);
     }
-    // What is there now stands before them.
+    // Cut out the current objects, which are in front.
     over.setOpacity(1);
     over.setCompositionMode(QPainter::CompositionMode_DestinationOut);
     std::size_t count = 0;

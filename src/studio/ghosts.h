@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where things were and will be some frames away, as tinted silhouettes.
+// Onion skin: tinted silhouettes of the objects some frames before and after the playhead.
 #pragma once
 
 #include <QImage>
@@ -14,14 +14,14 @@
 
 namespace betwixt::studio {
 
-// Fills what an item covers, or draws its edges where it has only these.
+// Fills the area that an item covers, and draws its edges.
 void paint_silhouette(QPainter&, const Scope&, const Item&, const QColor&);
 
 class Ghosts {
  public:
   explicit Ghosts(const Desk& desk) : desk_(desk) {}
   void forget() { image_.reset(); }
-  // Of what is selected and what hangs on it; of all that moves where nothing is.
+  // Paints the objects of `which` where they differ from now, or all moving objects if it returns none.
   void paint(QPainter&, const Scope&, const Camera& eye, const Frame& now,
              const std::function<std::vector<ObjectId>()>& which);
 

@@ -15,9 +15,9 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr std::size_t looked_through = 1000;  // events, for code among them
+constexpr std::size_t looked_through = 1000;  // a limit for the search for code in events
 
-// What an object hangs on then.
+// Returns the parent of an object at a time.
 ObjectId holder(const Document& d, ObjectId id, Time t) {
   for (const AttachmentSpan& s : attachments(d, id))
     if (s.from <= t && t < s.until) return s.to.kind >= AttachmentKind::hang ? s.to.parent : ObjectId{};
@@ -36,7 +36,7 @@ bool hangs_on(const Document& d, ObjectId id, Time t, const std::vector<ObjectId
   return false;
 }
 
-// Its own tracks that have events: the whole one, or those of components.
+// Returns the function's own tracks that have events: the whole one, or those of components.
 std::vector<TrackView> own_tracks(const Document& d, ObjectId id, std::uint16_t function) {
   std::vector<TrackView> out;
   for (const TrackView& t : tracks(d, Target{id, function}))
@@ -107,7 +107,7 @@ Vec3 angles_near(Quat q, Vec3 angles) {
   const Mat4 m = rotation(q);
   const double y = std::asin(std::clamp(m(0, 2), -1.0, 1.0));
   Vec3 a{std::atan2(-m(1, 2), m(2, 2)), y, std::atan2(-m(0, 1), m(0, 0))};
-  if (std::abs(m(0, 2)) > 1 - 1e-12) {  // x and z turn about one axis: x stays
+  if (std::abs(m(0, 2)) > 1 - 1e-12) {  // gimbal lock: x keeps its angle
     const double both = std::atan2(m(1, 0), m(1, 1));
     a = {angles.x, y, y > 0 ? both - angles.x : both + angles.x};
   }
@@ -128,7 +128,7 @@ std::string line_for(const Document& d, const Target& t, const Value& v, Time ti
     if (e.what != EventView::What::value || !e.value) return;
     const std::string row = write_event(d, t, time), was = e.before ? written(d, *e.before, t) + " cut " : "";
     const std::string start = was + written(d, *e.value, t);
-    // Where it does not jump it shall not jump.
+    // If both values of the event were equal, keep them equal.
     before = e.before && *e.before == *e.value ? value + " cut " : was;
     if (row.starts_with(start)) behind = row.substr(start.size());
   });
@@ -168,7 +168,7 @@ void Hand::take(ObjectId id) {
   const Document& d = program_.document();
   bool placed = false;
   for (const FunctionView& f : functions(d, id)) placed = placed || f.id == fn::position;
-  if (!placed) return;  // a layer, an environment
+  if (!placed) return;  // a layer or an environment
   if (derived(d, id)) {
     derived_ = true;
     return;
@@ -186,7 +186,7 @@ void Hand::take(ObjectId id) {
   const Mat4 to_world = program_.kinematics(id, time_).to_world;
   h.back = inverse(to_world).value_or(Mat4{});
   h.aims = looks_at_something(program_, id, time_);
-  // What turns its places turns it, too; but for what hangs only.
+  // A parent's rotation turns the object too, unless it hangs, which passes on only the position.
   if (!hangs_only(d, id, time_))
     h.parent = from_matrix(without_length(to_world));
   else if (const auto own = inverse(rotation(quaternion(h.rotation)) * scaling(h.scale)))
@@ -207,7 +207,7 @@ std::string Hand::refusal(std::uint16_t function) const {
   return {};
 }
 
-// Whole, or those components that have tracks or differ.
+// Sets the whole function, or only the components that have tracks or change.
 void Hand::put(const Held& h, std::uint16_t function, const Vec3& before, const Vec3& after, double least,
                std::vector<std::string>& lines) const {
   const Document& d = program_.document();
@@ -241,7 +241,7 @@ std::vector<std::string> Hand::move(Vec3 by, double step) const {
   return lines;
 }
 
-// `way`: about which axis of its own space and how far it went there, so that whole turns count.
+// `way`: the axis in the object's own space and the angle about it, so that whole turns count.
 void Hand::put_rotation(const Held& h, Quat to, std::optional<std::pair<Vec3, double>> way,
                         std::vector<std::string>& lines) const {
   constexpr double degree = pi / 180;

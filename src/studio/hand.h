@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Things in a hand that moves, turns and scales them, as lines of the language: `at 24f ball.position (1 2 3)` where
-// there are events, else `set ball.position (1 2 3)`.
+// Moves, rotates and scales objects by script lines: `at 24f ball.position (1 2 3)` if the track has events, otherwise
+// `set ball.position (1 2 3)`.
 #pragma once
 
 #include <string>
@@ -12,40 +12,39 @@
 
 namespace betwixt::studio {
 
-// To as many decimals as the step has any meaning for: (1.23456, 0.02) is 1.23.
+// Rounds to as many decimals as the step has: (1.23456, 0.02) is 1.23.
 double rounded(double v, double step);
-// 1, 2 or 5 times a power of ten, the largest that is not above.
+// Returns the largest of 1, 2 or 5 times a power of ten that is at most the argument.
 double step_below(double at_most);
-// The three angles of an orientation that are nearest to others, whole turns included.
+// Returns the three angles of an orientation that are nearest to `angles`, whole turns included.
 Vec3 angles_near(Quat, Vec3 angles);
 
-// The line that gives a target a value now: a row where it has events, or where there shall be one; what an event that
-// is there says beside its value stays.
+// Returns the line that gives a target a value now: an event if the track has events or `make_event` is set. The other
+// parts of an existing event stay.
 std::string line_for(const Document&, const Target&, const Value&, Time, bool make_event);
 
-// The lines that bring an object to a place of the world, turned so: its position and its rotation, and that it looks
-// at nothing.
+// Returns the lines that give an object a world transform: they set its position and rotation, and clear its look-at.
 std::vector<std::string> lines_to_bring(const Program&, ObjectId, const Mat4& world, Time, double step, bool always);
 
 class Hand {
  public:
-  // Takes hold at a time. What hangs on others that are held goes along by itself, and is not moved twice. `always`:
-  // all that changes becomes an event.
+  // Grabs objects at a time. An object that hangs on another grabbed one moves with it, and is not moved twice.
+  // `always`: each change becomes an event.
   Hand(const Program&, Time, const std::vector<ObjectId>&, bool always);
 
   bool empty() const { return held_.empty(); }
-  Vec3 place() const { return place_; }       // of the one that leads, in the world
-  const Vec3* axes() const { return axes_; }  // its own, of unit length
-  // Why some of it cannot be moved (position), turned (rotation), scaled (scale); empty: all of it can.
+  Vec3 place() const { return place_; }       // of the leading object, in the world
+  const Vec3* axes() const { return axes_; }  // the leading object's axes, of unit length
+  // Returns why some object cannot be moved (position), rotated (rotation) or scaled (scale). Returns "" if all can.
   std::string refusal(std::uint16_t function) const;
 
-  // `step`: what a pixel means, in metres; numbers are as tidy.
+  // `step`: metres of a pixel; it sets how the numbers are rounded.
   std::vector<std::string> move(Vec3 by, double step) const;
-  // About the place.
+  // Rotates about place().
   std::vector<std::string> turn(Vec3 axis, double angle, double step) const;
-  // Each to an orientation in the world.
+  // Gives each object an orientation in the world.
   std::vector<std::string> turn_to(Quat world) const;
-  // Along their own axes; where all three are the same they go away from the place, too.
+  // Scales along the objects' own axes. If the three factors are equal the objects also move away from place().
   std::vector<std::string> scale(Vec3 factors, double step) const;
 
  private:
@@ -54,10 +53,10 @@ class Hand {
     Vec3 position, scale{1, 1, 1};
     Value rotation;
     Vec3 place;         // in the world
-    Mat4 back;          // the linear part of what takes the world to its position's space
-    Quat parent;        // what turns it from outside
-    bool still[3];      // position, rotation, scale: code says what they are
-    bool aims = false;  // it looks at something
+    Mat4 back;          // the linear part of the transform from the world to the position's space
+    Quat parent;        // the parents' rotation
+    bool still[3];      // position, rotation, scale: computed by code, so fixed
+    bool aims = false;  // has a look-at target
   };
   void take(ObjectId);
   void put_position(const Held&, Vec3 by, double step, std::vector<std::string>& lines) const;

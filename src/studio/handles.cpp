@@ -11,10 +11,10 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr double grip = 7;  // pixels beside a handle that still take it
+constexpr double grip = 7;  // pixels around a handle in which it can be grabbed
 constexpr double fineness = 0.1;
 constexpr double snap_angle = 15;
-constexpr double snap_pixels = 20;  // what is snapped to is at least so far apart
+constexpr double snap_pixels = 20;  // snap steps are at least this large
 
 constexpr Part axes_parts[] = {Part::x, Part::y, Part::z}, planes[] = {Part::yz, Part::zx, Part::xy};
 
@@ -41,7 +41,7 @@ double distance(const QPolygonF& line, QPointF p) {
   return nearest;
 }
 
-// Two directions across an axis.
+// Returns two directions perpendicular to an axis.
 std::pair<Vec3, Vec3> across(Vec3 axis) {
   const Vec3 one = normalize(cross(axis, std::abs(axis.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0}));
   return {one, cross(axis, one)};
@@ -101,7 +101,7 @@ void Handles::add_arrows(const Scope& s, Vec3 place, const Vec3 axes[3], double 
 void Handles::add_rings(const Scope& s, Vec3 place, const Vec3 axes[3], double reach) {
   constexpr int corners = 64;
   for (int i = 0; i < 3; ++i) {
-    // Of a drawing the others are lines.
+    // An orthographic view draws a ring seen from its edge as a line: leave it out.
     if (s.projection.orthographic() && std::abs(dot(axes[i], s.projection.forward())) < 1e-6) continue;
     const auto [u, v] = across(axes[i]);
     const bool whole = std::abs(dot(axes[i], s.projection.forward())) > 0.98;
@@ -114,7 +114,7 @@ void Handles::add_rings(const Scope& s, Vec3 place, const Vec3 axes[3], double r
       const double angle = 2 * pi * k / corners;
       const Vec3 out = std::cos(angle) * u + std::sin(angle) * v;
       const auto spot = s.spot(place + reach * out);
-      // The half that is turned away is not in the way.
+      // The far half of a ring is left out, so that it hides nothing.
       if (!spot || (!whole && dot(out, s.projection.forward()) > 0.05))
         finish();
       else
@@ -147,7 +147,7 @@ void Handles::paint(QPainter& p, Part hot) const {
   for (const Shape& s : shapes_) {
     QColor color = color_of(s.part);
     if (s.part == hot) color = picture_colors().event;
-    // Dark below bright: to be seen on any picture.
+    // A dark line below the bright one makes it visible on any picture.
     p.setPen(QPen(QColor(0, 0, 0, 90), s.part == hot ? 6 : 4.5, Qt::SolidLine, Qt::RoundCap));
     p.setBrush(Qt::NoBrush);
     if (!s.closed) p.drawPolyline(s.line);
@@ -173,7 +173,7 @@ void Handles::paint(QPainter& p, Part hot) const {
   p.restore();
 }
 
-// ---- Pulling them
+// ---- Dragging handles
 
 Pull::Pull(const Scope& s, Tool tool, Part part, Hand hand, QPointF from, bool own_axes)
     : scope_(s),
@@ -187,7 +187,7 @@ Pull::Pull(const Scope& s, Tool tool, Part part, Hand hand, QPointF from, bool o
   step_ = scope_.metres(scope_.depth(hand_.place()));
 }
 
-// Things are always scaled along their own axes.
+// Scaling always uses the object's own axes.
 Vec3 Pull::axis(int i) const {
   if (own_axes_ || tool_ == Tool::scale) return hand_.axes()[i];
   Vec3 a{};
@@ -207,7 +207,7 @@ void Pull::move_to(QPointF p, bool fine, bool snap) {
   last_ = p;
   if (!middle) return;
   const QPointF a = before - *middle, b = at_ - *middle;
-  // Anticlockwise, as seen; rows go down.
+  // Anticlockwise on the screen, where y points down.
   const double by = std::atan2(-(a.x() * b.y() - a.y() * b.x()), QPointF::dotProduct(a, b));
   turned_ += by * 180 / pi;
 }
@@ -240,12 +240,12 @@ std::optional<double> Pull::typed() const {
   return good ? std::optional(v) : std::nullopt;
 }
 
-// How far along an axis from the held place the pointer means: where its ray comes nearest.
+// Returns the distance along an axis, from the hand's place to the point nearest to the pointer's ray.
 double Pull::along(Vec3 axis, QPointF p) const {
   const Ray ray = scope_.ray(p);
   const Vec3 from = hand_.place() - ray.from;
   const double b = dot(axis, ray.along), c = 1 - b * b;
-  if (c < 1e-4) return 0;  // it points at the eye
+  if (c < 1e-4) return 0;  // the axis points at the eye
   return (b * dot(ray.along, from) - dot(axis, from)) / c;
 }
 
@@ -283,7 +283,7 @@ double Pull::angle() const {
   const Vec3 a = turned_about(), to_eye = -scope_.projection.forward();
   const double facing = dot(a, to_eye);
   double degrees = facing < 0 ? -turned_ : turned_;
-  if (std::abs(facing) < 0.3) {  // a ring seen from its edge is pulled along itself
+  if (std::abs(facing) < 0.3) {  // a ring seen from its edge follows the pointer along its line
     const Vec3 way = normalize(cross(a, to_eye));
     const auto middle = scope_.spot(hand_.place()), end = scope_.spot(hand_.place() + 10 * step_ * way);
     if (middle && end && length(*end - *middle) > 0)
@@ -304,7 +304,7 @@ Vec3 Pull::factors() const {
       if (std::abs(first) > 2 * step_) factor = along(axis(axis_of(part_)), at_) / first;
     } else if (length(from_ - *middle) > 2 * grip) {
       factor = length(at_ - *middle) / length(from_ - *middle);
-    } else {  // taken in the middle: to the right and up is larger
+    } else {  // from the middle: right and up enlarge
       factor = std::exp(((at_ - from_).x() - (at_ - from_).y()) / 100);
     }
     if (snap_) factor = std::round(factor * 10) / 10;

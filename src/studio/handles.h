@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Handles at what is selected: arrows, rings and boxes along axes, and what is meant by pulling them.
+// Handles at the selected objects: arrows, rings and boxes along axes, and what a drag of them does.
 #pragma once
 
 #include <QPainter>
@@ -18,21 +18,21 @@
 
 namespace betwixt::studio {
 
-// A picture in a widget.
+// The projection of a picture into a widget.
 struct Scope {
   Projection projection;
   QRectF box;
 
-  std::optional<QPointF> spot(Vec3 place) const;  // where it is seen
+  std::optional<QPointF> spot(Vec3 place) const;  // in the widget; nullopt behind the eye
   QPointF in_picture(QPointF) const;              // 0 to 1
   Ray ray(QPointF) const;
   Vec3 place(QPointF, double depth) const;
-  double metres(double depth) const;  // that a pixel means there
+  double metres(double depth) const;  // of a pixel at this depth
   double depth(Vec3 place) const;
 };
 
 enum class Tool { move, turn, scale };
-// `all`: in the picture's plane, about the line of sight, evenly.
+// `all`: in the picture's plane, about the line of sight, or evenly.
 enum class Part { none, x, y, z, yz, zx, xy, all };
 
 class Handles {
@@ -45,7 +45,7 @@ class Handles {
   struct Shape {
     Part part;
     QPolygonF line;
-    bool closed = false;  // its inside counts too
+    bool closed = false;  // its inside can be grabbed too
   };
   void add_arrows(const Scope&, Vec3 place, const Vec3 axes[3], double reach);
   void add_rings(const Scope&, Vec3 place, const Vec3 axes[3], double reach);
@@ -56,18 +56,18 @@ class Handles {
   std::vector<Shape> shapes_;
 };
 
-// What is being done with a hand, until it is let go: by pulling, or by moving about and typing.
+// A transform in progress, until the user accepts it: by a drag of a handle, or by the mouse and typed numbers.
 class Pull {
  public:
   Pull(const Scope&, Tool, Part, Hand, QPointF from, bool own_axes);
 
   void move_to(QPointF, bool fine, bool snap);
-  // x, y, z and planes; the same one again: all.
+  // Constrains to x, y, z or a plane; the same one again lifts the constraint.
   void constrain(Part);
   void use(Tool);
-  // A number that says how much, in metres, degrees or times. False: it is no key of one.
+  // Adds a key to the typed amount, in metres, degrees or as a factor. Returns false if the key is no part of a number.
   bool type(const QString& key);
-  bool erase();  // the last of what was typed
+  bool erase();  // deletes the last typed letter
 
   std::vector<std::string> lines() const;
   std::string in_words() const;
@@ -76,7 +76,7 @@ class Pull {
   const Hand& hand() const { return hand_; }
   const Scope& scope() const { return scope_; }
   Vec3 axis(int) const;
-  bool is_along(int axis) const;  // whether the part lets it go along (or about) that axis alone, or a plane with it
+  bool is_along(int axis) const;  // whether the part allows this axis
 
  private:
   std::optional<double> typed() const;
@@ -91,7 +91,7 @@ class Pull {
   Part part_;
   Hand hand_;
   QPointF from_, last_, at_;
-  double turned_ = 0;  // degrees about the middle, whole turns counted
+  double turned_ = 0;  // degrees about the middle, whole turns included
   bool own_axes_, snap_ = false;
   double step_;  // metres of a pixel
   QString typed_;

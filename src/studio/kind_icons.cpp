@@ -13,7 +13,7 @@
 namespace betwixt::studio {
 namespace {
 
-// Draws into a square from 0 to 16; where it is selected, white.
+// Draws into a square from 0 to 16; in white if selected.
 using Drawing = std::function<void(QPainter&, bool selected)>;
 
 class Engine : public QIconEngine {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Small pictures of the kinds of objects, drawn as large as they are needed.
+// Icons of the kinds of objects, drawn as vectors for any size.
 #pragma once
 
 #include <QIcon>
@@ -11,7 +11,7 @@
 namespace betwixt::studio {
 
 QIcon kind_icon(Kind);
-// Of an object that is seen, or not.
+// Returns the icon of an object that is shown or hidden.
 QIcon eye_icon(bool open);
 
 }  // namespace betwixt::studio

@@ -87,19 +87,19 @@ void LivePanel::listen(bool on) {
 }
 
 void LivePanel::poll() {
-  if (!desk_.beside().hears()) return;  // it is heard later
+  if (!desk_.beside().hears()) return;  // the messages wait until the work is done
   obey(input_->poll());
   if (const auto n = input_->ignored(); n > 0) state_->setText(tr("listening; %1 packets were no OSC").arg(n));
 }
 
-// All messages are shown at once.
+// Shows the effect of all messages in one preview.
 void LivePanel::obey(const std::vector<LiveMessage>& all) {
   std::optional<Document> ahead;
   for (const LiveMessage& m : all) take(m, ahead);
   if (ahead) desk_.show_ahead(*ahead);
 }
 
-// `ahead`: the film with the messages before this one, if it is not shown yet.
+// `ahead`: the film with the earlier messages, if it is not shown yet.
 void LivePanel::take(const LiveMessage& m, std::optional<Document>& ahead) {
   last_->setText(QString::fromStdString(in_words(m)).left(200));
   if (learn_->isChecked()) return ahead.reset(), learn(m);
@@ -113,7 +113,7 @@ void LivePanel::take(const LiveMessage& m, std::optional<Document>& ahead) {
     next ? void(ahead = *next) : complain(next.error());
     return;
   }
-  // It belongs to the frame that was due when it came, however late it is read.
+  // The message counts for the frame that was due when it arrived, however late it is read.
   const Time now = desk_.transport().now(m.arrived), frame = desk_.document().rate().span(1);
   if (!take_) take_.emplace(desk_.session().document()), taken_ = now, messages_ = 0;
   const bool back = desk_.transport().direction() > 0 ? now < taken_ : now > taken_;
@@ -128,7 +128,7 @@ void LivePanel::learn(const LiveMessage& m) {
   desk_.say(fmt::format("dial {} to {}", m.address, target_->text().toStdString()));
 }
 
-// What was recorded becomes lines of the script: one step.
+// Writes the take into the script, as one undo step.
 void LivePanel::end_take() {
   if (!take_) return;
   take_->end(taken_ + desk_.document().rate().span(1));

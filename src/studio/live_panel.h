@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Controls: what comes in over OSC and MIDI, what it turns, and takes of it that are recorded while the film plays.
+// Live controls: OSC and MIDI input, the dials that it turns, and takes of them recorded during playback.
 #pragma once
 
 #include <QTimer>
@@ -26,7 +26,7 @@ class LivePanel : public QWidget {
  public:
   explicit LivePanel(Desk&, QWidget* parent = nullptr);
 
-  // As if controls had said it.
+  // Treats messages as if a controller had sent them.
   void obey(const LiveMessage& m) { obey(std::vector{m}); }
   void obey(const std::vector<LiveMessage>&);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether an object is one of some, at once, however many they are.
+// A set of objects with a test in constant time.
 #pragma once
 
 #include <vector>

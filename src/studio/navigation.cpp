@@ -9,7 +9,7 @@ namespace betwixt::studio {
 namespace {
 
 constexpr double nearest_pole = 89.9 * pi / 180;
-constexpr double margin = 1.15;  // around what is framed
+constexpr double margin = 1.15;  // around the framed box
 
 Vec3 forward(const Camera& c) { return -normalize(transform_vector(c.world, {0, 0, 1})); }
 Camera at(Camera c, Vec3 eye, Vec3 towards) {
@@ -30,7 +30,7 @@ Camera orbited(const Camera& c, Vec3 about, double around, double up) {
   const Quat turn = axis_angle({0, 1, 0}, around) * axis_angle(right, to - elevation);
   Camera out = c;
   out.world = translation(about) * rotation(turn) * translation(-about) * c.world;
-  // Upright, unless it looks straight up or down: there is no upright there.
+  // Keeps the camera upright, except where it looks straight up or down and has no upright direction.
   const Vec3 eye = translation_of(out.world), towards = forward(out);
   return std::abs(towards.y) < std::sin(nearest_pole) + 1e-9 ? at(out, eye, towards) : out;
 }
@@ -61,7 +61,7 @@ Camera framed(const Camera& c, const Box& box, double aspect) {
   double distance = 3 * radius;
   if (c.orthographic) {
     out.height = 2 * radius / std::min(1.0, aspect);
-    // What stands before it stays in sight.
+    // Stay behind the objects in front, so that they remain visible.
     distance = std::max(distance, dot(box.middle() - translation_of(c.world), towards));
   } else {
     const double wide = std::tan(std::clamp(c.fov, 1e-3, 3.0) / 2);
@@ -80,7 +80,7 @@ Camera with_perspective(const Camera& c, bool perspective, double aspect, double
     return out;
   }
   if (!(out.fov > 0.01 && out.fov < 2.5)) out.fov = 0.9;
-  // As far away as what is there is as large as before.
+  // At this distance, objects at `depth` keep their size.
   const double far = c.height * aspect / 2 / std::tan(out.fov / 2);
   return moved(out, (depth - far) * forward(c));
 }

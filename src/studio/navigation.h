@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where an eye goes that is free: cameras from cameras.
+// Moves of the free camera. Each function returns a new camera.
 #pragma once
 
 #include "betwixt/frame.h"
@@ -9,19 +9,20 @@
 
 namespace betwixt::studio {
 
-// Around a place, upright: about the world's y axis and up, radians. It never tips over.
+// Orbits around a place: `around` about the world's y axis, `up` in elevation, both in radians. The camera stays
+// upright.
 Camera orbited(const Camera&, Vec3 about, double around, double up);
-// What is so far before the eye goes along with the hand, by parts of the picture (right, down).
+// Pans so that points at `depth` follow the pointer; dx and dy are parts of the picture, to the right and down.
 Camera panned(const Camera&, double aspect, double dx, double dy, double depth);
-// What is `factor` of the way to it; the place stays where it is in the picture.
+// Dollies, so that the distance to a place is multiplied by `factor`; the place stays where it is in the picture.
 Camera zoomed(const Camera&, Vec3 place, double factor);
-// From a direction that is away from the eye, at a place that stays as far away.
+// Looks in a direction, with `place` in the middle at this distance.
 Camera looking_along(const Camera&, Vec3 direction, Vec3 place, double distance);
-// All of a box in a picture so wide by high.
+// Fits a box into a picture of this aspect ratio.
 Camera framed(const Camera&, const Box&, double aspect);
-// Orthographic or not, with what is so far away as large as it was.
+// Switches between perspective and orthographic projection; objects at `depth` keep their size in the picture.
 Camera with_perspective(const Camera&, bool, double aspect, double depth);
-// The same seen in a larger picture: what was the whole one is a part of it, so wide and so high.
+// Widens the view for a larger picture, of which the whole old one is the given part in width and height.
 Camera widened(const Camera&, double part_of_width, double part_of_height);
 
 }  // namespace betwixt::studio

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double pixels_a_step = 2;
 
-// What a number goes by: about a hundredth of what it is.
+// Returns the step of a drag: about a hundredth of the value.
 double step_of(double value, const QString& unit) {
   if (unit == "deg") return 1;
   return std::pow(10.0, std::max(-2.0, std::floor(std::log10(std::max(std::abs(value), 1e-9))) - 2));
 }
 
-// How long the number in front of its unit is; -1: it is none.
+// Returns the length of the number before its unit, or -1 if the text is no number with a unit.
 qsizetype number_length(const QString& text) {
   qsizetype n = 0;
   while (n < text.size() && (text[n].isDigit() || text[n] == '.' || (text[n] == '-' && n == 0))) ++n;
@@ -72,7 +72,7 @@ void NumberField::mouseMoveEvent(QMouseEvent* e) {
   if (!pressing_) return QLineEdit::mouseMoveEvent(e);
   const double way = e->globalPosition().x() - pressed_x_;
   if (!dragging_ && std::abs(way) < QApplication::startDragDistance() / 2.0) return;
-  if (!std::exchange(dragging_, true)) setFocus();  // so that Escape calls it off
+  if (!std::exchange(dragging_, true)) setFocus();  // focus, so that Escape can cancel
   double steps = std::round(way / pixels_a_step);
   if (e->modifiers() & Qt::ShiftModifier) steps *= 10;
   if (e->modifiers() & Qt::ControlModifier) steps /= 10;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A number that is typed, or dragged sideways. It is text of the language: "2", "45deg", "35mm", "tau/4".
+// A field for a number, to type in or to drag sideways. It takes numbers as the script writes them: "2", "45deg",
+// "35mm", "tau/4".
 #pragma once
 
 #include <QColor>
@@ -13,9 +14,9 @@ class NumberField : public QLineEdit {
   Q_OBJECT
  public:
   explicit NumberField(QWidget* parent = nullptr);
-  // Not while a hand is at it.
+  // Does nothing while the user edits the field.
   void show_value(const QString&);
-  // What stands behind a number that is typed without a unit.
+  // Sets the unit for numbers typed without one.
   void set_unit(const QString& unit) { unit_ = unit; }
   void set_limits(double low, double high) { low_ = low, high_ = high; }
   void set_color(QColor c) { color_ = c; }
@@ -23,7 +24,7 @@ class NumberField : public QLineEdit {
   bool held() const { return dragging_ || (hasFocus() && isModified()); }
 
  Q_SIGNALS:
-  void looked(const QString&);  // while it is dragged
+  void looked(const QString&);  // during a drag
   void said(const QString&);
   void called_off();
 

@@ -30,7 +30,7 @@ void say_all(Desk& desk, const std::vector<std::string>& lines) {
   if (lines.size() > 1) desk.say(lines);
 }
 
-// A name that nothing has: sphere1, sphere2 …
+// Returns an unused name: sphere1, sphere2 …
 std::string free_name(const Document& d, const std::string& kind) {
   for (int n = 1;; ++n) {
     const std::string name = kind + std::to_string(n);
@@ -60,7 +60,7 @@ OutlinerTree::OutlinerTree(Desk& desk, OutlinerModel& model, QWidget* parent)
   header()->resizeSection(OutlinerModel::eye, em + em / 2);
   connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& i) { folded_.insert(model_.object(i).index); });
   connect(this, &QTreeView::expanded, this, [this](const QModelIndex& i) { folded_.erase(model_.object(i).index); });
-  // A tree that was made anew is open where it was.
+  // A rebuilt tree keeps its open and closed rows.
   connect(&model, &QAbstractItemModel::modelReset, this, [this] {
     const std::set<std::uint32_t> folded = folded_;
     expandAll();
@@ -78,7 +78,7 @@ OutlinerTree::OutlinerTree(Desk& desk, OutlinerModel& model, QWidget* parent)
   connect(&desk, &Desk::selection_changed, this, &OutlinerTree::take_selection);
 }
 
-// Those that are selected here, the current one last: it leads.
+// Returns the selected objects; the current one comes last, because it leads.
 std::vector<ObjectId> OutlinerTree::marked() const {
   std::vector<ObjectId> all;
   for (const QModelIndex& i : selectionModel()->selectedRows()) all.push_back(model_.object(i));
@@ -91,7 +91,7 @@ std::vector<ObjectId> OutlinerTree::marked() const {
 void OutlinerTree::take_selection() {
   if (selecting_) return;
   selecting_ = true;
-  // Neighbours are one range: ten thousand of them are no work.
+  // Joins neighbouring rows into ranges, which makes even ten thousand of them fast.
   std::vector<QModelIndex> rows;
   for (const ObjectId id : desk_.selected())
     if (const QModelIndex i = model_.index_of(id); i.isValid()) rows.push_back(i);
@@ -113,7 +113,8 @@ void OutlinerTree::take_selection() {
   selecting_ = false;
 }
 
-// Hides or shows, from now on where that changes by time; of a selected one all that are selected.
+// Hides or shows an object, or all selected objects if it is one of them. A display with events changes from the
+// current time on.
 void OutlinerTree::toggle(ObjectId id) {
   const Document& d = desk_.document();
   std::vector<ObjectId> all = desk_.selected();
@@ -128,8 +129,8 @@ void OutlinerTree::toggle(ObjectId id) {
   say_all(desk_, lines);
 }
 
-// What is dragged is coupled to what is below it; with Alt attached, with Shift hung on it. Where nothing is it comes
-// loose.
+// Couples the dragged objects to the row below the pointer; with Alt attaches them, with Shift hangs them on it.
+// Dropped on an empty place they lose their parents.
 void OutlinerTree::drop(QPoint at, Qt::KeyboardModifiers held) {
   const Document& d = desk_.document();
   const ObjectId onto = model_.object(indexAt(at));
@@ -157,7 +158,7 @@ void OutlinerTree::mousePressEvent(QMouseEvent* e) {
   dragging_ = false;
   const bool on_name = i.isValid() && visualRect(i).contains(at);
   pressed_ = e->button() == Qt::LeftButton && on_name ? std::optional(at) : std::nullopt;
-  // Of several that are selected all are dragged.
+  // A drag moves all selected rows.
   if (pressed_ && selectionModel()->isSelected(i) && e->modifiers() == Qt::NoModifier) {
     selectionModel()->setCurrentIndex(i, QItemSelectionModel::NoUpdate);
     return;
@@ -181,7 +182,7 @@ void OutlinerTree::mouseReleaseEvent(QMouseEvent* e) {
     viewport()->update();
     return drop(e->position().toPoint(), e->modifiers());
   }
-  if (pressed && e->modifiers() == Qt::NoModifier) {  // it was no drag: it alone
+  if (pressed && e->modifiers() == Qt::NoModifier) {  // a click without a drag selects this row alone
     const QModelIndex i = indexAt(*pressed);
     selectionModel()->setCurrentIndex(i, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   }
@@ -204,7 +205,7 @@ void OutlinerTree::keyPressEvent(QKeyEvent* e) {
   QTreeView::keyPressEvent(e);
 }
 
-// Where it would be dropped.
+// Marks the drop target.
 void OutlinerTree::paintEvent(QPaintEvent* e) {
   QTreeView::paintEvent(e);
   if (!dragging_) return;
@@ -266,12 +267,12 @@ Outliner::Outliner(Desk& desk, QWidget* parent)
 
 QSize Outliner::sizeHint() const { return {22 * fontMetrics().horizontalAdvance('m'), 300}; }
 
-// What has a file is asked for it.
+// Asks for a file if the kind needs one.
 void Outliner::add(const QString& kind) {
   const std::string name = free_name(desk_.document(), kind.toStdString());
   std::string line = "create " + name + " " + kind.toStdString();
   if (kind == "text") line += " text=\"text\"";
-  if (kind == "camera") {  // where the film is seen from now
+  if (kind == "camera") {  // at the current camera's place
     const Mat4 eye = desk_.program().frame(desk_.time()).camera.world;
     const Vec3 at = translation_of(eye), to = at - 10 * normalize(Vec3{eye(0, 2), eye(1, 2), eye(2, 2)});
     line += fmt::format(" position=({:.4g} {:.4g} {:.4g}) look-at=({:.4g} {:.4g} {:.4g})", at.x, at.y, at.z, to.x, to.y,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The objects of the film, what hangs on what, and what is seen.
+// The outliner: the objects of the film as a tree of attachments, and whether each is shown.
 #pragma once
 
 #include <QLineEdit>
@@ -14,7 +14,7 @@
 
 namespace betwixt::studio {
 
-// Rows are dragged onto others: what is dragged hangs on them then; where nothing is it hangs on nothing.
+// A row dragged onto another one becomes its child; dragged to an empty place it loses its parent.
 class OutlinerTree : public QTreeView {
   Q_OBJECT
  public:

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<ObjectId> named(const Document& d, const std::string& pattern) {
   std::vector<ObjectId> all = objects(d, pattern);
-  if (all.empty() && !is_pattern(pattern))  // a part of a name
+  if (all.empty() && !is_pattern(pattern))  // part of a name
     for (const ObjectId id : objects(d))
       if (d.name(id).find(pattern) != std::string::npos) all.push_back(id);
   return all;
@@ -24,7 +24,7 @@ std::vector<ObjectId> named(const Document& d, const std::string& pattern) {
 
 OutlinerModel::OutlinerModel(Desk& desk, QObject* parent) : QAbstractItemModel(parent), desk_(desk) { make(); }
 
-// Who hangs on whom now, and from when until when that is so.
+// Computes the parent of each object now, and the time in which the tree is valid.
 void OutlinerModel::make() {
   const Document& d = desk_.document();
   const Time now = desk_.time();
@@ -127,7 +127,7 @@ QVariant OutlinerModel::data(const QModelIndex& i, int role) const {
   }
   const QString full = QString::fromStdString(d.name(id));
   if (role == Qt::EditRole) return full;
-  if (role == Qt::DisplayRole) {  // below what it is a part of its own part of the name says enough
+  if (role == Qt::DisplayRole) {  // below the parent, leave out its part of the name
     const QString above = QString::fromStdString(d.name(node(id) ? node(id)->parent : ObjectId{})) + "/";
     return above.size() > 1 && full.startsWith(above) ? full.mid(above.size()) : full;
   }

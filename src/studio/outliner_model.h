@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What hangs on what at a time, as a tree. Between two changes nothing is looked at again, however long it plays.
+// The tree of attachments at a time. It is computed again only at times where an attachment changes, so playback stays
+// cheap.
 #pragma once
 
 #include <QAbstractItemModel>
@@ -16,8 +17,8 @@ class OutlinerModel : public QAbstractItemModel {
   enum Column { name, eye };
   explicit OutlinerModel(Desk&, QObject* parent = nullptr);
 
-  // Only what a pattern of the language names, and what that hangs on; a word that is no name stands for all that have
-  // it in theirs; "": all.
+  // Shows only objects that match a pattern, and their parents. A word that is no object's name matches all names that
+  // contain it; "" matches all.
   void filter(const QString& pattern);
   ObjectId object(const QModelIndex&) const;
   QModelIndex index_of(ObjectId, int column = name) const;
@@ -28,10 +29,10 @@ class OutlinerModel : public QAbstractItemModel {
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& = {}) const override { return 2; }
   QVariant data(const QModelIndex&, int role) const override;
-  bool setData(const QModelIndex&, const QVariant&, int role) override;  // another name: said
+  bool setData(const QModelIndex&, const QVariant&, int role) override;  // renames the object
   Qt::ItemFlags flags(const QModelIndex&) const override;
 
-  // The film or the time is another one; makes the tree anew where that changes it.
+  // Rebuild the tree if the document or the time changes it.
   void follow_document();
   void follow_time();
 
@@ -48,8 +49,8 @@ class OutlinerModel : public QAbstractItemModel {
 
   Desk& desk_;
   QString pattern_;
-  std::vector<Node> nodes_;  // by the numbers of the objects; behind them the one that holds what hangs on nothing
-  Time from_ = from_the_beginning, until_ = for_good;  // while the tree is the same
+  std::vector<Node> nodes_;                            // by object index; the last one is the root
+  Time from_ = from_the_beginning, until_ = for_good;  // the time in which the tree is valid
 };
 
 }  // namespace betwixt::studio

@@ -21,7 +21,7 @@ namespace {
 constexpr int what = Qt::UserRole, which = Qt::UserRole + 1;
 enum What { action, object, line };
 
-// Whether it begins as a line of the language does.
+// Returns whether the text begins with a verb and another word.
 bool is_line(const QString& letters) {
   const std::string words = letters.trimmed().toStdString();
   return words.find(' ') != std::string::npos && is_verb(first_word(words));
@@ -100,7 +100,7 @@ void Palette::run() {
   if (!item) return;
   const int kind = item->data(what).toInt(), number = item->data(which).toInt();
   const QString said = line_->text();
-  if (kind == line && !window_.desk().say(said.toStdString())) {  // it may be mended
+  if (kind == line && !window_.desk().say(said.toStdString())) {  // stay open, so that the user can correct it
     found_->clear();
     for (const QString& why : QString::fromStdString(window_.desk().last_said()).split('\n', Qt::SkipEmptyParts))
       (new QListWidgetItem(why, found_))->setForeground(colors().error);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The palette of commands: whatever can be done is found by a few of its letters, and any line of the language is said.
+// The command palette: finds commands by a few of their letters, and carries out any script line.
 #pragma once
 
 #include <QDialog>
@@ -13,7 +13,7 @@ namespace betwixt::studio {
 
 class Window;
 
-// How well letters fit a name, the first of which stand in it in their order; 0: not at all.
+// Returns the score of a match, in which the name has all letters in this order; 0 if it does not match.
 int fit(const QString& letters, const QString& name);
 
 class Palette : public QDialog {

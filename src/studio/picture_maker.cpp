@@ -10,11 +10,11 @@
 namespace betwixt::studio {
 namespace {
 
-// Pictures that follow each other quickly, as while a film plays or a hand drags, may be coarser: so long.
+// Pictures that follow each other within this time, as in playback or a drag, may be coarser.
 constexpr std::chrono::milliseconds flows{150};
-constexpr double slow = 0.040, quick = 0.012;  // seconds that one of them may take, and where there is time for better
+constexpr double slow = 0.040, quick = 0.012;  // seconds a picture: above, coarser; below, finer
 
-// How coarse: as asked for; one sample a pixel; half as wide and high.
+// Levels of coarseness: as wanted; one sample a pixel; half the width and height.
 constexpr int coarsest = 2;
 RenderOptions coarser(RenderOptions o, int by) {
   const auto is_style = [&](const Style& s) { return s.name == o.style; };
@@ -24,7 +24,7 @@ RenderOptions coarser(RenderOptions o, int by) {
   return o;
 }
 
-// Renderers and an evaluation that are kept from one picture to the next.
+// Keeps renderers and an evaluation from one picture to the next.
 class Maker {
  public:
   PictureMade make(const PictureWanted& w, int coarse = 0) {
@@ -56,7 +56,7 @@ class Maker {
   struct Kept {
     RenderOptions options;
     std::unique_ptr<Renderer> renderer;
-    Picture picture;  // the last one: where nothing differs, nothing is drawn
+    Picture picture;  // the last one; reused if nothing differs
   };
   Result<Kept*> renderer_for(const RenderOptions& o, int coarse) {
     Kept& kept = kept_[static_cast<std::size_t>(coarse)];
@@ -101,9 +101,9 @@ void PictureMaker::want(PictureWanted w) {
 void PictureMaker::work() {
   using Clock = std::chrono::steady_clock;
   Maker maker;
-  int coarse = 0;                      // of pictures that follow each other
-  Clock::time_point before;            // when the last one was wanted
-  std::optional<PictureWanted> rough;  // what was shown coarser than it was wanted
+  int coarse = 0;                      // level for pictures in quick succession
+  Clock::time_point before;            // time of the last request
+  std::optional<PictureWanted> rough;  // the picture last shown coarser than wanted
   while (true) {
     std::optional<PictureWanted> next;
     {
@@ -117,7 +117,7 @@ void PictureMaker::work() {
       next = std::exchange(wanted_, std::nullopt);
     }
     const auto now = Clock::now();
-    if (!next) {  // it rests: as it was wanted
+    if (!next) {  // no new request: render it as wanted
       emit made(maker.make(*std::exchange(rough, std::nullopt)));
       continue;
     }
@@ -129,7 +129,7 @@ void PictureMaker::work() {
     if (follows && took < quick) coarse = std::max(coarse - 1, 0);
     if (by > 0) rough = std::move(next);
     if (by == 0) rough.reset();
-    before = Clock::now();  // how long it took is no pause
+    before = Clock::now();  // rendering time is no pause
     emit made(picture);
   }
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures for windows: a thread with a renderer of its own makes the newest one that was asked for, and leaves out
-// those that came too late. While they follow each other quickly, and take long, they are coarser; the last one is made
-// again as it was asked for.
+// Renders pictures for windows. A thread with a renderer of its own makes the latest picture wanted and drops earlier
+// ones. If requests follow each other quickly and pictures are slow, it lowers the quality; after the last request it
+// renders again at full quality.
 #pragma once
 
 #include <QImage>
@@ -25,14 +25,14 @@ struct PictureWanted {
   Program program;
   Time time;
   RenderOptions options;
-  std::optional<Camera> eye;  // where it is seen from; none: through the film's camera
+  std::optional<Camera> eye;  // the eye; nullopt: the film's camera
 };
 struct PictureMade {
   QImage image;
   Time time;
-  std::optional<Program> program;     // whose it is
-  Camera eye;                         // that it was seen from
-  std::vector<std::string> problems;  // of code, and why there is no image
+  std::optional<Program> program;     // of the picture
+  Camera eye;                         // the camera used
+  std::vector<std::string> problems;  // errors of code, and why there is no image
 };
 
 class PictureMaker : public QObject {
@@ -41,7 +41,7 @@ class PictureMaker : public QObject {
   PictureMaker();
   ~PictureMaker() override;
   void want(PictureWanted);
-  // The same at once, for who waits.
+  // Renders a picture at once, in the calling thread.
   static PictureMade make(const PictureWanted&);
 
  Q_SIGNALS:

@@ -20,8 +20,7 @@
 namespace betwixt::studio {
 namespace {
 
-// What belongs together, in the order in which it is shown: where it is, what it is, how it looks, what the author
-// made.
+// Groups of functions in the order shown: the place, the kind's own functions, the look, functions of the film.
 enum class Group : std::uint8_t { place, own_kind, look, film };
 Group group_of(const FunctionView& f) {
   const auto built_in = built_in_functions();
@@ -32,7 +31,7 @@ Group group_of(const FunctionView& f) {
   return spec.place ? Group::place : Group::look;
 }
 
-// Ends in an ellipsis where it is too long.
+// A label that elides a text that is too long.
 class ShortLabel : public QLabel {
  public:
   using QLabel::QLabel;
@@ -45,7 +44,8 @@ class ShortLabel : public QLabel {
   }
 };
 
-// A diamond: filled where there is an event now, its outline where there are others, a dot where there are none.
+// Returns the icon of a track: a filled diamond if it has an event now, an outline if it has others, a dot if it has
+// none.
 QIcon diamond(bool here, bool any) {
   QPixmap pix(32, 32);
   pix.fill(Qt::transparent);
@@ -58,7 +58,7 @@ QIcon diamond(bool here, bool any) {
   return pix;
 }
 
-// Of "couple to car", as the editor says it.
+// Reads "couple to car", as the attachment editor writes it. Returns nullopt if the parent does not exist.
 std::optional<Attachment> attachment_of(const QString& text, const Document& d) {
   const QStringList words = text.split(' ');
   static const QStringList kinds{"detach", "letgo", "hang", "attach", "couple"};
@@ -68,7 +68,7 @@ std::optional<Attachment> attachment_of(const QString& text, const Document& d) 
   return Attachment{kind, kind >= AttachmentKind::hang ? parent : ObjectId{}, kind >= AttachmentKind::hang};
 }
 
-// What holds it at a time, said as an event of that time: it goes on being held.
+// Returns the line of an event that keeps the object's attachment at a time.
 std::string what_holds(const Document& d, ObjectId id, Time t) {
   Attachment held;
   for (const AttachmentSpan& span : attachments(d, id))
@@ -142,7 +142,7 @@ void Properties::rename() {
   refresh();
 }
 
-// What is shown follows; rows are made anew only where others are needed.
+// Updates the values. Builds the rows again only if the object needs other ones.
 void Properties::refresh() {
   if (!isVisible() || refreshing_) return;
   refreshing_ = true;
@@ -264,9 +264,9 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
           [this, of](int component, const QString& t) { desk_.look_ahead(lines_for(*of, component, t)); });
   connect(row->editor, &ValueEditor::called_off, this, [this] { desk_.look_back(); });
   connect(row->editor, &ValueEditor::said, this, [this, of](int component, const QString& t) {
-    desk_.look_back();  // what was there says whether it has events
+    desk_.look_back();  // end the preview, because only the real document shows which tracks have events
     const std::vector<std::string> lines = lines_for(*of, component, t);
-    // What was passed through and not changed is not said.
+    // An edit that changes nothing carries out no line.
     const auto then = desk_.session().look_ahead(lines);
     const bool changes = !lines.empty() && !(then && *then == desk_.session().document());
     if (changes) lines.size() == 1 ? desk_.say(lines[0]) : desk_.say(lines);
@@ -293,7 +293,7 @@ void Properties::show_row(Row& row, const Value& now) {
   row.made->setToolTip(tip_of(made.code.empty() ? words : text_of(made.code)));
 }
 
-// What is said of each selected object that has the function: the whole value, or it with another component.
+// Returns a line for each selected object that has the function: it sets the whole value, or one component of it.
 std::vector<std::string> Properties::lines_for(const Row& row, int component, const QString& text) const {
   const Document& d = desk_.session().document();
   const Program* program = &desk_.program();
@@ -328,7 +328,7 @@ std::vector<std::string> Properties::lines_for(const Row& row, int component, co
   return lines;
 }
 
-// At the playhead an event is made of what is there, or the one that is there goes.
+// Removes the event at the playhead, or inserts one with the current value.
 void Properties::toggle_event(const Row& row) {
   const Document& d = desk_.document();
   const Target leads(leading(), row.of.id);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is selected: all that can vary about it, its values now, and what makes them.
+// The properties of the selected object: its functions, their values now, and what computes them.
 #pragma once
 
 #include <QLabel>
@@ -26,7 +26,7 @@ class Properties : public QWidget {
  private:
   struct Row {
     FunctionView of;
-    std::string name;  // the view's may go with its document
+    std::string name;  // copied, because the view refers to a document
     EditorKind kind;
     QToolButton* diamond;
     QLabel *called, *made;
@@ -48,7 +48,7 @@ class Properties : public QWidget {
   QLineEdit* name_;
   QScrollArea* area_;
   std::vector<std::unique_ptr<Row>> rows_;
-  std::vector<std::pair<std::string, EditorKind>> built_;  // what rows are there, of what
+  std::vector<std::pair<std::string, EditorKind>> built_;  // the rows as built
   std::optional<Kind> built_of_;
   QStringList folded_;
   bool refreshing_ = false;

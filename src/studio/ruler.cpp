@@ -25,7 +25,7 @@ Ruler::Ruler(Desk& desk, QWidget* parent) : TimePane(desk, parent) {
   connect(&desk, &Desk::document_changed, this, [this] { update(); });
 }
 
-// The numbers, the part that is played, cuts, notes.
+// The frame numbers, the part to play, cuts and notes.
 QSize Ruler::sizeHint() const { return {20 * line_height(), ruler_height() + line_height() * 5 / 2}; }
 
 QRect Ruler::part_box() const {
@@ -37,7 +37,7 @@ QRectF Ruler::note_box(Time t) const {
   const double top = ruler_height() + line_height() * 1.45;
   const auto there = desk_.document().notes(t, t);
   const double words = there.empty() ? 0 : fontMetrics().horizontalAdvance(QString::fromStdString(there[0].second));
-  // It ends where the next one begins.
+  // A note's box ends at the next note.
   double w = words + line_height() * 0.6;
   const auto next = desk_.document().notes(t + Time{1}, time_at(x_of(t) + w));
   if (!next.empty()) w = std::max(line_height() * 0.4, x_of(next[0].first) - x_of(t) - 2);
@@ -106,7 +106,7 @@ void Ruler::paint_cuts(QPainter& p) const {
 
 void Ruler::paint_notes(QPainter& p) const {
   const Colors& c = colors();
-  double free = -1e9;  // where notes would lie on each other, the first one is painted
+  double free = -1e9;  // of notes that overlap, paint the first
   for (const auto& [t, words] : desk_.document().notes(time_at(-width()), time_at(width()))) {
     const double x = x_of(t);
     if (x < free) continue;

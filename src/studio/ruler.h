@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The ruler: the playhead, the part that is played, cuts and notes.
+// The ruler: the playhead, the part to play, camera cuts and notes.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ class Ruler : public TimePane {
   explicit Ruler(Desk&, QWidget* parent = nullptr);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
-  // Where things are painted, and taken hold of.
+  // Return the boxes for painting and for the mouse.
   QRectF note_box(Time) const;
   QRect part_box() const;
 
@@ -38,11 +38,11 @@ class Ruler : public TimePane {
   void paint_cuts(QPainter&) const;
   void paint_notes(QPainter&) const;
   std::optional<Time> note_at(const QPointF&) const;
-  // Writes notes at a time: the texts that stand there, and one more at the end where nobody says which.
+  // Edits the notes at a time. Without `which` it appends one.
   void write_note(Time, std::optional<std::size_t> which);
-  std::string moving(const QMouseEvent&) const;  // the line that moves the note in the hand; empty: nowhere
+  std::string moving(const QMouseEvent&) const;  // the line that moves the dragged note; "" if it would not move
 
-  std::optional<Time> note_;  // that is selected
+  std::optional<Time> note_;  // the selected one
   QPointF from_;
   QLineEdit* words_ = nullptr;
 };

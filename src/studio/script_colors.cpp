@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The colours of the script, of the lines that are seen, and its margin.
+// The script editor's margin, and its colours, which it computes only for visible lines.
 #include <QPainter>
 #include <QTextLayout>
 
@@ -14,10 +14,10 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr int most_above = 200'000;  // lines that are looked through for the one that opened a sheet
+constexpr int most_above = 200'000;  // lines to search upwards for the start of a sheet
 constexpr int states_in_a_row = 20'000;
 
-// A state in the number that a block keeps; -1: none is kept.
+// Packs a state into the number that a block stores; -1 means none.
 int packed(const LineState& s) { return s.brackets * 2 + (s.text ? 1 : 0); }
 LineState unpacked(int n) { return n < 0 ? LineState{} : LineState{n / 2, n % 2 != 0}; }
 
@@ -49,7 +49,7 @@ QColor color_of(Meaning m) {
   return c.text;
 }
 
-// A colour that a word says.
+// Returns the colour that a word names, or nullopt.
 std::optional<QColor> said_color(std::string_view word) {
   if (const auto rgb = named_color(word)) return QColor(static_cast<QRgb>(*rgb));
   const QColor c(text_of(word));
@@ -59,7 +59,7 @@ std::optional<QColor> said_color(std::string_view word) {
 
 }  // namespace
 
-// States are known up to and with a block.
+// Computes the states up to and including a block.
 void ScriptEdit::know_states(int last_block) {
   if (stated_ > last_block) return;
   QTextBlock b = document()->findBlockByNumber(stated_);
@@ -70,7 +70,7 @@ void ScriptEdit::know_states(int last_block) {
   }
 }
 
-// Below blocks that were changed states stay what they were from where they are the same again.
+// Updates the states below changed blocks, down to the first one that stays the same.
 void ScriptEdit::states_changed(int first_block, int blocks) {
   if (first_block >= stated_) return;
   QTextBlock b = document()->findBlockByNumber(first_block);
@@ -79,7 +79,7 @@ void ScriptEdit::states_changed(int first_block, int blocks) {
     pass_line(b.text().toStdString(), s);
     const bool same = b.userState() == packed(s);
     b.setUserState(packed(s));
-    if (n + 1 >= blocks && same) {  // what came in between moved the rest
+    if (n + 1 >= blocks && same) {  // inserted lines have shifted the rest
       stated_ = std::max(stated_, first_block + n + 1);
       return;
     }
@@ -92,7 +92,7 @@ LineState ScriptEdit::state_above(const QTextBlock& b) const {
   return b.previous().isValid() ? unpacked(b.previous().userState()) : LineState{};
 }
 
-// The line that opened the sheet that a line is a row of; empty: it is none.
+// Returns the line that opens the sheet of a row, or "" if the line is no row.
 std::string ScriptEdit::opener_above(const QTextBlock& block) const {
   const QChar first = document()->characterAt(block.position());
   if (first != ' ' && first != '\t') return {};
@@ -115,7 +115,7 @@ void ScriptEdit::color_what_is_seen() {
   if (colored_ && from == colored_from_ && to == colored_to_) return;
   colored_ = true, colored_from_ = from, colored_to_ = to;
   if (from > stated_ + states_in_a_row && stated_ < blockCount()) {
-    know_states(stated_ + states_in_a_row);  // the rest when there is time
+    know_states(stated_ + states_in_a_row);  // the rest follows in later paint events
     colored_ = false;
     QTimer::singleShot(0, viewport(), [this] { viewport()->update(); });
   } else {
@@ -190,7 +190,7 @@ int ScriptEdit::margin_width() const {
   return em * (static_cast<int>(QString::number(std::max(99, blockCount())).size()) + 2);
 }
 
-// Numbers of lines, a bar beside those that speak of what is selected, a dot where something is to be said.
+// Paints the line numbers, a bar beside lines that name a selected object, and a dot at diagnostics.
 void ScriptEdit::paint_margin(QPainter& p, QRect area) {
   const Colors& c = colors();
   p.fillRect(area, c.back);

@@ -17,7 +17,7 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr std::size_t at_once = 400'000;  // bytes: longer texts are read when a key has rested
+constexpr std::size_t at_once = 400'000;  // bytes; longer texts are read after a pause in typing
 constexpr int flash_lasts = 700;          // ms
 constexpr int most_flashing = 200;        // lines
 constexpr const char* indent = "  ";
@@ -71,8 +71,8 @@ void ScriptEdit::typed() {
   if (!pass_on_soon_.isActive()) pass_on_soon_.start();
 }
 
-// What is typed becomes the film's text. A long text is read again after a while that is twice as long as reading it
-// took, two seconds at most.
+// Passes the typed text on as the film's. A long text is read again after twice the time that reading it took, at most
+// two seconds.
 void ScriptEdit::pass_on() {
   if (!desk_.beside().hears()) return pass_on_soon_.start();
   pass_on_soon_.stop();
@@ -88,11 +88,11 @@ void ScriptEdit::pass_on() {
   pass_on_soon_.setInterval(static_cast<int>(std::clamp<qint64>(2 * took.elapsed(), 50, 2000)));
 }
 
-// What was done elsewhere comes to stand here: of the text only what is another one.
+// Takes over changes made elsewhere. Replaces only the text that differs.
 void ScriptEdit::take_text() {
   const std::string& now = desk_.text();
   if (now == known_) return;
-  if (pass_on_soon_.isActive()) {  // two have written: both stay where that is possible
+  if (pass_on_soon_.isActive()) {  // both sides have changes: merge them if possible
     pass_on_soon_.stop();
     QString raw = document()->toRawText();
     const std::string ours = raw.replace(QChar::ParagraphSeparator, '\n').toStdString();
@@ -122,7 +122,7 @@ void ScriptEdit::take_text() {
     const QString come = without_returns(c.others);
     const QStringList old_lines = gone.split('\n'), new_lines = come.split('\n');
     const int first = c.lines.first - 1;
-    flashing_.clear();  // what the step before has changed
+    flashing_.clear();  // the lines changed by the previous step
     if (old_lines.size() == new_lines.size()) {
       for (qsizetype i = 0; i < old_lines.size(); ++i)
         if (old_lines[i] != new_lines[i]) replace(first + static_cast<int>(i), old_lines[i], new_lines[i]);
@@ -131,13 +131,13 @@ void ScriptEdit::take_text() {
     }
   }
   taking_ = false;
-  // What stands at the top stays there, whatever came above it.
+  // Keep the top line in place, whatever was inserted above it.
   if (top.isValid() && top_was > 0 && top.blockNumber() > 0)
     verticalScrollBar()->setValue(scrolled + top.blockNumber() - top_was);
   cursor_moved();
 }
 
-// From a block on one text stands in the place of another; what both begin and end with is left alone.
+// Replaces one text by another, from a block on. The common start and end are not touched.
 void ScriptEdit::replace(int first_block, const QString& before, const QString& after) {
   qsizetype head = 0, tail = 0;
   const qsizetype most = std::min(before.size(), after.size());
@@ -163,7 +163,7 @@ void ScriptEdit::flash(int first_block, int blocks) {
     s.cursor = QTextCursor(b);
     s.format.setBackground(color);
     s.format.setProperty(QTextFormat::FullWidthSelection, true);
-    // Once is enough to be seen, and what is twice as bright is not read.
+    // Flash a line only once: two layers of the colour would make it unreadable.
     flashing_.removeIf([&](const QTextEdit::ExtraSelection& f) { return f.cursor.block() == b; });
     flashing_.push_back(s);
   }
@@ -201,7 +201,7 @@ const Diagnostic* ScriptEdit::said_of(int line) const {
   return worst;
 }
 
-// The line that the cursor is in is the desk's; whoever is there with the hand means what it speaks of.
+// Passes the cursor's line to the desk and selects the objects that it names, if the user works in this editor.
 void ScriptEdit::cursor_moved() {
   mark_lines();
   if (taking_) return;
@@ -224,7 +224,7 @@ void ScriptEdit::go_to_line(int line, int column) {
   centerCursor();
 }
 
-// A row is completed as if it were said by itself.
+// Completes a row of a sheet as if it were a whole command.
 std::string ScriptEdit::said_so_far() const {
   const std::string line = WordEdit::said_so_far();
   const std::string opener = opener_above(textCursor().block());
@@ -272,7 +272,7 @@ void ScriptEdit::keyPressEvent(QKeyEvent* e) {
   const bool listed = findChild<QTreeWidget*>("words")->isVisible();
   if (!listed && held == Qt::NoModifier && !isReadOnly()) {
     if (e->key() == Qt::Key_Tab) return insertPlainText(indent);
-    // Rows go on as rows.
+    // The line after a row is indented like the row.
     if (e->key() == Qt::Key_Return) {
       const std::string line = textCursor().block().text().toStdString();
       const std::size_t blanks = line.find_first_not_of(" \t");
@@ -332,7 +332,7 @@ void ScriptEdit::resizeEvent(QResizeEvent* e) {
   emit margin_changed();
 }
 
-// What is wrong here, or what the word is.
+// Shows a tooltip: the diagnostic of the line, or the help of the word.
 bool ScriptEdit::viewportEvent(QEvent* e) {
   if (e->type() != QEvent::ToolTip) return WordEdit::viewportEvent(e);
   const auto* help = static_cast<QHelpEvent*>(e);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The text of the film. What is typed is seen at once; what hands do elsewhere changes only the lines that it changes.
-// However long the text is, what is not seen is not looked at.
+// The script editor. Each edit shows in the picture at once. Changes from elsewhere replace only the lines that differ.
+// It colours only visible lines, so that long scripts stay fast.
 #pragma once
 
 #include <QTextBlock>
@@ -18,9 +18,9 @@ class ScriptEdit : public WordEdit {
  public:
   explicit ScriptEdit(Desk&, QWidget* parent = nullptr);
   void go_to_line(int line, int column = 1);
-  // What is to be said of a line (the first is 1), what is worst first; null: nothing.
+  // Returns the worst diagnostic of a line (the first is 1), or nullptr if there is none.
   const Diagnostic* said_of(int line) const;
-  // The margin: whether a line that is seen speaks of what is selected.
+  // The margin: whether a visible line names a selected object.
   bool speaks(int line) const { return speaking_.contains(line); }
   void paint_margin(QPainter&, QRect);
   int margin_width() const;
@@ -41,7 +41,7 @@ class ScriptEdit : public WordEdit {
   bool viewportEvent(QEvent*) override;
 
  private:
-  // Between the text here and the film's
+  // Between this text and the film's
   void changed_here(int at, int removed, int added);
   void typed();
   void pass_on();
@@ -50,7 +50,7 @@ class ScriptEdit : public WordEdit {
   void flash(int first_block, int blocks);
   void take_diagnostics();
   void cursor_moved();
-  // What lines are (script_colors.cpp)
+  // Line states and colours (script_colors.cpp)
   void know_states(int last_block);
   void states_changed(int first_block, int blocks);
   LineState state_above(const QTextBlock&) const;
@@ -58,18 +58,18 @@ class ScriptEdit : public WordEdit {
   void color_what_is_seen();
   void color(QTextBlock, const std::string& opener);
   void mark_lines();
-  // Numbers
+  // Numbers that the user drags
   struct Number {
-    int block = -1, at = 0, length = 0;  // UTF-16
+    int block = -1, at = 0, length = 0;  // in UTF-16 units
     QString text;
   };
   std::optional<Number> number_under(const QTextCursor&) const;
   void put_number(Number&, const QString&);
 
-  std::string known_;  // the film's text, as it stands here
+  std::string known_;  // the film's text, which this editor shows
   bool taking_ = false, crlf_ = false;
   QTimer pass_on_soon_, flash_ends_;
-  int stated_ = 0;  // blocks whose states at their ends are known
+  int stated_ = 0;  // number of blocks with a known state at their end
   bool colored_ = false;
   int colored_from_ = -1, colored_to_ = -1;
   std::multimap<int, const Diagnostic*> of_lines_;

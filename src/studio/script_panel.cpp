@@ -75,7 +75,7 @@ QSize ScriptPanel::sizeHint() const {
   return {edit_->margin_width() + 60 * m.horizontalAdvance('m'), 24 * m.lineSpacing()};
 }
 
-// The next place, from the other end where there is none.
+// Finds the next place; searches from the other end if there is none.
 void ScriptPanel::find(bool backwards) {
   const auto how = backwards ? QTextDocument::FindBackward : QTextDocument::FindFlags();
   if (sought_->text().isEmpty() || edit_->find(sought_->text(), how)) return;
@@ -104,7 +104,7 @@ bool ScriptPanel::eventFilter(QObject* of, QEvent* e) {
   return false;
 }
 
-// What is wrong with the text, each with its line; a click goes there.
+// Lists the diagnostics, each with its line; a click moves the cursor there.
 void ScriptPanel::list_diagnostics() {
   strip_->clear();
   for (const Diagnostic& d : desk_.diagnostics()) {

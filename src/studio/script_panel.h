@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The script: the file itself, its margin, and what there is to say of it.
+// The script panel: the editor, its margin and the diagnostics.
 #pragma once
 
 #include <QLineEdit>

@@ -158,7 +158,7 @@ void ServerPanel::take(const QByteArray& bytes) {
   if (line == "history") {
     asked_ = false;
     LoadOptions none;
-    none.read_nothing = true;  // what a server says opens no files here
+    none.read_nothing = true;  // a text from a server must open no files here
     program_ = Program::compile(load_text(answer["said"].toString().toStdString(), "", none).document, program_);
     list_environments();
     return;

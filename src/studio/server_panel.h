@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A running imaging server, watched and steered: its film at its time, what its hosts say, a line to say oneself.
+// Shows and controls a running imaging server: its film at its time, the lines of its hosts, and an input for your own.
 #pragma once
 
 #include <QElapsedTimer>
@@ -29,7 +29,7 @@ class ServerPanel : public QWidget {
   explicit ServerPanel(QWidget* parent = nullptr);
   ~ServerPanel() override;
 
-  // "PATH" of a socket, or "HOST:PORT".
+  // Connects to a socket "PATH" or to "HOST:PORT".
   void join(const QString& where);
   void leave();
   bool joined() const { return joined_; }
@@ -52,7 +52,7 @@ class ServerPanel : public QWidget {
   std::unique_ptr<QIODevice> socket_;
   bool joined_ = false, stale_ = false, asked_ = false;
   QByteArray come_;
-  std::vector<QString> waiting_;  // lines that are not answered yet
+  std::vector<QString> waiting_;  // lines without an answer yet
   Program program_;
   Time at_;
   bool runs_ = false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The exposure sheet: tracks and time, with all events.
+// The sheet panel: the dope sheet and the exposure sheet, with buttons above them.
 #pragma once
 
 #include <QWidget>

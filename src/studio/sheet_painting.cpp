@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is seen of a sheet: no more is looked at than there are pixels, however long the tracks are.
+// Painting of the dope sheet. The work is bounded by the number of pixels, however long the tracks are.
 #include <QPainter>
 #include <QScrollBar>
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace betwixt::studio {
 namespace {
 
-// Whether a value is the same at some times between two events that are equal.
+// Returns whether a value stays constant between two equal events, at three samples.
 bool stays_between(const Program& program, const Target& t, Time a, Time b) {
   const std::vector<double> at_first = numbers(program.read(t, a));
   for (const int part : {1, 2, 3})
@@ -51,7 +51,7 @@ void diamond(QPainter& p, double x, double y, double r) {
   p.drawConvexPolygon(points, 4);
 }
 
-// Events of a track that lie so close that one sign stands for them.
+// A group of events so close that they share one sign.
 struct Mark {
   double from, to;
   Time first, last;
@@ -77,7 +77,7 @@ void SheetPane::paint_track(QPainter& p, const Target& target, double y, bool wh
   }
   const auto view = betwixt::track(d, target);
   const bool steps = view && (view->twerper == "hold" || (view->twerper.empty() && view->unsaid == "hold"));
-  // From event to event: a bar where the value stays, a line where it is on its way.
+  // Paints a segment between events: a bar if the value holds, a line if it changes.
   const auto way = [&](double from, double to, Time at) {
     bool holds = steps, releases = false;
     const Value *value = nullptr, *comes = nullptr;
@@ -88,7 +88,7 @@ void SheetPane::paint_track(QPainter& p, const Target& target, double y, bool wh
     if (const auto next = next_event(d, target, at + Time{1}); next && value)
       each_event(d, target, *next, *next, [&](const EventView& e) {
         comes = e.before ? e.before : e.value;
-        // Between equal events a smooth way may swing out, and comes back.
+        // Between equal events a smooth curve may overshoot.
         holds = holds || (comes && *comes == *value && stays_between(desk_.program(), target, at, *next));
       });
     const bool* shown = value ? std::get_if<bool>(value) : nullptr;

@@ -129,7 +129,7 @@ void SheetPane::press_name(QMouseEvent* e, std::size_t row) {
   std::erase(ids, r.object);
   ids.push_back(r.object);
   if (!only_selected_) desk_.select(std::move(ids));
-  std::vector<EventAt> all;  // of the row: a click on its name selects them
+  std::vector<EventAt> all;  // the row's events: a click on its name selects them
   if (e->modifiers() & Qt::ShiftModifier) all = desk_.events_selected();
   for (const Target& t : tracks_of_row(desk_.document(), r))
     each_event(desk_.document(), t, from_the_beginning, for_good, [&](const EventView& v) {
@@ -264,7 +264,7 @@ bool SheetPane::key(int key, Qt::KeyboardModifiers with, bool act) {
     case Qt::Key_Down:
       return mine(row, [&] { go_to_row(1); });
     case Qt::Key_Return:
-    case Qt::Key_Enter:  // opens and closes an object; of a track the event at the playhead, or the one before it
+    case Qt::Key_Enter:  // opens or closes an object; on a track, selects the event at or before the playhead
       return mine(row, [&] {
         const SheetRow r = rows_[current_];
         if (r.whole) return choice_.open[r.object.index] = !r.open, lay_out();
@@ -305,7 +305,7 @@ void SheetPane::mouseDoubleClickEvent(QMouseEvent* e) {
     desk_.select_events({{t, at}});
 }
 
-// What stands behind the time in the event's row, to be written anew.
+// Edits the part of an event's row after the time.
 void SheetPane::edit(const EventAt& at) {
   const Event* e = find_event(desk_.document(), at);
   if (!e) return;

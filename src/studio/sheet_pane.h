@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The dope sheet: a row for each object and each of its tracks, events where their times are.
+// The dope sheet: a row for each object and each of its tracks, with events at their times.
 #pragma once
 
 #include <optional>
@@ -24,9 +24,9 @@ class SheetPane : public TimePane {
   const std::vector<SheetRow>& rows() const { return rows_; }
   void show_only_selected(bool);
   void search(const std::string&);
-  // Where an event of a row is.
+  // Returns the position of an event of a row.
   QPointF place(std::size_t row, Time) const;
-  // Around what is selected, as far as it is shown; its sides can be drawn.
+  // Returns the box around the selected events that are shown; the user can drag its sides.
   std::optional<QRectF> box() const;
 
  protected:
@@ -48,14 +48,14 @@ class SheetPane : public TimePane {
   void lay_out();
   double row_top(std::size_t row) const;
   std::optional<std::size_t> row_at(double y) const;
-  double half() const { return line_height() * 0.26; }  // of a diamond
+  double half() const { return line_height() * 0.26; }  // half the size of an event's diamond
   std::vector<EventAt> events_at(const QPointF&) const;
   std::vector<EventAt> events_in(const QRectF&) const;
   void press_name(QMouseEvent*, std::size_t row);
-  // What the hand that drags does to times, and says; none: nothing.
+  // Return the new time of an event, and the lines, of the current drag. Return nullopt or no lines if there is none.
   std::optional<Time> retimed(Time) const;
   Lines lines() const;
-  void keep_selection();  // for painting
+  void keep_selection();  // updates picked_
   void edit(const EventAt&);
   void go_to_row(int by);
   void paint_names(QPainter&) const;
@@ -65,16 +65,16 @@ class SheetPane : public TimePane {
   SheetChoice choice_;
   bool only_selected_ = true;
   std::vector<SheetRow> rows_;
-  PickedTimes picked_;  // as it is shown
+  PickedTimes picked_;  // the selection as shown, with the drag applied
   std::size_t current_ = 0;
   QScrollBar* scroll_;
   QLineEdit* words_ = nullptr;
 
   Hand hand_ = Hand::none;
   QPointF from_, to_;
-  Time held_;                       // the event in the hand
-  std::pair<Time, Time> was_, is_;  // the span of what is selected, and what it becomes
-  std::vector<EventAt> before_;     // that a box adds to
+  Time held_;                       // the dragged event
+  std::pair<Time, Time> was_, is_;  // the span of the selection, before and after the drag
+  std::vector<EventAt> before_;     // the selection before a box adds to it
 };
 
 }  // namespace betwixt::studio

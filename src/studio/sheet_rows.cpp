@@ -13,7 +13,7 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr std::size_t few = 8;  // objects are shown with their tracks at once
+constexpr std::size_t few = 8;  // up to this many objects are opened at first
 
 bool contains(const std::string& text, const std::string& part) {
   const auto alike = [](char a, char b) {
@@ -22,7 +22,7 @@ bool contains(const std::string& text, const std::string& part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), alike) != text.end();
 }
 
-// Whether a search means a track.
+// Tests which tracks match a search.
 class Search {
  public:
   Search(const Document& d, const std::string& said) : d_(d), said_(said) {
@@ -56,7 +56,7 @@ class Search {
   std::string functions_;
 };
 
-// A whole stands for its parts too: man for man/arm.
+// Adds the parts of groups: man/arm for man.
 std::vector<ObjectId> with_parts(const Document& d, const std::vector<ObjectId>& ids) {
   constexpr std::size_t few_wholes = 20;
   std::vector<ObjectId> all;
@@ -73,7 +73,7 @@ std::vector<ObjectId> with_parts(const Document& d, const std::vector<ObjectId>&
   return all;
 }
 
-// f(object, its tracks with events) for all that are meant.
+// Calls f(object, its tracks with events) for all objects chosen.
 template <class F>
 void each_object(const Document& d, const SheetChoice& choice, F&& f) {
   const Search search(d, choice.search);

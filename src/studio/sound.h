@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The film's sounds, in step with the playhead while it plays forward.
+// Plays the film's sounds in step with the playhead, forward only.
 #pragma once
 
 #include <QObject>
@@ -23,7 +23,7 @@ class Sound : public QObject {
   void follow();
 
   Desk& desk_;
-  std::unique_ptr<Hearing> hearing_;  // none: nothing is to be heard
+  std::unique_ptr<Hearing> hearing_;  // null if there is no sound to play
   FrameList frames_;
   bool loops_ = false, muted_ = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt-studio: what `betwixt studio` and `betwixt play` start where there is a display.
+// betwixt-studio: the program that `betwixt studio` and `betwixt play` start if there is a display.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDockWidget>
@@ -19,7 +19,7 @@
 
 namespace {
 
-// What a console held before: a line after the other, as far as they can be carried out.
+// Carries out the lines of a recorded session. Prints an error and returns false if the file or a line fails.
 bool play_back(betwixt::studio::Desk& desk, const QString& name) {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly)) {
@@ -39,8 +39,8 @@ bool play_back(betwixt::studio::Desk& desk, const QString& name) {
   return true;
 }
 
-// A panel by itself, as large as `size` says where it says something: "columns" is the sheet's other side, "export" the
-// window that makes films. Nothing: there is no such panel.
+// Returns the picture of one panel, of the given size if it is not empty. "columns" is the exposure sheet, "export" the
+// export dialog. Returns a null pixmap if there is no such panel.
 QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize size) {
   using namespace betwixt::studio;
   if (name == "picture") return window.viewport().grab();
@@ -60,7 +60,7 @@ QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize s
   const QSize around = dock->size() - panel->size();
   dock->resize((size.isEmpty() ? panel->sizeHint() : size) + around);
   QApplication::processEvents();
-  QApplication::processEvents();  // what is laid out anew by what was shown
+  QApplication::processEvents();  // a second pass, for layouts changed by the first
   return panel->grab();
 }
 
@@ -72,12 +72,12 @@ int main(int argc, char** argv) {
   // A screenshot needs no display.
   for (int i = 1; i < argc; ++i)
     if (std::string_view(argv[i]).starts_with("--screenshot")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  // What the toolkit notices is for those who work on it.
+  // Hides Qt's notices, which concern only developers.
   if (!qEnvironmentVariableIsSet("BETWIXT_TOOLKIT_SAYS"))
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& words) {
       if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "betwixt: %s\n", qPrintable(words));
     });
-  // All arguments are ours: the toolkit would take --session and --style for its own.
+  // Pass no arguments to Qt, which would take --session and --style as its own.
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
   int own = 1;
@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
   Desk desk(options);
   Window window(desk, {.bare = line.isSet("bare"), .remembers = !shows_only});
   if (line.isSet("light")) window.set_light(true);
-  // A long film is still being read.
+  // Shows the window while a long film is still loading.
   QObject::connect(&desk.beside(), &Beside::takes_long, &window, [&] {
     if (!shows_only) window.show();
   });
@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
   }
   window.show();
   if (shows_only) {
-    if (line.isSet("layout")) window.set_layout(line.value("layout"));  // its shares of the size that there is
+    if (line.isSet("layout")) window.set_layout(line.value("layout"));  // its shares are relative to this size
     QApplication::processEvents();
     window.viewport().await_picture();
     QApplication::processEvents();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Our words as the toolkit's.
+// Converts our strings to Qt's.
 #pragma once
 
 #include <QString>
@@ -12,7 +12,7 @@ namespace betwixt::studio {
 
 inline QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
-// Tooltips take for markup what looks like it. This is what shows the words of a film as they are.
+// Returns a tooltip that shows a text unchanged. Qt would read a text that looks like markup as markup.
 inline QString tip_of(const QString& words) {
   return Qt::mightBeRichText(words) ? Qt::convertFromPlainText(words) : words;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How the studio looks: light or dark, and the colours of what panels draw themselves.
+// The look of the studio: the light and the dark theme, and the colours of painted content.
 #pragma once
 
 #include <QApplication>
@@ -14,15 +14,15 @@ namespace betwixt::studio {
 enum class Theme { dark, light };
 void set_theme(QApplication&, Theme);
 
-// The colours of what panels draw, in the theme that is set.
+// The colours of painted content, in the current theme.
 struct Colors {
   QColor back, raised, line, text, dim, accent, playhead, event, selected, error, warning, note, cut;
-  QColor x, y, z;  // of axes and components, red green blue of colours too
+  QColor x, y, z;  // of axes and components, and of a colour's red, green and blue
 };
 const Colors& colors();
 QColor faint(QColor, float alpha);
-QColor swatch(const Color&);  // of the language
-// The same in any theme: of what lies over pictures.
+QColor swatch(const Color&);  // a colour of the film
+// Returns the colours for overlays on pictures, the same in each theme.
 const Colors& picture_colors();
 
 }  // namespace betwixt::studio

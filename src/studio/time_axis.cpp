@@ -10,9 +10,9 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr double narrowest = 1e-3, widest = 1e6;  // pixels a second
+constexpr double narrowest = 1e-3, widest = 1e6;  // limits of scale_, pixels a second
 
-// The first step of 1, 2, 5, 10, 20 … that is at least so long.
+// Returns the smallest step of 1, 2, 5, 10, 20 … that is at least `least`.
 double round_step(double least) {
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double k : {1., 2., 5.})
@@ -28,7 +28,7 @@ TimeAxis::TimeAxis(Desk& desk) : QObject(&desk), desk_(desk) {
   connect(&desk, &Desk::document_changed, this, [this] {
     if (!touched_ && fitted_ && *fitted_ != desk_.document().range()) fit(width_);
   });
-  // The playhead is followed where it goes out of sight, but not under a hand that drags it.
+  // Scrolls to a playhead outside the view, but not while the user drags.
   connect(&desk, &Desk::time_changed, this, [this] {
     const double x = x_of(desk_.time());
     if (width_ < 1 || (x >= 0 && x <= width_) || QApplication::mouseButtons() != Qt::NoButton) return;

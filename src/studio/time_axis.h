@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where times lie from left to right: one for all panels of a desk, so that what happens together stands below each
-// other.
+// Maps times to x positions. All panels of a desk share one axis, so that events at the same time line up.
 #pragma once
 
 #include <QObject>
@@ -18,25 +17,25 @@ class TimeAxis : public QObject {
  public:
   static TimeAxis& of(Desk&);
 
-  // In pixels from where the panels' time begins.
+  // Convert pixels, counted from the left end of the time area.
   double x_of(Time t) const { return (t.seconds() - first_) * scale_; }
   Time time_at(double x) const;
   double frame_width() const { return scale_ / desk_.document().rate().per_second(); }
-  void zoom(double factor, double x);  // what is at x stays there
+  void zoom(double factor, double x);  // the time at x stays at x
   void scroll(double pixels);
-  void show(Time from, Time to, double width);  // all of it, and a little more
-  // The whole film, as long as nobody has zoomed or scrolled since it was opened.
+  void show(Time from, Time to, double width);  // fits a span of time, with a small margin
+  // Fits the whole film, unless the user has zoomed or scrolled since it was opened.
   void fit(double width);
   void fit_again() { touched_ = false; }
 
-  // How times are written: frames, or seconds.
+  // Whether times are shown in seconds instead of frames.
   bool in_seconds() const { return in_seconds_; }
   void count_in_seconds(bool);
-  // What stands left of the time, in pixels, equally wide in all panels.
+  // The width of the area left of the time, in pixels, equal in all panels.
   int gutter() const { return gutter_; }
   void set_gutter(int);
 
-  // Where the ruler has lines from x = 0 to `width`; those with a label are main ones.
+  // Returns the lines of the ruler from x = 0 to `width`. Main lines have a label.
   struct Tick {
     double x;
     QString label;
@@ -51,7 +50,7 @@ class TimeAxis : public QObject {
 
   Desk& desk_;
   double first_ = 0, scale_ = 100;  // seconds; pixels a second
-  double width_ = 0;                // that it was to be fitted into last
+  double width_ = 0;                // width of the last fit()
   std::optional<std::pair<Time, Time>> fitted_;
   bool touched_ = false, in_seconds_ = false;
   int gutter_ = 0;

@@ -39,7 +39,7 @@ Time TimePane::time_at(const QPointF& at, Qt::KeyboardModifiers keys) const {
 bool TimePane::in_ruler(const QPointF& at) const { return at.y() < ruler_height() && at.x() >= axis_.gutter(); }
 bool TimePane::at_gutter(const QPointF& at) const { return std::abs(at.x() - axis_.gutter()) < 4; }
 
-// Panes that nobody sees have no say in what is seen.
+// Hidden panes do not change the axis.
 void TimePane::fit_time() {
   if (isVisible()) axis_.fit(time_box().width());
 }
@@ -63,7 +63,7 @@ void TimePane::paintEvent(QPaintEvent*) {
   paint_playhead(p);
 }
 
-// Keys of a panel go before those of the window while the panel is used.
+// While a panel has the focus, its keys have priority over the window's.
 bool TimePane::event(QEvent* e) {
   if (e->type() == QEvent::ShortcutOverride) {
     const auto* k = static_cast<QKeyEvent*>(e);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What panels have in common in which time goes from left to right: a ruler on top, the playhead, names at the left,
-// and the gestures that have to do with time alone.
+// The base of all panels with a horizontal time axis: a ruler on top, the playhead, names at the left, and the gestures
+// that concern only time.
 #pragma once
 
 #include <QPixmap>
@@ -22,32 +22,34 @@ class TimePane : public QWidget {
 
   double x_of(Time t) const { return axis_.gutter() + axis_.x_of(t); }
   Time time_at(double x) const { return axis_.time_at(x - axis_.gutter()); }
-  // On the nearest frame; with Ctrl where it is.
+  // Returns the time at the nearest frame; with Ctrl, the exact time.
   Time time_at(const QPointF&, Qt::KeyboardModifiers) const;
   int ruler_height() const;
   void update() { fresh_ = false, QWidget::update(); }
 
  protected:
-  // All but the playhead: that moves alone while a film plays.
+  // Paints all but the playhead, which moves alone during playback.
   virtual void paint_content(QPainter&) = 0;
-  // A press that has nothing to do with time alone; moves and a release follow.
+  // Called for presses that are no gesture of time; moves and a release follow.
   virtual void press(QMouseEvent*) {}
   virtual void drag(QMouseEvent*) {}
   virtual void release(QMouseEvent*) {}
   virtual void hover(QMouseEvent*) {}
-  virtual void pan(double) {}                                           // up and down, in pixels
-  virtual void call_off() {}                                            // Escape while dragging
-  virtual bool key(int, Qt::KeyboardModifiers, bool) { return false; }  // false: not mine. `act`: else only asked
+  virtual void pan(double) {}  // vertically, in pixels
+  virtual void call_off() {}   // Escape during a drag
+  // Returns whether a key has an action here. Carries it out only if the last argument is true.
+  virtual bool key(int, Qt::KeyboardModifiers, bool) { return false; }
   virtual void wheel(QWheelEvent* e) { zoom_time(e); }
   virtual bool in_ruler(const QPointF& at) const;
 
   void zoom_time(QWheelEvent*);
   bool dragging() const { return hand_ == Hand::own; }
   Time nearest_frame(Time) const;
-  QRect time_box() const;  // all that is right of the names
+  QRect time_box() const;  // the area right of the names
   int line_height() const;
   void paint_ruler(QPainter&) const;
-  void paint_lines(QPainter&, int from, int to) const;  // light ones below the ruler's labels; outside the range darker
+  // Paints light lines at the ruler's labels, and shades the time outside the film's range.
+  void paint_lines(QPainter&, int from, int to) const;
   void paint_playhead(QPainter&) const;
 
   Desk& desk_;
@@ -71,7 +73,7 @@ class TimePane : public QWidget {
   Hand hand_ = Hand::none;
   QPointF from_;
   QPixmap content_;
-  bool fresh_ = false;  // that is how things are
+  bool fresh_ = false;  // content_ is up to date
 };
 
 }  // namespace betwixt::studio

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Times as they stand in lines.
+// Times as script lines write them.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ inline std::string segment_words(const Desk& desk, Time from, Time to) {
   return desk.when(from) + ".." + desk.when(to);
 }
 
-// How long: "3f" where it is whole frames, else seconds.
+// Returns a length: "3f" for whole frames, otherwise seconds.
 inline std::string length_words(const Document& d, Time length) {
   const double frames = std::round(d.rate().frame_number(length) - 1);
   return d.rate().span(frames) == length ? write_number(frames) + "f" : write_seconds(length);

@@ -18,7 +18,7 @@
 namespace betwixt::studio {
 namespace {
 
-// What a key to play looks like, in a square of one.
+// Returns the symbol of a playback button in a unit square.
 QPainterPath sign(const QString& name) {
   QPainterPath path;
   const auto triangle = [&](double base, double tip) {
@@ -107,7 +107,7 @@ Timeline::Timeline(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
   connect(&desk, &Desk::document_changed, this, &Timeline::show_time);
   connect(&desk, &Desk::playing_changed, this, &Timeline::show_playing);
   show_time(), show_playing();
-  setMaximumHeight(sizeHint().height());  // what is more belongs to the panels below
+  setMaximumHeight(sizeHint().height());  // the panels below get the rest of the height
 }
 
 QToolButton* Timeline::button(const QString& name, const QString& tip, void (*does)(Desk&)) {
@@ -165,7 +165,7 @@ void Timeline::go_where_said() {
   at_->setModified(false);
   if (const auto t = parse_time(time.toStdString(), desk_.document())) desk_.pause(), desk_.go_to(*t);
   show_time();
-  findChild<Ruler*>()->setFocus();  // keys are keys again
+  findChild<Ruler*>()->setFocus();  // return the keyboard to the ruler
 }
 
 }  // namespace betwixt::studio

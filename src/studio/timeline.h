@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The ruler that the playhead is on, with notes and cuts; keys to play.
+// The timeline panel: the ruler, and buttons for playback.
 #pragma once
 
 #include <QWidget>

@@ -12,10 +12,10 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr int most_frames = 240;  // a longer film shows so many around the playhead
+constexpr int most_frames = 240;  // frames shown around the playhead if the film is longer
 constexpr std::size_t most_ways = 20;
 constexpr double dot_reach = 6;       // pixels
-constexpr int most_milliseconds = 6;  // of looking, in a picture
+constexpr int most_milliseconds = 6;  // time spent on paths in one picture
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::pair<int, int> Trails::frames(const Desk& desk, Time now) {
   return {first, last};
 }
 
-// Those nearest to the playhead first.
+// Finds the places nearest to the playhead first.
 bool Trails::find(Way& way, ObjectId id, int first, int last, int now) {
   const Rate rate = desk_.document().rate();
   const Target world(id, Query::world);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The ways that things go: where they are at each frame around the playhead, larger where there is an event.
+// Motion paths: dots at the positions of each frame around the playhead, larger at events.
 #pragma once
 
 #include <map>
@@ -17,16 +17,16 @@ class Trails {
  public:
   explicit Trails(const Desk& desk) : desk_(desk) {}
   void forget() { ways_.clear(); }
-  // False: not all of it was found in the time that one picture may take; it goes on with the next.
+  // Returns false if some paths need more time than one picture may take; the next call continues.
   bool paint(QPainter&, const Scope&, Time now);
-  // The event whose dot is there.
+  // Returns the event with a dot at this point, or nullopt.
   std::optional<EventAt> event_at(const Scope&, QPointF, Time now) const;
-  // The frames that a trail shows, both included.
+  // Returns the first and the last frame of a path.
   static std::pair<int, int> frames(const Desk&, Time now);
 
  private:
   struct Way {
-    std::map<int, Vec3> places;  // by frames
+    std::map<int, Vec3> places;  // by frame
     std::map<int, EventAt> events;
     bool moves() const;
   };

@@ -22,7 +22,7 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr int most_names = 2000;      // that a list of objects offers; others are typed
+constexpr int most_names = 2000;      // names offered in a list of objects; the user types others
 constexpr qsizetype most_text = 400;  // characters of a value that are shown
 
 QHBoxLayout* row_of(QWidget* w) {
@@ -68,7 +68,7 @@ class NumbersEditor : public ValueEditor {
   std::vector<NumberField*> fields_;
 };
 
-// A text that is said when it is finished.
+// A line of text, passed on when editing is finished.
 class Line : public QLineEdit {
  public:
   explicit Line(QWidget* parent, std::function<void(const QString&)> say) : QLineEdit(parent), say_(std::move(say)) {
@@ -96,7 +96,7 @@ class Line : public QLineEdit {
   std::function<void(const QString&)> say_;
 };
 
-// Points, names, motions, orientations: as they are written. What is very long is not changed here.
+// Edits points, names, motions and orientations as script text. A very long text is only shown.
 class WordsEditor : public ValueEditor {
  public:
   WordsEditor(bool quoted, QWidget* parent)
@@ -197,7 +197,7 @@ class ChoiceEditor : public ValueEditor {
   QComboBox* box_;
 };
 
-// Names of objects, looked up when they are asked for.
+// A list of object names, filled when it opens.
 class ObjectBox : public QComboBox {
  public:
   ObjectBox(Desk& desk, QStringList first, QWidget* parent) : QComboBox(parent), desk_(desk), first_(std::move(first)) {
@@ -228,7 +228,7 @@ class ObjectBox : public QComboBox {
   QStringList first_;
 };
 
-// f(text) when something was chosen or typed.
+// Calls f(text) after a choice or typed text.
 template <class F>
 void when_chosen(ObjectBox* box, F f) {
   QObject::connect(box, &QComboBox::textActivated, box, f);
@@ -260,7 +260,7 @@ class ObjectEditor : public ValueEditor {
   ObjectBox* box_;
 };
 
-// What it hangs on, and how; it stays where it is in the world.
+// Edits the parent and the kind of attachment; the object keeps its place in the world.
 class AttachmentEditor : public ValueEditor {
  public:
   AttachmentEditor(Desk& desk, QWidget* parent)
@@ -296,7 +296,7 @@ class AttachmentEditor : public ValueEditor {
   ObjectBox* to_;
 };
 
-// What code gives now, and on the tip the code.
+// Shows the current value of code; the tooltip shows the code.
 class CodeEditor : public ValueEditor {
  public:
   explicit CodeEditor(QWidget* parent) : ValueEditor(parent), label_(new QLabel(this)) {

@@ -13,7 +13,7 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr double steady = 4;  // pixels that a click may wander
+constexpr double steady = 4;  // pixels that the mouse may move in a click
 
 }  // namespace
 
@@ -45,7 +45,7 @@ Viewport::Viewport(Desk& desk, QWidget* parent) : QWidget(parent), desk_(desk), 
 }
 Viewport::~Viewport() = default;
 
-// The largest box of the film's own shape.
+// Returns the largest box with the film's aspect ratio.
 QRect Viewport::frame_box() const {
   const double aspect = desk_.document().aspect();
   const int w = std::max(1, std::min(width(), static_cast<int>(height() * aspect)));
@@ -104,7 +104,7 @@ void Viewport::forget() {
   update();
 }
 
-// What lies over the picture belongs to it: while it plays, pictures come later than their times.
+// Overlays match the picture. During playback pictures arrive later than their times.
 Time Viewport::shown_time() const {
   return desk_.transport().playing() && !shown_.image.isNull() ? shown_.time : desk_.time();
 }
@@ -120,7 +120,7 @@ const Frame& Viewport::frame() const {
   return *frame_;
 }
 
-// Of a film that plays the picture brings it along.
+// During playback the camera comes with the picture.
 Camera Viewport::eye() const {
   if (free_) return *free_;
   return desk_.transport().playing() && !shown_.image.isNull() ? shown_.eye : frame().camera;
@@ -202,7 +202,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* e) {
       unsetCursor();
       gesture_ = Gesture::none;
       break;
-    case Gesture::press:  // a click: of several that are selected only this one stays
+    case Gesture::press:  // a click on one of several selected objects selects only this one
       gesture_ = Gesture::none;
       if (!(e->modifiers() & Qt::ShiftModifier))
         desk_.select(pressed_ ? std::vector{*pressed_} : std::vector<ObjectId>{});
@@ -237,7 +237,7 @@ bool Viewport::event(QEvent* e) {
     found ? QToolTip::showText(help->globalPos(), in_words(found->id), this) : QToolTip::hideText();
     return true;
   }
-  // Keys that mean something here are no menu's.
+  // The viewport's keys have priority over the menus'.
   if (e->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(e);
     const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The picture, in which things are selected and moved. What a hand does in it are lines of the language; where one
-// looks from, and what is drawn over the picture, is nobody's but the viewer's.
+// The picture, in which you select and move objects. Edits become script lines. The free camera and the overlays belong
+// to the view alone, and change no film.
 #pragma once
 
 #include <QWidget>
@@ -20,11 +20,11 @@ class QComboBox;
 
 namespace betwixt::studio {
 
-// What is drawn over the picture, and how hands work.
+// Overlays and tools.
 struct ViewportSwitches {
   Tool tool = Tool::move;
-  bool own_axes = false;  // of handles; else the world's
-  bool auto_key = false;  // all that a hand does becomes an event
+  bool own_axes = false;  // handles along the object's axes instead of the world's
+  bool auto_key = false;  // each edit becomes an event
   bool trails = true, ghosts = false, grid = false, handles = true;
 };
 
@@ -34,9 +34,9 @@ class Viewport : public QWidget {
   explicit Viewport(Desk&, QWidget* parent = nullptr);
   ~Viewport() override;
 
-  // The picture that belongs to the time and the film by now: waits for it. For screenshots and tests.
+  // Waits for the picture of the current time and film. For screenshots and tests.
   void await_picture();
-  // Only to be looked at: nothing lies over the picture.
+  // Switches all overlays and tools off.
   void set_plain(bool);
   void set_style(const std::string& style);
   const std::string& style() const { return style_; }
@@ -45,26 +45,26 @@ class Viewport : public QWidget {
   const ViewportSwitches& switches() const { return switches_; }
   void set_switches(const ViewportSwitches&);
   void flip(bool ViewportSwitches::*which);
-  // Through the film's camera, or from where one likes; that begins where the film's is.
+  // The free camera; without it the view is the film camera's. It starts at the film camera.
   bool is_free() const { return free_.has_value(); }
   void set_free(bool);
   void look_along(Vec3 direction);  // "front" is (0 0 -1)
-  void look_from_behind();          // from the other side
-  void frame_selected();            // all, where nothing is
+  void look_from_behind();          // turns the view by half a turn
+  void frame_selected();            // all objects if none is selected
   void toggle_perspective();
-  // The film's camera is put where the free eye is; where there is none, one is made.
+  // Moves the film's camera to the free camera. Creates one if the film has none.
   void bring_camera();
   void select_all();
-  // Takes what is selected into the hand, as long as nothing else is done: G, R and S.
+  // Starts a transform of the selection by the mouse, without a handle: G, R and S.
   void take(Tool);
   bool pulls() const { return pull_.has_value(); }
-  const QString& refusal() const { return refusal_; }  // why some of it cannot be done; may be empty
+  const QString& refusal() const { return refusal_; }  // why some object cannot be transformed; or ""
 
-  // Where something is seen, in the widget; what is there. For tests too.
+  // Return where objects are in the widget, and the object at a point. Public for tests too.
   Scope scope() const;
   std::optional<Hit> hit(QPointF) const;
   const Frame& frame() const;
-  // The line that makes a thing of a file, at a place of the widget.
+  // Returns the line that imports a file at a point of the widget.
   std::string line_for_file(const QString& file, QPointF) const;
 
  Q_SIGNALS:
@@ -89,22 +89,22 @@ class Viewport : public QWidget {
 
  private:
   enum class Gesture { none, orbit, pan, zoom, press, box, pull };
-  struct Icon {  // of what has no shape
+  struct Icon {  // of an object without a shape
     ObjectId id;
     Kind kind;
     Vec3 place;
   };
 
   PictureWanted wanted() const;
-  QRect frame_box() const;    // where the film's picture would be, in the widget
-  QRect picture_box() const;  // where the picture is
+  QRect frame_box() const;    // the film's picture in the widget
+  QRect picture_box() const;  // the rendered picture
   void ask();
   void take_picture(const PictureMade&);
-  void forget();  // what was worked out of the film and the time
+  void forget();  // drops all caches of the film and the time
   Time shown_time() const;
   Camera eye() const;
 
-  // Looking (viewport_navigation.cpp)
+  // Navigation (viewport_navigation.cpp)
   void move_eye(const Camera&);
   Vec3 pivot() const;
   Box box_of(const std::vector<ObjectId>&) const;
@@ -112,10 +112,10 @@ class Viewport : public QWidget {
   void drag_eye(QPointF by);
   bool looking_key(int key, Qt::KeyboardModifiers);
 
-  // Hands (viewport_hands.cpp)
+  // Edits (viewport_hands.cpp)
   const Hand& grip() const;
   std::optional<Handles> handles() const;
-  // Of what is selected now, or of one event of it.
+  // Transforms the selected objects, or one event of the selection.
   void begin_pull(Tool, Part, QPointF from, std::optional<EventAt> = {});
   void say_refusal();
   void go_on_pulling(QPointF, Qt::KeyboardModifiers);
@@ -130,7 +130,7 @@ class Viewport : public QWidget {
   QString in_words(ObjectId) const;
 
   // Painting (viewport_painting.cpp)
-  QImage layer() const;  // as large as the widget, clear
+  QImage layer() const;  // clear, of the widget's size
   bool is_bright() const;
   void paint_grid(QPainter&, const Scope&);
   void draw_grid(QPainter&, const Scope&) const;
@@ -152,30 +152,30 @@ class Viewport : public QWidget {
   std::string style_ = "shaded";
   ViewportSwitches switches_;
   std::optional<Camera> free_;
-  double last_depth_ = 10;  // of what was looked at
+  double last_depth_ = 10;  // of the last point the user looked at
 
-  // Of the film at the time; made when somebody asks.
+  // Caches for the film at the time, filled when needed.
   mutable std::optional<Evaluation> evaluation_;
   mutable std::optional<Frame> frame_;
   mutable std::optional<Hand> grip_;
   mutable std::optional<std::vector<Icon>> icons_;
   Trails trails_;
   Ghosts ghosts_;
-  struct Layer {  // is painted anew where one of these is another
+  struct Layer {  // repainted if one of these changes
     QImage image;
     std::vector<ObjectId> of;
     Camera eye;
     QRect box;
   };
   std::optional<Layer> outline_, grid_;
-  std::vector<ObjectId> bracketed_;  // by corners: their outline would take too long
+  std::vector<ObjectId> bracketed_;  // marked by their corners, because their outlines would take too long
 
   Gesture gesture_ = Gesture::none;
   QPointF from_, at_;
   Vec3 pivot_;
   std::optional<ObjectId> pressed_;
   std::optional<Pull> pull_;
-  bool pull_by_keys_ = false, called_off_ = false;  // the latter: by the button that else opens a menu
+  bool pull_by_keys_ = false, called_off_ = false;  // the latter by the button that otherwise opens a menu
   Part hot_ = Part::none;
   QString refusal_;
   bool plain_ = false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The switches in the picture's upper corners.
+// The switches in the upper corners of the picture.
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QToolButton>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files that are dropped on the picture become things under the pointer.
+// Creates objects from files dropped on the picture.
 #include <QDir>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -26,7 +26,7 @@ Sort sort_of(const QString& file) {
   return Sort::none;
 }
 
-// A name for what a file holds, that nothing has yet: "cow", "cow2".
+// Returns an unused name for a file's content: "cow", "cow2".
 std::string name_for(const QString& file, const Document& d) {
   std::string name;
   for (const QChar c : QFileInfo(file).completeBaseName().toLower())
@@ -39,7 +39,7 @@ std::string name_for(const QString& file, const Document& d) {
   return out;
 }
 
-// As scripts say it: from their own folder.
+// Returns a path relative to the script's folder, or the absolute path of a file outside it.
 std::string path_from_script(const QString& file, const std::string& script) {
   const QDir folder = script.empty() ? QDir::current() : QFileInfo(QString::fromStdString(script)).absoluteDir();
   const QString path = folder.relativeFilePath(file);
@@ -55,7 +55,8 @@ QStringList files_of(const QMimeData* data) {
 
 }  // namespace
 
-// On something, else on the ground (a drawing's paper), else before the eye.
+// Returns a place under the pointer: on an object; otherwise on the ground (in a flat film, on the paper); otherwise in
+// front of the eye.
 Vec3 Viewport::place_under(QPointF p) const {
   const Scope s = scope();
   const QPointF at = s.in_picture(p);
@@ -80,7 +81,7 @@ std::string Viewport::line_for_file(const QString& file, QPointF p) const {
   if (sort == Sort::mesh) {
     line += " mesh file=" + path;
   } else {
-    // A third of the picture high, and as its file is wide.
+    // The image gets a third of the picture's height, and its own aspect ratio.
     const QSize size = QImageReader(file).size();
     const double high = rounded(s.box.height() * pixel / 3, 10 * pixel);
     const double wide = size.height() > 0 ? rounded(high * size.width() / size.height(), pixel) : high;
@@ -102,7 +103,7 @@ void Viewport::dropEvent(QDropEvent* e) {
       desk_.say("open " + quoted_word(file.toStdString()));
       return e->acceptProposedAction();
     }
-    // One after the other: each has a name that none before it has.
+    // Carry the lines out one by one, so that each finds a name that is free.
     const std::string line = line_for_file(file, e->position());
     if (!desk_.say(line)) {
       refusal_ = QString::fromStdString(desk_.last_said()).section('\n', 0, 0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Selecting, and pulling what is selected.
+// Selection and transforms in the picture.
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <algorithm>
@@ -20,9 +20,9 @@ constexpr double handle_reach = 80;  // pixels
 
 }  // namespace
 
-// ---- Selecting
+// ---- Selection
 
-// Lights and cameras: they have no shape.
+// Lists the lights and cameras, and the selected groups: they have no shape.
 const std::vector<Viewport::Icon>& Viewport::icons() const {
   if (icons_) return *icons_;
   icons_.emplace();
@@ -95,7 +95,7 @@ void Viewport::select_in_box(Qt::KeyboardModifiers modifiers) {
   desk_.select(ids);
 }
 
-// What lies there, one behind the other; and what can be done with it.
+// Shows a menu of the objects under the pointer, from front to back, and of the actions on the selection.
 void Viewport::contextMenuEvent(QContextMenuEvent* e) {
   if (gesture_ != Gesture::none || std::exchange(called_off_, false)) return;
   QMenu menu(this);
@@ -126,7 +126,7 @@ void Viewport::select_all() {
   desk_.select(ids);
 }
 
-// ---- Pulling
+// ---- Transforms
 
 const Hand& Viewport::grip() const {
   if (!grip_) grip_.emplace(desk_.program(), shown_time(), desk_.selected(), switches_.auto_key);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where one looks from.
+// Navigation: how the user moves the free camera.
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double turn_per_pixel = 0.008;  // radians
 constexpr double zoom_per_notch = 0.85;
 constexpr double zoom_per_pixel = 0.993;
-constexpr std::size_t many = 500;  // things whose boxes are looked at closely
+constexpr std::size_t many = 500;  // objects; a box around more of them holds only their positions
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void Viewport::move_eye(const Camera& c) {
   update();
 }
 
-// What hangs on them, too: a group is its members.
+// Returns objects with all their descendants, so that a group stands for its members.
 std::vector<ObjectId> Viewport::with_what_hangs_on(const std::vector<ObjectId>& ids) const {
   const Document& d = desk_.document();
   Marks in(ids);
@@ -63,7 +63,7 @@ std::vector<ObjectId> Viewport::with_what_hangs_on(const std::vector<ObjectId>& 
   return out;
 }
 
-// Of these, or of all that is seen.
+// Returns the box around these objects, or around all visible ones.
 Box Viewport::box_of(const std::vector<ObjectId>& ids) const {
   Box box;
   const Marks wanted(ids.empty() ? ids : with_what_hangs_on(ids));
@@ -82,7 +82,7 @@ Box Viewport::box_of(const std::vector<ObjectId>& ids) const {
   return box;
 }
 
-// What one turns about: what is selected, else what is in the middle of the picture.
+// Returns the centre of an orbit: the selection; otherwise the object in the middle of the picture.
 Vec3 Viewport::pivot() const {
   const Scope s = scope();
   if (!desk_.selected().empty() && !grip().empty()) return grip().place();
@@ -106,7 +106,7 @@ void Viewport::drag_eye(QPointF by) {
     move_eye(zoomed(*free_, pivot_, std::pow(zoom_per_pixel, by.x() - by.y())));
 }
 
-// Towards what is under the pointer, which stays there.
+// Zooms to the place under the pointer, which stays there.
 void Viewport::wheelEvent(QWheelEvent* e) {
   const double notches = e->angleDelta().y() / 120.0;
   if (notches == 0) return e->ignore();
@@ -138,7 +138,7 @@ void Viewport::bring_camera() {
   const Scope s = scope();
   const Vec3 eye = s.projection.eye();
   const double step = s.metres(std::max(1e-3, s.depth(pivot())));
-  // The one that is looked through is where it is seen from.
+  // The current camera is the one at the eye's place.
   ObjectId camera;
   for (const Icon& i : icons())
     if (i.kind == Kind::camera && length(i.place - translation_of(frame().camera.world)) < 1e-9) camera = i.id;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lies over the picture.
+// Painting of the overlays on the picture.
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,11 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr std::size_t most_outlined = 60;     // things
+constexpr std::size_t most_outlined = 60;     // objects
 constexpr std::size_t most_corners = 40'000;  // of their meshes
-constexpr std::size_t most_cleared = 60;      // that the grid is behind
+constexpr std::size_t most_cleared = 60;      // objects in front of the grid
 constexpr std::size_t most_bracketed = 300;
-constexpr double grid_pixels = 40;  // from line to line, at least
+constexpr double grid_pixels = 40;  // least distance of two lines
 
 }  // namespace
 
@@ -56,7 +56,7 @@ QImage Viewport::layer() const {
   return image;
 }
 
-// Whether lines over a picture are better dark.
+// Returns whether the picture is so bright that dark lines are easier to see.
 bool Viewport::is_bright() const {
   const QImage& image = shown_.image;
   if (image.isNull()) return false;
@@ -68,7 +68,7 @@ bool Viewport::is_bright() const {
   return sum > 170 * side * side;
 }
 
-// Lines on the floor, or on a drawing's paper.
+// Paints lines on the floor, or on the paper of a flat film.
 void Viewport::paint_grid(QPainter& p, const Scope& s) {
   const Camera eye = this->eye();
   if (!grid_ || !(grid_->eye == eye) || grid_->box != picture_box()) {
@@ -116,7 +116,7 @@ void Viewport::draw_grid(QPainter& p, const Scope& s) const {
   draw(v, u, cv, cu, flat ? picture_colors().y : picture_colors().z);
 }
 
-// Takes away what lies below things that stand on the ground; what is the ground itself has its lines on it.
+// Erases the grid behind objects. The ground itself keeps its lines.
 void Viewport::clear_things(QPainter& p, const Scope& s) const {
   p.setCompositionMode(QPainter::CompositionMode_DestinationOut);
   p.setRenderHint(QPainter::Antialiasing, false);
@@ -131,7 +131,7 @@ void Viewport::clear_things(QPainter& p, const Scope& s) const {
   }
 }
 
-// Around what is seen of them: a line; of much at once only the corners of a box.
+// Paints an outline around the visible part of selected objects; of many objects, only the corners of their boxes.
 void Viewport::paint_outlines(QPainter& p, const Scope& s) {
   const Camera eye = this->eye();
   if (!outline_ || outline_->of != desk_.selected() || !(outline_->eye == eye) || outline_->box != picture_box()) {
@@ -141,7 +141,7 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
     QPainter on(&mask);
     on.setClipRect(s.box);
     std::size_t things = 0, corners = 0;
-    // A group is what hangs on it.
+    // A group is outlined through its members.
     const std::vector<ObjectId>& ids = desk_.selected();
     const bool groups =
         std::any_of(ids.begin(), ids.end(), [&](ObjectId id) { return kind(desk_.document(), id) == Kind::group; });
@@ -158,7 +158,7 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
     on.end();
     QImage line = layer();
     QPainter over(&line);
-    // Dark around it: to be seen on its own colour, too.
+    // A dark border makes the line visible on its own colour, too.
     QImage dark = mask;
     QPainter darken(&dark);
     darken.setCompositionMode(QPainter::CompositionMode_SourceIn);
@@ -206,7 +206,7 @@ void Viewport::paint_icons(QPainter& p, const Scope& s) {
     const bool selected = marked(i.id);
     if (!is_free() && !selected) continue;
     const auto spot = s.spot(i.place);
-    // Who looks out of it does not see it, nor a drawing's, which lies over all of it.
+    // The current camera has no icon in its own view. In a flat film it would cover the middle of the picture.
     const bool here = i.kind == Kind::camera && !selected &&
                       (frame().surroundings.flat || length(i.place - s.projection.eye()) < 1e-3);
     if (!spot || here) continue;
@@ -232,7 +232,7 @@ void Viewport::paint_icons(QPainter& p, const Scope& s) {
   p.restore();
 }
 
-// What the film's camera sees, from aside.
+// Paints the view frustum of the film's camera.
 void Viewport::paint_camera(QPainter& p, const Scope& s) {
   const Camera& c = frame().camera;
   const Projection film(c, desk_.document().aspect());
@@ -256,7 +256,7 @@ void Viewport::paint_camera(QPainter& p, const Scope& s) {
   p.restore();
 }
 
-// The axes that something is pulled along.
+// Paints the axes of the current transform.
 void Viewport::paint_pull(QPainter& p) {
   const Scope s = scope();
   p.save();

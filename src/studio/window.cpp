@@ -64,7 +64,7 @@ Window::Window(Desk& desk, Manner manner)
   add_panels();
   add_menus();
   said_->setTextFormat(Qt::PlainText);
-  said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long line makes no wider window
+  said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long lines do not widen the window
   statusBar()->addWidget(said_, 1);
   statusBar()->setVisible(!manner_.bare);
   menuBar()->setVisible(!manner_.bare);
@@ -77,7 +77,7 @@ Window::Window(Desk& desk, Manner manner)
     leaving_ = true;
     QTimer::singleShot(0, this, &QWidget::close);
   });
-  // The last line that a hand has said stands below, also where the console is not shown.
+  // The status bar shows the last line carried out, or its error, even if the console is hidden.
   connect(&desk, &Desk::said, this, [this](const QString& line, const QString& answer, bool refused) {
     said_->setText(refused ? answer.section('\n', 0, 0) : line.section('\n', 0, 0));
     QPalette p;
@@ -85,7 +85,7 @@ Window::Window(Desk& desk, Manner manner)
     said_->setPalette(p);
   });
   show_work();
-  if (manner_.bare) {  // as the terminal has it
+  if (manner_.bare) {  // as in the terminal player
     connect(new QShortcut(Qt::Key_Q, this), &QShortcut::activated, this, &QWidget::close);
     connect(new QShortcut(Qt::Key_M, this), &QShortcut::activated, this, [this] { sound_->mute(!sound_->muted()); });
   }
@@ -94,7 +94,7 @@ Window::Window(Desk& desk, Manner manner)
   name_film();
 }
 
-// What takes long is seen to go on.
+// Shows the progress of slow work.
 void Window::show_work() {
   auto* progress = new QProgressBar(this);
   progress->setObjectName("work");
@@ -170,7 +170,7 @@ void Window::add_menus() {
     action->setToolTip(text_of(row.sentence));
     action->setStatusTip(text_of(row.sentence));
     action->setCheckable(row.is_on != nullptr);
-    addAction(action);  // works where the menu bar is hidden too
+    addAction(action);  // works while the menu bar is hidden, too
     connect(action, &QAction::triggered, this, [this, &row] { row.run(*this); });
     if (row.is_on)
       connect(into, &QMenu::aboutToShow, action, [this, action, &row] { action->setChecked(row.is_on(*this)); });
@@ -200,7 +200,7 @@ bool Window::set_layout(const QString& name) {
                        (name == "script" && (panel == "script_panel" || panel == "console"));
     dock->setVisible(shown);
   }
-  // In shares of the window; what lies above each other in one column is shared out at once.
+  // Sizes are parts of the window. All panels of one column get their sizes in one call.
   using Shares = std::initializer_list<std::pair<const char*, double>>;
   const auto share = [&](Shares shares, Qt::Orientation way) {
     QList<QDockWidget*> docks;
@@ -269,12 +269,12 @@ bool Window::save_as() {
 }
 
 std::optional<std::string> Window::answer(const std::string& question) {
-  // What nobody has touched need not be kept.
+  // The example needs no saving if the user has not changed it.
   if (desk_.text() == example_ && !example_.empty() && question.find("not saved: save") != std::string::npos)
     return "discard";
   const auto said = ask_in_window(this, question);
   if (said != "save" || !desk_.session().file().empty()) return said;
-  return save_as() ? "discard" : "stay";  // a film without a name: it has been saved meanwhile
+  return save_as() ? "discard" : "stay";  // an unnamed film: now it has been saved
 }
 
 void Window::note_file() {
@@ -322,13 +322,13 @@ void Window::dropEvent(QDropEvent* e) {
 }
 
 void Window::closeEvent(QCloseEvent* e) {
-  if (!leaving_) desk_.say(std::string("quit"));  // asks where something is not saved
+  if (!leaving_) desk_.say(std::string("quit"));  // asks about unsaved changes
   if (!leaving_) return e->ignore();
   if (manner_.remembers) remember();
   e->accept();
 }
 
-// ---- what is remembered
+// ---- settings
 
 void Window::remember() {
   QSettings settings("betwixt", "studio");
@@ -336,8 +336,8 @@ void Window::remember() {
   settings.setValue("light", light_);
 }
 
-// Whatever was remembered, the studio starts: a start that did not finish is noticed by the next, which forgets where
-// the window and its panels were.
+// The studio must start whatever the settings hold: if a start does not finish, the next one drops the geometry of the
+// window and the panels.
 void Window::recall() {
   QSettings settings("betwixt", "studio");
   set_light(settings.value("light").toBool());
@@ -346,15 +346,15 @@ void Window::recall() {
   settings.setValue("starting", true);
   settings.sync();
   restoreGeometry(settings.value("geometry").toByteArray());
-  // Panels come back into a window that has its size: in one that is only going to be maximised the toolkit falls over
-  // them.
+  // Restore the panels after the window has its size: Qt crashes if it restores them into a window that is about to be
+  // maximised.
   QTimer::singleShot(0, this, [this] {
     restoreState(QSettings("betwixt", "studio").value("panels").toByteArray());
     QTimer::singleShot(0, this, [] { QSettings("betwixt", "studio").remove("starting"); });
   });
 }
 
-// ---- looking for what can be done
+// ---- finding commands
 
 void Window::find_command() {
   Palette palette(*this);
@@ -363,7 +363,7 @@ void Window::find_command() {
 
 void Window::show_keys() {
   auto* page = new QTextBrowser(this);
-  page->setWindowFlag(Qt::Window);  // goes where this one goes
+  page->setWindowFlag(Qt::Window);  // closes with this window
   connect(new QShortcut(Qt::Key_Escape, page), &QShortcut::activated, page, &QWidget::close);
   page->setAttribute(Qt::WA_DeleteOnClose);
   page->setWindowTitle(tr("Keys"));

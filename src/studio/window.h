@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The studio's window: the picture in the middle, panels around it that can be moved, closed and laid over each other.
+// The main window: the picture in the middle, and panels around it that you can move, close and stack.
 #pragma once
 
 #include <QCloseEvent>
@@ -23,8 +23,8 @@ class Window : public QMainWindow {
   Q_OBJECT
  public:
   struct Manner {
-    bool bare = false;       // the picture and the ruler alone, to play
-    bool remembers = false;  // where its panels were, its colours, files: between one time and the next
+    bool bare = false;       // only the picture and the ruler, to play films
+    bool remembers = false;  // keeps the panel layout, the theme and recent files between runs
   };
   Window(Desk&, Manner);
   explicit Window(Desk& desk) : Window(desk, Manner()) {}
@@ -34,27 +34,27 @@ class Window : public QMainWindow {
   const Desk& desk() const { return desk_; }
   Viewport& viewport() { return *viewport_; }
   const Viewport& viewport() const { return *viewport_; }
-  QWidget* panel(const QString& name) const;  // by its object name; null: there is none
+  QWidget* panel(const QString& name) const;  // by its object name; null if there is none
 
-  // How panels lie: one of layouts(). False: there is no such layout.
+  // Applies one of layouts(). Returns false if the name is unknown.
   bool set_layout(const QString& name);
   static QStringList layouts();
   void set_light(bool);
   bool is_light() const { return light_; }
 
-  // What actions do.
+  // Actions.
   void open_asking();
   void new_film();
-  bool save();  // asks for a name where there is none
+  bool save();  // asks for a name if there is none
   bool save_as();
   void make_film();
-  void save_session();  // the lines that were said
+  void save_session();  // the lines of this session
   Sound& sound() { return *sound_; }
   const Sound& sound() const { return *sound_; }
   void find_command();  // the palette
   void show_panel(const QString& name);
   void show_keys();
-  // A script that is shown where nobody has a film yet.
+  // Opens the film for new users.
   void open_example();
 
  protected:
@@ -81,7 +81,7 @@ class Window : public QMainWindow {
   QMenu* recent_ = nullptr;
   QLabel* said_;
   std::string example_;
-  QByteArray arranged_;  // how the panels lay first
+  QByteArray arranged_;  // the initial panel layout
   bool light_ = false, leaving_ = false;
 };
 

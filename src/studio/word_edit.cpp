@@ -57,7 +57,7 @@ void WordEdit::offer_words() {
   const int em = fontMetrics().horizontalAdvance('m');
   words_->resize(std::min(words_->columnWidth(0) + words_->columnWidth(1) + 3 * em, 70 * em),
                  rows * words_->sizeHintForRow(0) + 4);
-  // Below the word; above it where the screen ends.
+  // Below the word, or above it at the end of the screen.
   const QRect screen = this->screen()->availableGeometry();
   QPoint at = viewport()->mapToGlobal(cursorRect().bottomLeft());
   if (at.y() + words_->height() > screen.bottom())
@@ -78,7 +78,7 @@ void WordEdit::put(const QString& word) {
   setTextCursor(c);
 }
 
-// Keys that are the list's while it is open.
+// Handles the list's keys while it is open.
 bool WordEdit::chooses(QKeyEvent* e) {
   if (!words_->isVisible()) return false;
   const int at = words_->indexOfTopLevelItem(words_->currentItem()), all = words_->topLevelItemCount();

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A place to write the language in: its words are offered while it is written. What it takes back is the film's own
-// undo, never its own.
+// A text field with completion of script words. Undo here is the film's, never the field's own.
 #pragma once
 
 #include <QPlainTextEdit>
@@ -16,11 +15,11 @@ class WordEdit : public QPlainTextEdit {
   Q_OBJECT
  public:
   explicit WordEdit(Desk&, QWidget* parent = nullptr);
-  // Shows what the word before the cursor can become; a single word is put there at once.
+  // Shows the completions of the word before the cursor; a single one is inserted at once.
   void offer_words();
 
  protected:
-  // What shall be completed: the line up to the cursor, as somebody would say it.
+  // Returns the text to complete: the line up to the cursor, as one would type it in the console.
   virtual std::string said_so_far() const;
   void keyPressEvent(QKeyEvent*) override;
   void focusOutEvent(QFocusEvent*) override;
