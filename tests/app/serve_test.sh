@@ -126,7 +126,7 @@ OPEN(open)
 OPEN(open64)
 C
 "${CC:-cc}" -shared -fPIC -O1 -o ends.so ends.c -ldl || exit 3
-LD_PRELOAD=$work/ends.so "$program" serve --socket "$socket" --save kept.bx >ended 2>&1
+(LD_PRELOAD=$work/ends.so "$program" serve --socket "$socket" --save kept.bx; exit $?) >ended 2>&1
 is 'a command ends a start' $? 139
 LD_PRELOAD=$work/ends.so begin --socket "$socket" --save kept.bx
 has 'the next start goes on without it' "$(cat log)" '4 commands of the history'
