@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The script around a command: the text being read, the open sheet, the state so far, and the diagnostics.
+// The script around a command: the text being read, the open sheet, the state, and the diagnostics.
 #pragma once
 
 #include <filesystem>
