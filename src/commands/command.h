@@ -34,13 +34,13 @@ struct Command {
 // A verb: its syntax, its help, the prefixes that it allows, and its body.
 struct Verb {
   enum : unsigned {
-    timed = 1,  // `at TIME` may precede it
-    layered = 2,  // `on LAYER` may precede it
-    stamped = 4,  // without a time it takes effect now if the author is a live host (LoadOptions::now)
-    opens_sheet = 8,  // the rows of its sheet follow it
+    timed = 1,         // `at TIME` may precede it
+    layered = 2,       // `on LAYER` may precede it
+    stamped = 4,       // without a time it takes effect now if the author is a live host (LoadOptions::now)
+    opens_sheet = 8,   // the rows of its sheet follow it
     starts_show = 16,  // starts a live host's show without resetting its time
-    once = 32,  // its setting holds for the whole film until it is set again
-    aside = 64,  // its effect does not depend on the contents of tracks
+    once = 32,         // its setting holds for the whole film until it is set again
+    aside = 64,        // its effect does not depend on the contents of tracks
   };
   std::string_view word, usage, sentence;
   std::string_view example;  // lines that can be entered one after another

@@ -244,8 +244,7 @@ bool copy(Command& k) {
   for (std::size_t i = 0; i < how.into.targets.size(); ++i) {
     Target source = how.source(i), to = how.into.targets[i];
     Result<Changed> done = copy_track(k.scene, all.before(), source, to, how, shift_of(source));
-    if (done && !source.velocity &&
-        has_velocity(type_of(k.scene, source))) {  // the velocity beside it, unshifted
+    if (done && !source.velocity && has_velocity(type_of(k.scene, source))) {  // the velocity beside it, unshifted
       sum.events += done->events, sum.replaced += done->replaced;
       source.velocity = to.velocity = true;
       done = copy_track(k.scene, all.before(), source, to, how, std::nullopt);

@@ -106,8 +106,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
                 "a target is an object and a function, as in ball.position");
   Selected found;
   std::vector<Target> out;
-  if (const auto objects = select(scene, word);
-      !objects.empty()) {  // an object: all its values, and its place
+  if (const auto objects = select(scene, word); !objects.empty()) {  // an object: all its values, and its place
     for (ObjectId id : objects) {
       StillWanted::ask();
       for (const Slot& slot : scene.objects[id.index].slots)

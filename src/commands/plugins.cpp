@@ -15,7 +15,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_words = 100;  // of all plug-ins
+constexpr std::size_t most_words = 100;       // of all plug-ins
 constexpr std::size_t most_procedures = 230;  // of a film: a twerper stores the place among them in one byte
 
 // The words for all scripts of this process.

@@ -148,8 +148,8 @@ bool follows(const Script& script, const Error& e, const Cursor& c) {
   const std::string_view missed = name_missed(e);
   const auto failed = [&](std::string_view name) { return script.failed.contains(name); };
   const std::vector<std::string_view> above = with_those_above(missed);
-  return (script.file_missing && !missed.empty()) ||
-         std::any_of(above.begin(), above.end(), failed) || failed(name_at(c.where.data(), c.end));
+  return (script.file_missing && !missed.empty()) || std::any_of(above.begin(), above.end(), failed) ||
+         failed(name_at(c.where.data(), c.end));
 }
 
 // Reports the error of the line that began there. Reading continues after the line.

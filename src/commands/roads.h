@@ -12,7 +12,7 @@ namespace betwixt {
 struct Road {
   std::string_view word;
   std::string_view leads;  // the equivalent, in the words of a hint
-  std::string_view see;  // the words of the language that explain more, separated by blanks
+  std::string_view see;    // the words of the language that explain more, separated by blanks
 };
 
 std::span<const Road> roads();

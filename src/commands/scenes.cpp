@@ -276,7 +276,7 @@ class SceneMaker {
   const Wanted& wanted_;
   SceneNames names_;
   std::vector<std::vector<const SceneTrack*>> tracks_;  // by node
-  std::vector<bool> used_;  // by node: it has children or followers
+  std::vector<bool> used_;                              // by node: it has children or followers
   std::string root_;
   std::vector<Object> all_;
   std::vector<std::int32_t> parents_, object_of_;  // by object; by node

@@ -41,22 +41,22 @@ struct Sheet {
   Selected on;
   std::vector<Track*> tracks;  // where rows go directly: whole, unsplit tracks
   bool warned = false;
-  bool fresh = false;  // the track had no events when the sheet was opened
-  std::optional<Time> above;  // the time of the row before
+  bool fresh = false;            // the track had no events when the sheet was opened
+  std::optional<Time> above;     // the time of the row before
   std::vector<Time> each_above;  // the same for each object, if they differ
-  std::string opener;  // the line that opened it
+  std::string opener;            // the line that opened it
   // For a display list:
   std::string list;
   struct Version {  // a version that receives the rows
     Time from;
-    std::size_t next = at_end;  // index of the next row; at_end: after all others
-    bool passed_over = false;  // it lacks the command that a row replaces
+    std::size_t next = at_end;                   // index of the next row; at_end: after all others
+    bool passed_over = false;                    // it lacks the command that a row replaces
     std::optional<std::vector<Drawing>> nested;  // the commands left open at its end; nullopt: not known
   };
   std::vector<Version> versions;
-  std::optional<Time> from;  // of an edit at a time
-  std::string tag;  // rows replace the commands that follow this tag
-  std::string_view place;  // of its name
+  std::optional<Time> from;             // of an edit at a time
+  std::string tag;                      // rows replace the commands that follow this tag
+  std::string_view place;               // of its name
   std::vector<std::string_view> spots;  // of the commands that were read here, in the first version
   Cow<DisplayLists> before;
   Cow<LaterLists> later_before;
@@ -68,7 +68,7 @@ struct Sheet {
 // A sheet that stays open between lines, with the meaning of its names when it was left. While the names keep that
 // meaning its rows go to the same place; otherwise its lines are read again.
 struct OpenSheet {
-  std::string opener;  // the lines that must precede the next row
+  std::string opener;   // the lines that must precede the next row
   std::string pattern;  // that names its targets
   Sheet sheet;
   NameIndex names;
@@ -83,7 +83,7 @@ struct SoFar {
   bool frames_read = false, ticks_read = false;  // whether times have been given in these
   int included = 0;                              // files
   std::size_t copied = 0;                        // events made by copying
-  std::shared_ptr<const OpenSheet> left;  // nullptr if no sheet is open
+  std::shared_ptr<const OpenSheet> left;         // nullptr if no sheet is open
 };
 
 // The location of a script, found once. `name`: of its file; may be empty.
@@ -105,11 +105,11 @@ struct Script : SoFar {
   LoadOptions options;
   std::filesystem::path root;                     // real path of the first script's folder
   std::vector<std::filesystem::path> open_files;  // that use each other
-  int depth = 0;  // depth of the author's commands that run other commands
-  bool live = false;  // lines come one by one
+  int depth = 0;                                  // depth of the author's commands that run other commands
+  bool live = false;                              // lines come one by one
   Source source;                                  // the text being read now
-  std::filesystem::path folder;  // of the source
-  Sheet sheet;  // of the source
+  std::filesystem::path folder;                   // of the source
+  Sheet sheet;                                    // of the source
 
   // Diagnostics that are reported at the end of the script if they still apply:
   std::map<std::pair<std::uint32_t, FunctionId>, Diagnostic> velocities;  // at the first mention of each
@@ -144,10 +144,10 @@ struct Script : SoFar {
   };
   std::vector<Stamp> stamps;
   bool spells_out = false;  // also replaces values that a policy has changed by the resulting values
-  bool in_time = false;  // one of the stamps gives the time
+  bool in_time = false;     // one of the stamps gives the time
   void respell(std::string_view place, std::string instead);
   void respell_live(std::string_view place, std::string instead);  // for a line of a live author
-  std::size_t touched = 0;  // the number of objects that the command's pattern named, if more than one
+  std::size_t touched = 0;     // the number of objects that the command's pattern named, if more than one
   const char* verb = nullptr;  // of the command that is being run
   void stamp(const Scene&, std::string_view place, std::string_view before, std::string_view behind);
   std::string stamped() const;

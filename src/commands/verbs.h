@@ -13,7 +13,7 @@
 namespace betwixt {
 
 const std::vector<Verb>& verbs();
-const Verb* find_verb(std::string_view word);  // nullptr if there is none
+const Verb* find_verb(std::string_view word);                  // nullptr if there is none
 std::vector<std::string_view> verb_words(unsigned flags = 0);  // of the verbs that have all these flags
 
 // Words of the tools around a script (the shell), which a script can neither use nor take as names.

@@ -28,9 +28,9 @@ struct ParserRequest {
   ParserCeilings most;
 };
 constexpr char parser_version[] = "5";  // of this protocol; the program's first argument
-constexpr char parser_runs[] = "run";  // its second one: become another program, in a jail (parser_program.cpp)
+constexpr char parser_runs[] = "run";   // its second one: become another program, in a jail (parser_program.cpp)
 constexpr int parser_of_another_version = 3, parser_started_nothing = 126;  // its exit codes
-constexpr int parser_control = 3;  // the socket for requests
+constexpr int parser_control = 3;                                           // the socket for requests
 
 // The first letter of each message over a job's socket. `has` and `read` are followed by a path.
 constexpr char says_begun = 'b', says_done = 'd', asks_has = 'h', asks_read = 'r';

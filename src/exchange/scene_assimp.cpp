@@ -250,7 +250,7 @@ class AssimpScene {
   const aiScene& scene_;
   SceneFile out_;
   SceneNames names_;
-  std::vector<const aiNode*> nodes_;  // by number
+  std::vector<const aiNode*> nodes_;           // by number
   std::map<std::string, std::int32_t> known_;  // by the file's names, the first of each
   std::set<std::string> said_;
 };

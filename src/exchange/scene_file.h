@@ -17,7 +17,7 @@
 namespace betwixt {
 
 struct SceneNode {
-  std::string name;  // unique; valid as a part of an object's name
+  std::string name;          // unique; valid as a part of an object's name
   std::int32_t parent = -1;  // a node before this one
   Vec3 position;
   Quat rotation;
@@ -35,7 +35,7 @@ struct SceneMesh {
 };
 
 struct SceneCamera {
-  double fov = 0;  // horizontal, radians; 0 if orthographic
+  double fov = 0;     // horizontal, radians; 0 if orthographic
   double height = 0;  // of an orthographic view
 };
 

@@ -383,7 +383,7 @@ class GltfScene {
   const gltf::Model& model_;
   SceneFile out_;
   SceneNames names_, mesh_names_;
-  std::vector<std::int32_t> number_;  // by the file's nodes; -1: not in its scene
+  std::vector<std::int32_t> number_;                    // by the file's nodes; -1: not in its scene
   std::map<std::pair<int, int>, std::int32_t> meshes_;  // by mesh and skin; -1: nothing visible
   std::set<std::string> said_;
 };

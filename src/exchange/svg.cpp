@@ -22,7 +22,7 @@ namespace {
 
 using pugi::xml_node;
 
-constexpr double svg_stray = 1e-4;  // the largest error of a flattened curve, relative to the drawing's height
+constexpr double svg_stray = 1e-4;           // the largest error of a flattened curve, relative to the drawing's height
 constexpr std::size_t deepest_in_svg = 128;  // nested elements, including `use`
 constexpr std::size_t most_elements = 500'000, most_named = 5;
 constexpr double farthest_drawn = 1e6;  // in heights of the drawing

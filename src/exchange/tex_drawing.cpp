@@ -192,7 +192,7 @@ class DrawingReader {
 
   std::vector<Open> open_;
   std::map<std::string_view, std::string_view> glyphs_;  // paths by name
-  std::optional<Vec3> baseline_;  // its start on the baseline
+  std::optional<Vec3> baseline_;                         // its start on the baseline
   Outline out_;
   std::size_t points_ = 0;
 };

@@ -189,8 +189,7 @@ bool Cursor::text(std::string& out) {
     if (close == std::string_view::npos)
       return fail(ErrorCode::syntax, "this text is never closed by \"\"\"", {start, 3});
     out = rest.substr(0, close);
-    for (std::size_t cr; (cr = out.find("\r\n")) != std::string::npos;)
-      out.erase(cr, 1);  // all lines end alike
+    for (std::size_t cr; (cr = out.find("\r\n")) != std::string::npos;) out.erase(cr, 1);  // all lines end alike
     at += 3 + close + 3;
     return true;
   }

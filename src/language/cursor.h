@@ -26,9 +26,9 @@ class Cursor {
 
   const char* at;
   const char* end;
-  int depth = 0;  // open brackets; inside them a new line is white space
+  int depth = 0;                          // open brackets; inside them a new line is white space
   std::array<const char*, 8> brackets{};  // where they were opened
-  Rate rate, ticks{30, 1};  // the meaning of f and t
+  Rate rate, ticks{30, 1};                // the meaning of f and t
   bool frames_read = false;               // a time has been given in frames
   bool ticks_read = false;
   const Lets* lets = nullptr;  // the values of names in formulas
@@ -40,7 +40,7 @@ class Cursor {
   bool fail(ErrorCode code, std::string message, std::string_view about, std::string hint = {});
   bool fail_here(ErrorCode code, std::string message, std::string hint = {});
 
-  void space();  // skips blanks, commas, comments; inside brackets also new lines
+  void space();        // skips blanks, commas, comments; inside brackets also new lines
   bool at_line_end();  // after space(): whether the logical line ends here
   char peek() const { return at < end ? *at : '\n'; }
   // Takes a name, a pattern, a target or a verb. Commas inside braces belong to the word.
@@ -68,8 +68,8 @@ class Cursor {
   bool segment(Time& from, Time& to);  // A..B
   bool angle(double& radians);
   bool number_or_angle(double& out, bool& is_angle);  // angles in radians
-  bool opening(double& seconds);  // of a shutter: an angle (a turn is a frame), a length, or off
-  bool per_second(Rate& out, const char* what);  // 24, 23.976, 30000/1001 …
+  bool opening(double& seconds);                      // of a shutter: an angle (a turn is a frame), a length, or off
+  bool per_second(Rate& out, const char* what);       // 24, 23.976, 30000/1001 …
 
  private:
   bool time_or_length(Time& out, bool length);

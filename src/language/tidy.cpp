@@ -21,12 +21,12 @@ namespace {
 struct Token {
   std::string text;
   bool comment = false, fresh_line = false;  // fresh_line: inside brackets, the author began a new line before it
-  bool close = false;  // no blank separates it from the previous one
+  bool close = false;                        // no blank separates it from the previous one
 };
 
 struct Line {
   std::vector<std::string> lead;  // blank lines and comments above it
-  std::vector<Token> tokens;  // empty if there is only a comment
+  std::vector<Token> tokens;      // empty if there is only a comment
   std::string comment;            // behind it
   bool indented = false;
   Time time;              // of a row

@@ -69,13 +69,13 @@ struct ValueReader {
 };
 
 // The reverse. `name_of` returns the names of objects.
-std::string write_number(double v);  // shortest form that reads back to the same double
+std::string write_number(double v);          // shortest form that reads back to the same double
 std::string write_seconds(Time);             // a time that reads back to the same flick
 std::string write_text(const std::string&);  // quoted
 std::string write_color(Color);
 std::string write_vector(Vec3, int numbers = 3);
 std::string write_angles(Vec3 radians);
-std::string write_angle(double radians);  // in degrees if that reads back to the same value, otherwise in radians
+std::string write_angle(double radians);     // in degrees if that reads back to the same value, otherwise in radians
 std::string write_matrix(const Mat4&);       // row by row
 std::string write_appearance(const Scene&);  // commands
 std::string write_rows(const DisplayList&);  // indented lines

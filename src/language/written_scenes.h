@@ -18,7 +18,7 @@ class FilesObjects {
   const std::string* command(std::uint32_t object) const;
   // Returns whether a file makes the object as a part.
   bool makes(std::uint32_t object) const { return made_.contains(object); }
-  bool sets(std::uint32_t object, const Slot&) const;  // whether the file sets the same value
+  bool sets(std::uint32_t object, const Slot&) const;    // whether the file sets the same value
   bool tracks(std::uint32_t object, const Slot&) const;  // whether the file makes the same events
   // Returns the first and last event that the file makes, if the track is different now.
   std::optional<std::pair<Time, Time>> outdated(std::uint32_t object, const Slot&) const;

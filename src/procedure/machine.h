@@ -61,10 +61,10 @@ class Machine {
   Call* call = nullptr;
   bool lenient = true;  // memory is not refused
   std::size_t live = 0, floor = 0, allocated = 0;
-  std::size_t outside = 0;  // bytes held by the calls that wait for this one
+  std::size_t outside = 0;    // bytes held by the calls that wait for this one
   int now = LUA_NOREF;        // the globals of this call
   int metatable[kinds] = {};  // by Kind
-  std::size_t longest = 0;  // the longest text that this call has made or has in its code
+  std::size_t longest = 0;    // the longest text that this call has made or has in its code
   // Lua's own stack, which the allocator recognizes by its initial size, and the latest allocated block.
   struct Block {
     void* at = nullptr;
@@ -79,8 +79,8 @@ class Machine {
   // Collects garbage before a nested call, so that only memory in use counts against that call. Does nothing if little
   // was allocated since the last time, because a collection visits everything.
   void settle();
-  std::size_t held() const;  // bytes beyond `most_garbage`; at most made()
-  std::size_t made() const;  // bytes that this call allocated
+  std::size_t held() const;      // bytes beyond `most_garbage`; at most made()
+  std::size_t made() const;      // bytes that this call allocated
   void set(const char* global);  // pops the value
 
  private:
@@ -90,8 +90,8 @@ class Machine {
     std::size_t longest;
   };
   std::unordered_map<std::uint64_t, Chunk> chunks_;  // compiled code by serial
-  std::size_t settled_ = 0;  // bytes after the last collection of this call
-  Machine* below_ = nullptr;  // the machine whose call waits for this one
+  std::size_t settled_ = 0;                          // bytes after the last collection of this call
+  Machine* below_ = nullptr;                         // the machine whose call waits for this one
 };
 
 // Raises the error on top of the stack as one that code cannot catch.
@@ -120,7 +120,7 @@ int guarded(lua_State* l) {
 
 // Values (values.cpp). These functions raise only when memory runs out.
 Kind read(lua_State*, int index, double* numbers);  // reads up to 16 numbers of a value
-void push_number(lua_State*, double);  // whole numbers stay whole in texts: 3, not 3.0
+void push_number(lua_State*, double);               // whole numbers stay whole in texts: 3, not 3.0
 void push(lua_State*, Kind, const double* numbers);
 bool push(lua_State*, const Value&);  // returns false, and pushes nothing, if Lua has no equivalent
 Result<Value> to_value(lua_State*, int index);

@@ -18,7 +18,7 @@ struct PluginItem {
   std::shared_ptr<const Routine> code;
 };
 struct PluginFunction {
-  std::string name, type;  // the name of the type in the language
+  std::string name, type;       // the name of the type in the language
   std::vector<double> numbers;  // the value before any event
 };
 struct Plugin {
