@@ -339,8 +339,7 @@ Status play(const Document& document, PlayCall& call) {
 
 // In a window, where there is a display and what it takes: nothing is asked for then that only a terminal does.
 bool in_a_window(const PlayCall& call) {
-  return !call.terminal && !is_stream(call.file) && call.listen.empty() && call.frames.empty() && has_display() &&
-         has_studio();
+  return !call.terminal && !is_stream(call.file) && call.listen.empty() && call.frames.empty() && has_display() && has_studio();
 }
 
 int play(PlayCall& call) {

@@ -84,7 +84,7 @@ int web(WebCall& call) {
   }
   if (const Status s = no_two_of_one_name(films); !s) return complain(s.error(), wrong_input);
   PageOptions options;
-  options.title = !call.title.empty()              ? call.title
+  options.title = !call.title.empty() ? call.title
                   : films.size() == 1 || *outgoing ? fs::path(films[0].name).stem().string()
                                                    : fs::path(call.out).stem().string();
   options.size = call.size, options.edit = !call.no_edit;
@@ -103,8 +103,7 @@ int web(WebCall& call) {
   for (const PageFilm& film : films)
     for (const std::string& lost : film.lost) tell_user(fmt::format("betwixt: notice: {}: {}\n", film.name, lost));
   tell_user(fmt::format("{} film{}, {} file{}, {:.0f} kB, {}\n", films.size(), films.size() == 1 ? "" : "s", files,
-                        files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000),
-                        *outgoing ? "standard output" : call.out));
+                        files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000), *outgoing ? "standard output" : call.out));
   return all_done;
 }
 

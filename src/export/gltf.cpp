@@ -358,9 +358,8 @@ class Maker {
     while (!children_[node].empty()) node = children_[node].front();
     return node;
   }
-  // assimp takes a channel without a node for the translation of the node that it read first, and refuses files where
-  // it does not fit. The last channel of a node counts there: so these come first, and that translation is said behind
-  // them.
+  // assimp takes a channel without a node for the translation of the node that it read first, and refuses files where it
+  // does not fit. The last channel of a node counts there: so these come first, and that translation is said behind them.
   void put_pointers_first() {
     const auto points = [](const Json& channel) { return channel["target"]["path"] == "pointer"; };
     auto& all = film_.channels.get_ref<Json::array_t&>();

@@ -93,11 +93,10 @@ TEST(Newcomer, What_follows_from_a_refused_line_is_not_said) {
 TEST(Newcomer, What_follows_from_a_refused_let_is_not_said) {
   const std::string first = "let q = 3 +\ncreate a box\n";
   for (const char* line :
-       {"set a.position (2*q 0 0)", "set a.position.x q", "set a.color q", "set a.rotation axis(y q)",
-        "set a.display q", "at q a.position (1 2 3)", "at 1f+q a.position (1 2 3)",
-        "a.position\n  1f+q (1 2 3)\n  2f q\n", "range 1f q", "create t text text=q", "create u box size=(q[1] 1 1)",
-        "let z = q+1", "let again q = 4", "set a.material q", "animate e every q by rotate(1deg z)",
-        "set a.scale.x sqrt(q)", "set a.position (1 q/2 2)"})
+       {"set a.position (2*q 0 0)", "set a.position.x q", "set a.color q", "set a.rotation axis(y q)", "set a.display q",
+        "at q a.position (1 2 3)", "at 1f+q a.position (1 2 3)", "a.position\n  1f+q (1 2 3)\n  2f q\n", "range 1f q",
+        "create t text text=q", "create u box size=(q[1] 1 1)", "let z = q+1", "let again q = 4", "set a.material q",
+        "animate e every q by rotate(1deg z)", "set a.scale.x sqrt(q)", "set a.position (1 q/2 2)"})
     EXPECT_EQ(all_told(read(first + line + "\n")), std::vector<std::string>{"syntax 1:11 +"}) << line;
   EXPECT_EQ(all_told(read(first + "set a.position.x r\n")).size(), 2u);  // another word is still wrong
   EXPECT_EQ(all_told(read("let q = 3 +\nlet q = 3\ncreate a box\nset a.display q\n")).size(), 2u);  // it is there now

@@ -208,8 +208,8 @@ TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
   const std::string text = std::string(film) +
                            "create sign box color=red\nsign.color\n  1f red\n  73f blue\nsign.position\n"
                            "  1f (0 0 0) hold\n  24f (3 0 0) hold\n  47f (0 1 0)\n";
-  const Loaded loaded =
-      load_text("create post group position=(7 0 0)\ncreate post/lamp box position=(1 2 3)\n" + text, "test.bx");
+  const Loaded loaded = load_text(
+      "create post group position=(7 0 0)\ncreate post/lamp box position=(1 2 3)\n" + text, "test.bx");
   ASSERT_FALSE(has_errors(loaded.diagnostics)) << to_string(loaded.diagnostics.front());
   const Program program = Program::compile(loaded.document);
   ExportOptions options;
@@ -239,8 +239,8 @@ TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
 TEST(Gltf, StepsThatOnlyCodeKnowsAreAllThere) {
   const Folder folder;
   for (const double rate : {23.1, 31.7, 36.57, 47.3, 61.1}) {
-    const Loaded loaded =
-        load_text(fmt::format("range 1f 97f\ncreate b box\nset b.position.x = \"floor(t * {})\"\n", rate), "test.bx");
+    const Loaded loaded = load_text(
+        fmt::format("range 1f 97f\ncreate b box\nset b.position.x = \"floor(t * {})\"\n", rate), "test.bx");
     ExportOptions options;
     options.path = folder / "x.glb";
     std::tie(options.from, options.until) = loaded.document.range();
