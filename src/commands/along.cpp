@@ -65,8 +65,7 @@ bool fits_on_line(Command& k, const Selected& to) {
                      "as in 1f..48f along road below ball.position; a rotation takes its direction");
 }
 
-// Reads ROAD [SHARE
-// from SHARE to SHARE] [turned] [TWERPER …], behind `along`.
+// Reads ROAD [SHARE | from SHARE to SHARE] [turned] [TWERPER …], after `along`.
 bool way_along(Command& k, const Selected& to, bool lasts, Way& out) {
   Cursor& c = k.cursor;
   if (!road(k, to, out.road)) return false;

@@ -38,7 +38,7 @@ struct Verb {
     layered = 2,       // `on LAYER` may precede it
     stamped = 4,       // without a time it takes effect now if the author is a live host (LoadOptions::now)
     opens_sheet = 8,   // the rows of its sheet follow it
-    starts_show = 16,  // starts a live host's show without resetting its time
+    starts_show = 16,  // starts a live host's clock, from its present time
     once = 32,         // its setting holds for the whole film until it is set again
     aside = 64,        // its effect does not depend on the contents of tracks
   };
@@ -75,7 +75,7 @@ bool targets(Command&, std::string_view word, Selected& out, Meant = Meant::alik
 bool alike(Command&, const Selected&);
 // Skips the rest of a command whose pattern names no target.
 bool pass_over(Command&, const char* from);
-// Reads the words behind a target for all targets that it names, once for each type. Leaves out the targets that the
+// Reads the words after a target for all targets that it names, once for each type. Leaves out the targets that the
 // words do not fit. Fails if they fit no target, or if they misfit one and types may be translated.
 bool to_each_type(Command&, std::string_view word, const char* from, const std::function<bool(const Selected&)>& read);
 // Runs the rest of a command for all selected targets, once for each type of value. Leaves out, and names in a notice,
@@ -135,7 +135,7 @@ bool has_code(const Track&);
 bool event(Command&, const Selected& to, Time);
 // Reads a value per second. For a rotation: a rate for each angle, or an angular velocity about an axis.
 bool rate_of_change(Command&, const Selected&, Value& out);
-// Read an event's tangent=V, tangent-in=V or tangent-out=V, and its handles, behind the word `key`.
+// Read an event's tangent=V, tangent-in=V or tangent-out=V, and its handles, after the word `key`.
 bool tangent(Command&, const Selected&, std::string_view key, Event&);
 bool handle(Command&, const Selected&, std::string_view key, Event&);
 // Reads the interpolation that follows an event: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V]
@@ -143,8 +143,8 @@ bool way(Command&, const Selected& to, Event&);
 // Reads the motion that follows a row's segment.
 bool moving(Command&, const Selected& to, Time from, std::optional<Time> until);
 
-// goes_along() returns whether `along` begins here, in place of a value. The other functions read the rest of it behind
-// a time or a segment, and behind `set`.
+// goes_along() returns whether `along` begins here, in place of a value. The other functions read the rest of it after
+// a time or a segment, and after `set`.
 inline bool goes_along(Cursor& c) { return c.peek() == 'a' && c.peek_word() == "along"; }
 bool along_line(Command&, const Selected& to, Time from, std::optional<Time> until);
 bool set_along_line(Command&, const Selected& to);

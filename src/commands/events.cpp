@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads the part of a row behind its time: an event's value and the interpolation that follows it.
+// Reads the part of a row after its time: an event's value and the interpolation that follows it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,7 +106,7 @@ bool focuses_elsewhere(Command& k, const Target& t, const Value& v, std::string_
 
 namespace {
 
-// Applies `keep` to an existing event: only its interpolation changes.
+// Applies `keep` to an existing event: changes its twerper, eases and tangents, but not its value.
 bool keep_there(Scene& s, const Target& t, const Event& event) {
   bool all = true;
   for (Track* track : edit_tracks(s, t)) {
@@ -204,7 +204,7 @@ bool computed(Command& k, const Selected& to, Value& out) {
   return true;
 }
 
-// Reads the part of a row behind its time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep
+// Reads the part of a row after its time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep
 // TWERPER.
 bool event(Command& k, const Selected& to, Time when) {
   auto& [s, c, time, layer, script] = k;

@@ -24,7 +24,7 @@ struct Laws {
 };
 
 // The transformation from the values of a position's track to the world, and the part of the object's speed that is
-// lost at that time: a parent that remains goes on carrying it.
+// lost at that time. The speed of a parent that still holds the object is not lost.
 struct Carried {
   Mat4 to_world;
   Vec3 origin, speed;
@@ -51,7 +51,7 @@ std::vector<Mark> path(Time start, Vec3 place, Vec3 speed, const Laws& laws) {
   for (int hops = 0; hops < 200; ++hops) {
     const auto vertical = [&](double v) { return Vec3{along.x, v, along.z}; };
     marks.push_back({now, place, vertical(came), vertical(speed.y)});
-    // y + speed·d - g/2·d² = ground
+    // Solves y + speed·d - g/2·d² = ground.
     const double root = speed.y * speed.y + 2 * laws.gravity * (place.y - laws.ground);
     const double left = end.seconds() - t;
     if (!(root > 0) || (place.y <= laws.ground && speed.y <= 0)) break;  // it rests
@@ -129,7 +129,7 @@ Program bare(const Scene& s, const std::vector<ObjectId>& things, const Program&
   return any ? Program::compile(Document(std::make_shared<const Scene>(std::move(plain)))) : program;
 }
 
-// Returns the speed of the object's own tracks. If a track is constant after the time, as behind its last event,
+// Returns the speed of the object's own tracks. If a track is constant after the time, as after its last event,
 // returns the speed just before it.
 Vec3 pace(const Program& own, const Scene& s, ObjectId id, Time t) {
   Asking asking;
@@ -201,7 +201,7 @@ std::size_t displaced(const Scene& s, ObjectId id, Time from, Time until) {
   return most;
 }
 
-// Reads delay= gravity= ground= bounce= and for LENGTH
+// Reads delay= gravity= ground= bounce= and for LENGTH.
 bool laws_of(Command& k, Laws& laws) {
   Cursor& c = k.cursor;
   while (!c.at_line_end()) {

@@ -213,7 +213,7 @@ bool tag(Command& k) {
   return true;
 }
 
-// Selects the rows to replace. Skips versions without the tag, and versions with too few rows behind it.
+// Selects the rows to replace. Skips versions without the tag, and versions with too few rows after it.
 bool replace(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view word = c.next_word();

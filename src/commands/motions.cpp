@@ -24,7 +24,7 @@ bool moves(const Event& e) {
 
 }  // namespace
 
-// Reads the motion behind a row's segment.
+// Reads the motion after a row's segment.
 bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until) {
   auto& [s, c, time, layer, script] = k;
   c.space();

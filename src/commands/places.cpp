@@ -16,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-// Takes the next word, with everything that its brackets and quotes enclose, such as the time behind `at`.
+// Takes the next word, with everything that its brackets and quotes enclose, such as the time after `at`.
 std::string_view piece(std::string_view& rest) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r'; };
   while (!rest.empty() && blank(rest[0])) rest.remove_prefix(1);
@@ -39,8 +39,8 @@ bool speaks_of_any(std::string_view text) { return speaks_of_place(text.data(), 
 struct Subject {
   std::string_view pattern;
   bool creates = false;
-  bool placed = false;  // the time or the words behind the pattern mention a place; the `n` in a name does not count
-  bool paired = false;  // names written out by braces behind the pattern pair with the pattern's objects
+  bool placed = false;  // the time or the words after the pattern mention a place; the `n` in a name does not count
+  bool paired = false;  // names written out by braces after the pattern pair with the pattern's objects
 };
 Subject subject(std::string_view line) {
   Subject out;
@@ -56,7 +56,7 @@ Subject subject(std::string_view line) {
   return out;
 }
 
-// Returns the places, in the order of `names`, among the names that the braces of the pattern make.
+// Returns the place of each of the names: among all of them, and in the ranges that the pattern has in braces.
 std::vector<PatternPlace> places(const std::vector<std::string>& names, std::string_view pattern) {
   std::vector<PatternPlace> out(names.size());
   const auto sizes = brace_ranges(pattern);

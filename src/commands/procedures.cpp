@@ -65,8 +65,7 @@ bool procedure(Command& k) {
 // The functions with which the author's code can change the film. Its lines run as if they replaced the command.
 struct Hosting : Host {
   Command& k;
-  bool called_off =
-      false;  // the caller has cancelled the work; thrown after the code has returned, so that the code cannot catch it
+  bool called_off = false;  // reported only after the code has returned, so that the code cannot catch it
   explicit Hosting(Command& command) : k(command) {}
   Status run(std::string_view line) override {
     return or_called_off([&] { return run_line(line); });
@@ -116,7 +115,7 @@ struct Hosting : Host {
   }
 };
 
-// Reads the words behind the command: texts without their quotes, vectors as they are written.
+// Reads the words after the command: texts without their quotes, vectors as they are written.
 bool arguments(Cursor& c, std::vector<std::string>& words) {
   while (!c.at_line_end()) {
     if (c.peek() == '"') {

@@ -256,7 +256,7 @@ bool carry_out(Command& k) {
     return c.fail_here(ErrorCode::syntax, fmt::format("a command begins with a verb, not with '{}'", c.peek()));
   script.verb = start;
   const Verb* const known = find_verb(w);
-  // `at` leads to another command
+  // `at` is only a prefix of the command.
   if (w != "at" && (!known || !(known->flags & Verb::opens_sheet))) show_lists(s, script);
   if (const Verb* v = known) {
     if ((v->flags & Verb::stamped) && !time && script.options.now) {

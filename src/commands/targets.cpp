@@ -346,7 +346,7 @@ bool targets(Command& k, std::string_view word, Selected& out, Meant meant) {
   const Search q{k, words_of(word), meant, out, left_out};
   const std::string_view object = q.words.object;
   out.velocity = q.words.velocity;
-  // One function of one object: the fast path, because scripts with a million lines consist of it
+  // A fast path for one function of one object, because scripts with a million lines consist of it.
   if (q.words.component.empty() && !is_pattern(word)) {
     const ObjectId id = s.aliases->contains(object) ? ObjectId{} : s.names.find(object);
     if (const auto f = id ? find_function(s, q.kind(id), q.words.function) : std::nullopt) {

@@ -97,7 +97,7 @@ bool stops(Cursor& c, std::shared_ptr<const Stops>& out) {
   return true;
 }
 
-// Reads the arguments in brackets behind a twerper.
+// Reads the arguments in brackets after a twerper.
 bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, TwerperArguments& out) {
   const TwerperRow& row = row_of(t);
   c.space();

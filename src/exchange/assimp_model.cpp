@@ -165,7 +165,7 @@ Mesh AssimpModel::piece(unsigned index) const {
   };
   vectors(mesh.mVertices, piece.positions);
   vectors(mesh.mNormals, piece.normals);
-  // V = 0 is the bottom of the picture here
+  // In these files v = 0 is the bottom of the picture.
   for (unsigned i = 0; mesh.HasTextureCoords(0) && i < mesh.mNumVertices; ++i)
     piece.uvs.push_back({mesh.mTextureCoords[0][i].x, 1 - mesh.mTextureCoords[0][i].y});
   for (unsigned f = 0; f < mesh.mNumFaces; ++f)
@@ -194,7 +194,7 @@ std::shared_ptr<const Picture> AssimpModel::texture(const aiString& name) {
   const auto [known, fresh] = pictures_.try_emplace(name.C_Str());
   if (!fresh) return known->second;
   if (const aiTexture* inside = scene_->GetEmbeddedTexture(name.C_Str()); inside != nullptr) {
-    // Raw texels, which no supported format contains
+    // Raw texels, which no supported format contains.
     if (inside->mHeight != 0 || inside->pcData == nullptr) return nullptr;
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(inside->pcData);
     if (auto picture = decode_picture({bytes, inside->mWidth}, name.C_Str())) known->second = *picture;

@@ -17,7 +17,7 @@ namespace betwixt {
 // A flat outline, or a group. `at` is relative to its group; its points are relative to `at`.
 struct DrawnThing {
   static constexpr std::uint32_t nothing = 0xffffffff;
-  std::string name;               // from the drawing; valid as an object's name behind a '/'
+  std::string name;               // from the drawing; valid as an object's name after a '/'
   std::uint32_t above = nothing;  // its group, which comes earlier in the list
   bool group = false;
   Vec3 at;

@@ -89,7 +89,7 @@ class Ply {
       const auto words = line();
       if (words.empty()) continue;
       if (words[0] == "end_header") return header;
-      // All other lines are comments
+      // All other lines are comments.
       const bool known = words[0] == "format" || words[0] == "element" || words[0] == "property";
       if (known && !take(words, header))
         return assembly_.error(

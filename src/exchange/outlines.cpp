@@ -180,7 +180,7 @@ std::vector<Island> islands(const Contours& contours, Winding winding) {
     if (const double area = turn(loop, up); area > 0) out.push_back({loop, {}}), areas.push_back(area);
   for (const Contour& loop : loops) {
     if (!(turn(loop, up) < 0)) continue;
-    // The middle of a side, because corners may also belong to contours around it
+    // The middle of a side, because corners may also belong to contours around it.
     const Vec3 on_it = 0.5 * (loop[0] + loop[1]);
     std::size_t around = out.size();
     for (std::size_t i = 0; i < out.size(); ++i)

@@ -49,7 +49,7 @@ int spawn(const std::string& program, int control, pid_t& pid) {
   posix_spawnattr_t ways;
   posix_spawn_file_actions_init(&files);
   posix_spawnattr_init(&ways);
-  // First, because another file may have this number
+  // First, because one of the other files may have this number.
   posix_spawn_file_actions_adddup2(&files, control, parser_control);
   for (const int fd : {0, 1, 2}) posix_spawn_file_actions_addopen(&files, fd, "/dev/null", O_RDWR, 0);
   sigset_t none, all;
@@ -170,10 +170,10 @@ Error machine_error(const std::string& path, int reason) {
 
 ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size, bool any_size) {
   const std::uint64_t seconds = 20 + size / megabyte;
-  // In other formats the large data may be in other files
+  // gltf and obj files may keep their large data in other files.
   const bool alone = ending(path) != "gltf" && ending(path) != "obj";
   const std::uint64_t plenty = (alone ? 3 : 6) * gigabyte + 32 * size;
-  const std::uint64_t becomes = gigabyte + 200 * std::min(size, gigabyte);  // including the memory of the parser itself
+  const std::uint64_t becomes = gigabyte + 200 * std::min(size, gigabyte);  // twice: also for the data it is made from
   return {any_size || !alone ? plenty : std::min(plenty, becomes), seconds, 3 * seconds};
 }
 

@@ -129,7 +129,7 @@ Result<std::string> to_png(int width, int height, std::uint8_t bits, std::span<c
   head.width = static_cast<std::uint32_t>(width), head.height = static_cast<std::uint32_t>(height);
   head.bit_depth = bits, head.color_type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
   spng_set_option(png.get(), SPNG_ENCODE_TO_BUFFER, 1);
-  // Takes half the time of the default 6, and a few per cent more space
+  // Takes half the time of the default 6, and a few per cent more space.
   spng_set_option(png.get(), SPNG_IMG_COMPRESSION_LEVEL, 4);
   spng_set_ihdr(png.get(), &head);
   spng_set_srgb(png.get(), 0);

@@ -17,7 +17,7 @@
 
 namespace betwixt {
 
-// Returns the first new line at or behind `from`, or `end`.
+// Returns the first new line at or after `from`, or `end`.
 inline const char* line_end(const char* from, const char* end) { return std::find(from, end, '\n'); }
 
 class Cursor {
@@ -60,7 +60,7 @@ class Cursor {
   // The same, but a formula may have another type: then sets `formula`, and no unit follows.
   bool number(double& out, std::optional<Quantity>& formula);
   bool whole_number(long low, long high, const char* what, long& out);
-  // Takes the letters directly behind a number.
+  // Takes the letters directly after a number.
   std::string_view unit();
   bool text(std::string& out);  // "…" or """…"""
   bool time(Time& out) { return time_or_length(out, false); }

@@ -48,7 +48,7 @@ class Reader {
     if (!sum(out)) return false;
     return finite(out);
   }
-  // Reads the index behind the name of a list, such as [3]. `out` counts from 0.
+  // Reads the index after the name of a list, such as [3]. `out` counts from 0.
   bool index(std::string_view name, std::size_t count, std::size_t& out) {
     const char* const open = c_.at++;
     const Deeper deeper(*this);

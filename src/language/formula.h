@@ -18,7 +18,7 @@ namespace betwixt {
 // Returns whether a formula that is more than a number with a unit begins here: a name, a function, a bracket, or a
 // sign before these.
 bool formula_begins(const Cursor&);
-// Returns whether a formula continues behind a number: with an operator and an operand.
+// Returns whether a formula continues after a number: with an operator and an operand.
 bool formula_goes_on(const char* at, const char* end);
 // Reads a formula. Errors: syntax; name (with a similar name as hint); type (incompatible units); range (not finite, or
 // nested deeper than 100).

@@ -29,7 +29,7 @@ inline Quantity degrees(double radians) { return {Of::angle, radians * (180 / pi
 struct FunctionRow {
   std::string_view name;
   std::size_t least, most;
-  // Turns: angles, or radians; alike: all of one type, which the result has, too
+  // `turns`: angles, or radians; `alike`: all of one type, which the result has, too.
   enum Takes { numbers, turns, alike } takes;
   Quantity (*of)(const Quantity* a, std::size_t n);
 };

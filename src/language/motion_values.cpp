@@ -145,7 +145,7 @@ bool ValueReader::motion(Moves& out) {
   std::size_t sign = 0;
   for (const Factor& f : read->factors) {
     if (f.about.empty()) continue;
-    const auto named = [&] {  // moves behind the next '@' that has a name behind it
+    const auto named = [&] {  // moves after the next '@' that has a name after it
       sign = text.find('@', sign) + 1;
       return text.find_first_not_of(" \t\r\n,", sign);
     };

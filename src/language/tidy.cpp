@@ -27,7 +27,7 @@ struct Token {
 struct Line {
   std::vector<std::string> lead;  // blank lines and comments above it
   std::vector<Token> tokens;      // empty if there is only a comment
-  std::string comment;            // behind it
+  std::string comment;            // after it
   bool indented = false;
   Time time;              // of a row
   bool dateless = false;  // its time is a formula with names, so that its value is unknown
@@ -82,7 +82,7 @@ class Tidier {
       if (line.indented && in_sheet_) {
         if (!date(line)) return false;
         if (line.tokens[0].text[0] == '+')
-          line.time = rows_.empty() ? Time{} : rows_.back().time;  // it keeps its place behind that row
+          line.time = rows_.empty() ? Time{} : rows_.back().time;  // it keeps its place after that row
         one_time(line.tokens);
         rows_.push_back(std::move(line));
         continue;
@@ -151,7 +151,7 @@ class Tidier {
       } else if (c_.word().empty()) {
         ++c_.at;
       }
-      if (c_.at - from == 1 && ch == '#') return false;  // not a colour; with a space behind it, a comment
+      if (c_.at - from == 1 && ch == '#') return false;  // not a colour; with a space after it, a comment
       line.tokens.push_back(
           {shortest({from, static_cast<std::size_t>(c_.at - from)}), false, fresh && c_.depth > 0, from == before});
       fresh = false, before = c_.at;
@@ -246,7 +246,7 @@ class Tidier {
     }
   }
 
-  // Returns the index behind a row's value, where its options begin.
+  // Returns the index after a row's value, where its options begin.
   static std::size_t end_of_value(const std::vector<Token>& tokens) {
     int depth = 0;
     for (std::size_t i = 1; i < tokens.size(); ++i) {

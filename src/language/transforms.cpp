@@ -27,7 +27,7 @@ constexpr std::string_view example(std::string_view factor) {
 // Returns `m` applied about a centre.
 Mat4 about(const Mat4& m, Vec3 centre) { return translation(centre) * m * translation(-centre); }
 
-// Reads the brackets of one factor: the operand, and the centre behind '@', with or without its own brackets.
+// Reads the brackets of one factor: the operand, and the centre after '@', with or without its own brackets.
 struct FactorReader {
   ValueReader& values;
   std::string_view word;

@@ -59,9 +59,9 @@ struct ValueReader {
   bool point(Vec3& out);       // (x y) or (x y z)
   bool object(ObjectId& out);  // an existing name
   bool axis(Vec3& out);        // x, y, z or (x y z)
-  // Reads translate(x y z), rotate(90deg, z) [@ (x y z)], scale(x y z) [@ (x y z)], matrix(16 numbers), one behind the
-  // other: the leftmost is applied last. With `noticed`, a single matrix(…) that is a rigid motion except for rounding
-  // is read as an exact one; if that changed it, `noticed` is its word.
+  // Reads translate(x y z), rotate(90deg, z) [@ (x y z)], scale(x y z) [@ (x y z)], matrix(16 numbers), or several
+  // in succession: the leftmost is applied last. With `noticed`, a single matrix(…) that is a rigid motion except for
+  // rounding is read as an exact one; if that changed it, `noticed` is its word.
   bool transform(Mat4& out, std::string_view* noticed = nullptr);
   bool motion(Moves& out);  // T(…) R(…) S(…); "" for none
   // Reads one name or a list of names, which need not exist yet: (spin drift).
@@ -84,7 +84,7 @@ std::string write_environment(const std::string& name, const Environment&);  // 
 // determines its value, one command or sheet each: `set`, twerper, extend, velocity, filters, layers.
 std::string write_rows(const Document&, const Target&);
 std::string write_besides(const Document&, const Target&);
-// Returns the part of an event's row behind its time, or "" if there is no event. The track must not be a motion's.
+// Returns the part of an event's row after its time, or "" if there is no event. The track must not be a motion's.
 std::string write_event(const Document&, const Target&, Time);
 std::string write_event(const Document&, const Target&, const Event&);  // for an event that need not exist
 std::string write_value(const Value&, const FunctionSpec& spec, int component,

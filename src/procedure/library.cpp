@@ -123,7 +123,7 @@ int next_pair(lua_State* l) {
   }
 }
 
-// Pushes the list of a table's keys, unsorted, behind the table.
+// Pushes the list of a table's keys, unsorted, after the table.
 int keys_of(lua_State* l, Machine&) {
   if (lua_type(l, 1) != LUA_TTABLE) return fail_with(l, "pairs: a table is needed");
   lua_settop(l, 1);

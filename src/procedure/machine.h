@@ -22,8 +22,8 @@ namespace betwixt::lua {
 
 inline constexpr std::uint64_t most_steps = 1'000'000;
 inline constexpr int steps_between_hooks = 100;
-// One instruction may compare whole texts, and may copy as many arguments as the stack has. Each therefore costs an
-// extra step for every so many letters of the longest text, and for every so many slots of the stack.
+// One instruction may compare whole texts, and may copy as many arguments as the stack has. So each instruction costs
+// an extra step for each `letters_a_step` letters of the longest text, and for each `slots_a_step` slots of the stack.
 inline constexpr std::size_t letters_a_step = 512, slots_a_step = 512;
 // The most bytes that a call and the calls waiting for it may hold, and that one call may allocate in total.
 inline constexpr std::size_t most_live = 16 << 20, most_allocated = 64 << 20;
