@@ -67,7 +67,7 @@ ValueReader values(Command&);
 // Returns the position of the dot between an object's name and its function. Skips dots inside braces ({1..100}).
 std::size_t first_dot(std::string_view word);
 // The targets that a pattern may name. `alike`: functions with values of one type; targets of other types are left out.
-// `named_alike`: one function, with values of any types. `any`: for commands that never query values. `asked`: for
+// `named_alike`: one function, with values of any types. `any`: for commands that read no values. `asked`: for
 // queries; also the query-only targets, and objects drawn by display lists.
 enum class Meant : std::uint8_t { alike, named_alike, any, asked };
 bool targets(Command&, std::string_view word, Selected& out, Meant = Meant::alike);
@@ -125,7 +125,7 @@ bool in_places(Command&, const Selected& of_row, const std::function<bool(const 
 // Reads TIME, or A..B where a motion may follow.
 bool time_or_segment(Cursor&, Time& from, std::optional<Time>& until);
 bool one_time_only(Cursor&, std::string_view segment);
-// Fails with an error of geometry unless the object can show a shape.
+// Fails if the target is the geometry of an object that cannot show a shape.
 bool draws(Command&, const Target&, std::string_view about);
 // Fails if a camera would focus on itself. Accepts any value of any other function.
 bool focuses_elsewhere(Command&, const Target&, const Value&, std::string_view about);

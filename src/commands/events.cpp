@@ -87,7 +87,7 @@ bool has_code(const Track& track) {
   return any;
 }
 
-// Fails with an error of geometry unless the object can show a shape.
+// Fails if the target is the geometry of an object that cannot show a shape.
 bool draws(Command& k, const Target& t, std::string_view about) {
   const Object& o = k.scene.objects[t.object.index];
   return t.function != fn::geometry || drawable(o.kind) ||

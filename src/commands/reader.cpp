@@ -141,8 +141,8 @@ std::string_view name_at(const char* from, const char* end) {
   return {from, length};
 }
 
-// Returns whether an error follows from an earlier line that failed: it is about the name which that line should have
-// made, about an object below it, or about the marked word (a `let` name in place of a number is not read as a number).
+// Returns whether an error follows from an earlier line that failed: it is about a name that the line should have made,
+// about an object below it, or its marked word is such a name (a missing `let` name is reported as an invalid number).
 bool follows(const Script& script, const Error& e, const Cursor& c) {
   if (script.failed.empty() && !script.file_missing) return false;
   const std::string_view missed = name_missed(e);
@@ -181,7 +181,7 @@ void say_touched(Script& script, const char* line_start) {
 void run(Scene& s, Script& script, std::size_t from = 0) {
   Cursor c(script.source.text);
   c.at += from;
-  const bool author = script.open_files.size() < 2;  // a file that a script uses belongs to one line of it
+  const bool author = script.open_files.size() < 2;  // a used file counts as one line of it
   const std::size_t size = script.source.text.size();
   while (c.at < c.end && !script.given_up) {
     StillWanted::ask();

@@ -101,7 +101,7 @@ bool set_alike(Command& k, const Selected& to) {
   if (time) return event(k, to, *time);
   Value v;
   c.space();
-  // A live host puts an object into an environment in its present state, not in its earlier one.
+  // For a live host, `set` of environments takes effect now, not from the beginning.
   if (script.options.now && to.type() == Type::names) {
     script.stamp(s, {script.verb, static_cast<std::size_t>(w.data() - script.verb)}, "at ", " ");
     c.ticks_read = true;

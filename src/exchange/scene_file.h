@@ -53,9 +53,8 @@ struct SceneTrack {
   Path path = position;
   Way way = linear;
   std::vector<double> times;  // seconds, rising
-  std::vector<double>
-      // `width` numbers for each time, x y z w for rotations; for `cubic` the in-tangent, the value, the out-tangent.
-      values;
+  // `width` numbers for each time, x y z w for rotations; for `cubic` the in-tangent, the value, the out-tangent.
+  std::vector<double> values;
   std::size_t width() const { return times.empty() ? 0 : values.size() / times.size() / (way == cubic ? 3 : 1); }
 };
 
