@@ -79,8 +79,8 @@ class Reader {
     if (std::isfinite(q.value) && std::isfinite(q.frames)) return true;
     return c_.fail(ErrorCode::range, "this formula has no finite value", about());
   }
-  // Inside brackets, an operator has blanks on both sides or on neither: (1 - 2) and (1-2) are one formula, (1 -2) is
-  // two numbers.
+  // Inside brackets, an operator has blanks on both sides or on neither: (1 - 2) and (1-2) are one formula, (1 -2)
+  // are two numbers.
   bool next_operator(std::string_view any, char& out) {
     const char* const before = c_.at;
     if (inside_ > 0) c_.space();

@@ -195,7 +195,7 @@ class Tidier {
     return out;
   }
   // Returns whether '=' has spaces around it: in alias NAME = …, and between a target or a time and its procedure.
-  // Behind a key it has none.
+  // After a key it has none.
   static bool spaced_equals(const std::vector<Token>& tokens, std::size_t i) {
     if (i == 0 || tokens[0].text == "alias" || tokens[0].text == "define" || tokens[0].text == "let") return true;
     const auto& left = tokens[i - 1].text;

@@ -80,8 +80,8 @@ std::string write_matrix(const Mat4&);       // row by row
 std::string write_appearance(const Scene&);  // commands
 std::string write_rows(const DisplayList&);  // indented lines
 std::string write_environment(const std::string& name, const Environment&);  // all commands about it, a line each
-// Write a target: its rows (for a component, its part of the rows of the whole), and besides everything else that
-// determines its value, one command or sheet each: `set`, twerper, extend, velocity, filters, layers.
+// write_rows(): the target's rows; for a component, its part of the rows of the whole. write_besides(): everything else
+// that determines its value, one command or sheet each: `set`, twerper, extend, velocity, filters, layers.
 std::string write_rows(const Document&, const Target&);
 std::string write_besides(const Document&, const Target&);
 // Returns the part of an event's row after its time, or "" if there is no event. The track must not be a motion's.

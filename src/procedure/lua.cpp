@@ -47,7 +47,7 @@ bool has_lines(const std::string& source) { return source.find('\n') != std::str
 
 // The machines of this thread, one for each level of nesting. Each level has the whole of Lua's stack, so that a
 // procedure's limits do not depend on its caller.
-// A deque, because a nested call adds a machine and the others must stay in place
+// A deque, because a nested call adds a machine and the others must stay in place.
 thread_local std::deque<std::unique_ptr<Machine>> machines;
 
 std::unique_ptr<Machine>& machine() {

@@ -6,7 +6,7 @@
 // Lua raises errors by longjmp, which skips C++ destructors. So a C function here is one of two kinds. A plain one uses
 // only numbers and pointers, and may raise. One wrapped by guarded<> may use any object and never raises: memory is not
 // refused during it, and for an error it pushes the message and returns `failed`. NotWanted ends the call, and is
-// rethrown after Lua has returned.
+// thrown only after Lua has returned.
 #pragma once
 
 #include <cstdint>
