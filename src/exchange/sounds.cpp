@@ -111,8 +111,7 @@ class Decoder {
     return Nothing{};
   }
 
-  // Reads more of its output. Returns 0 at the end, or if it took too long. Counts only the time that the process
-  // itself takes.
+  // Reads more of its output. Returns 0 at the end, or if it took too long. Counts only the time spent waiting for it.
   std::size_t read(std::span<char> into) {
     for (;;) {
       std::array<pollfd, 2> both{pollfd{out_, POLLIN, 0}, pollfd{err_, POLLIN, 0}};
