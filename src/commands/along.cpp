@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Things that go along a line: 160f..208f along road [from 0 to 1] [turned] [TWERPER]. On the track stand places on the
-// line, one at each end; between two of one line the way goes along it (track/along.h).
+// Motion along a line: 160f..208f along road [from 0 to 1] [turned] [TWERPER]. The track holds places on the line, one
+// at each end; between two places on the same line the motion follows it (track/along.h).
 #include "track/along.h"
 
 #include <fmt/format.h>
@@ -20,12 +20,12 @@
 namespace betwixt {
 namespace {
 
-// What is said behind `along`.
+// The arguments of `along`.
 struct Way {
   ObjectId road;
   double from = 0, to = 1;
   bool turned = false;
-  Event event;  // how it goes on
+  Event event;  // its interpolation
 };
 
 bool share(Command& k, double& out) {
@@ -37,7 +37,7 @@ bool share(Command& k, double& out) {
          (std::abs(out) <= 1e6 || c.fail(ErrorCode::range, "so often nothing goes round", c.since(start)));
 }
 
-// The line that a name means.
+// Reads the name of a line.
 bool road(Command& k, const Selected& to, ObjectId& out) {
   auto& [s, c, time, layer, script] = k;
   c.space();
@@ -65,7 +65,7 @@ bool fits_on_line(Command& k, const Selected& to) {
                      "as in 1f..48f along road below ball.position; a rotation takes its direction");
 }
 
-// ROAD [SHARE | from SHARE to SHARE] [turned] [TWERPER …], behind `along`.
+// Reads ROAD [SHARE | from SHARE to SHARE] [turned] [TWERPER …], after `along`.
 bool way_along(Command& k, const Selected& to, bool lasts, Way& out) {
   Cursor& c = k.cursor;
   if (!road(k, to, out.road)) return false;
@@ -86,7 +86,8 @@ bool way_along(Command& k, const Selected& to, bool lasts, Way& out) {
   return way(k, to, out.event) && finish(c);
 }
 
-// One end: what is there already is come to before what begins, and gone on from behind what ends.
+// Puts an event at one end. If an event with another value is there already, the value before the end and the value
+// after it both remain, as a cut.
 void put_end(Scene& s, const Target& t, Event e, bool ends) {
   const auto tracks = edit_tracks(s, t);
   const Event* there = tracks.empty() ? nullptr : tracks[0]->events.find(e.time);
@@ -110,13 +111,13 @@ void put_way(Scene& s, const Target& t, const Way& w, Time from, std::optional<T
   Event begin = w.event;
   begin.time = from, begin.value = along(w.road, w.from);
   if (!until) return put_event(s, t, std::move(begin));
-  if (begin.twerper == Twerper::unset) begin.twerper = *find_twerper("auto");  // never beyond what was said
+  if (begin.twerper == Twerper::unset) begin.twerper = *find_twerper("auto");  // never overshoots the given ends
   for (Track* track : edit_tracks(s, t))
     for (const Event& inside : track->events.between(from, *until))
       if (inside.time > from && inside.time < *until) track->events.erase(inside.time, inside.time);
   Event end;
   end.time = *until, end.value = along(w.road, w.to), end.twerper = Twerper::hold;
-  if (begin.detail->ease_in != Time{}) {  // of the arrival
+  if (begin.detail->ease_in != Time{}) {  // an ease-in belongs to the event at the end
     end.detail.edit().ease_in = begin.detail->ease_in;
     begin.detail.edit().ease_in = {};
   }
@@ -124,7 +125,7 @@ void put_way(Scene& s, const Target& t, const Way& w, Time from, std::optional<T
   put_end(s, t, std::move(begin), false);
 }
 
-// The same of how it is turned.
+// Makes the same targets for the rotations.
 bool turned(Command& k, const Selected& to, std::string_view about, std::vector<Target>& out) {
   for (Target t : to.targets) {
     t.function = fn::rotation;
@@ -161,7 +162,7 @@ bool along_line(Command& k, const Selected& to, Time from, std::optional<Time> u
   if (w.turned && !turned(k, to, about, also)) return false;
   also.insert(also.begin(), to.targets.begin(), to.targets.end());
   for (const Target& t : also) put_way(s, t, w, from, until);
-  if (!script.sheet.tracks.empty()) find_tracks(s, script.sheet);  // of a sheet they may have become others
+  if (!script.sheet.tracks.empty()) find_tracks(s, script.sheet);  // the sheet's tracks may have been replaced
   return true;
 }
 
@@ -182,7 +183,7 @@ bool set_along_line(Command& k, const Selected& to) {
   return true;
 }
 
-// What goes along something that is about to go stays on the way, straight from event to event.
+// Objects on a line that is about to be removed keep their path, as straight pieces from event to event.
 void keep_ways(const Command& k, const std::vector<ObjectId>& leaving, const std::vector<std::uint32_t>& speaking,
                std::string_view about) {
   Scene& s = k.scene;

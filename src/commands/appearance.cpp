@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands about how the film looks beside its things.
+// Commands about the look of a film as a whole.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -67,7 +67,7 @@ bool film(Command& k) {
   return true;
 }
 
-// A word that stands where a colour may, but is none, may have been meant as one of these.
+// Reads a colour. If the word is no colour, suggests the words that are also allowed here.
 bool color_or(Command& k, std::initializer_list<std::string_view> words, Color& out) {
   Cursor& c = k.cursor;
   c.space();

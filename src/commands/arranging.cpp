@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where things go by what they measure: in a row, a column, a grid, a circle, or one next to another.
+// Arranges objects by their sizes: in a row, a column, a grid, a circle, or one next to another.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,18 +19,18 @@ namespace {
 
 constexpr double far_away = 1e9;
 
-// What a thing measures in the world, with all that hangs on it.
+// The bounds of an object in the world, with everything attached to it.
 struct Measured {
   ObjectId id;
   Vec3 low, high;
-  Mat4 to_world;  // of what its position says
-  Vec3 position;  // that
+  Mat4 to_world;  // from the space of its position
+  Vec3 position;  // its own
   bool any = false;
   Vec3 middle() const { return 0.5 * (low + high); }
   Vec3 size() const { return high - low; }
 };
 
-// The corners of what is drawn; texts by their letters.
+// Adds the corners of an item to the bounds; for a text, the corners of its letters.
 void take_in(Measured& m, const Item& item) {
   Extent e = extent(*item.shape);
   if (item.shape->kind == Kind::text) {
@@ -72,7 +72,7 @@ std::vector<Measured> measured(const Scene& s, const std::vector<ObjectId>& obje
   return all;
 }
 
-// Moves it by that much in the world: what is set, or an event at the command's time.
+// Moves the object by this vector in the world: sets its position, or adds an event at the command's time.
 bool move_to(Command& k, const Measured& m, Vec3 by, std::string_view about) {
   const std::optional<Mat4> inward = inverse(m.to_world);
   const Vec3 to = inward ? m.position + transform_vector(*inward, by) : Vec3{NAN, 0, 0};
@@ -97,7 +97,7 @@ struct Layout {
   Vec3 centre;
 };
 
-// One behind the other along an axis, their middles on a line; downwards, where the axis is y.
+// Returns offsets in a line along an axis, with the centres on it; downwards for y.
 std::vector<Vec3> in_line(const std::vector<Measured>& all, const Layout& how, int axis) {
   double whole = -how.gap;
   for (const Measured& m : all) whole += m.size()[axis] + how.gap;
@@ -113,7 +113,7 @@ std::vector<Vec3> in_line(const std::vector<Measured>& all, const Layout& how, i
   return out;
 }
 
-// Cells as large as the largest; the first row is the top one.
+// Returns offsets in a grid. All cells have the size of the largest object; the first row is at the top.
 std::vector<Vec3> in_grid(const std::vector<Measured>& all, const Layout& how) {
   const std::size_t columns = how.columns > 0
                                   ? static_cast<std::size_t>(how.columns)
@@ -130,7 +130,8 @@ std::vector<Vec3> in_grid(const std::vector<Measured>& all, const Layout& how) {
   return out;
 }
 
-// The first one at the top, then clockwise. Without a radius they have their gaps on the chord.
+// Returns offsets in a circle: the first at the top, then clockwise. Without a radius, the gaps are measured along the
+// chords.
 std::vector<Vec3> in_circle(const std::vector<Measured>& all, const Layout& how) {
   double largest = 0;
   for (const Measured& m : all) largest = std::max({largest, m.size().x, m.size().y});
@@ -194,7 +195,7 @@ bool arrange(Command& k) {
   return true;
 }
 
-// An edge or the middle, along an axis.
+// An edge or the middle along an axis.
 struct Side {
   std::string_view word;
   int axis, towards;  // -1: the low edge, 1: the high one, 0: the middle
@@ -242,7 +243,7 @@ bool place(Command& k) {
     return c.fail(ErrorCode::type, fmt::format("nothing stands next to {}", a_kind(s.objects[other.index].kind)), word);
   if (things.size() == 1 && things[0] == other)
     return c.fail(ErrorCode::name, fmt::format("'{}' cannot stand next to itself", s.objects[other.index].name), word);
-  // One after another: each next to the one before.
+  // Each object is placed next to the one before.
   std::vector<ObjectId> all{other};
   for (const ObjectId id : things)
     if (id != other) all.push_back(id);
@@ -263,10 +264,10 @@ bool place(Command& k) {
   return true;
 }
 
-// What a camera must do that all of a box is in its picture, with a margin, seen from where it is seen now.
+// The placement of a camera that fits a whole box into its picture, with a margin, in the present direction of view.
 struct Fitted {
   Vec3 place;
-  double height = 0;  // of what is seen orthographically
+  double height = 0;  // the height of an orthographic view
 };
 Fitted fit(const Camera& now, Vec3 low, Vec3 high, double aspect, double margin) {
   const auto axis = [&](int i) { return Vec3{now.world(0, i), now.world(1, i), now.world(2, i)}; };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands that join objects, and let them go.
+// Commands that attach objects to each other and detach them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ void say_fall_ends(Command& k, ObjectId child, Time when, std::string_view about
                   about);
 }
 
-// Puts an attachment on the tracks of `children`, or nothing at all where one of them would hang on itself (R-H6).
+// Puts an attachment on the tracks of `children`. Changes nothing if one of them would depend on itself.
 bool attachment(Command& k, const std::vector<ObjectId>& children, const Attachment& to, std::optional<Time> when,
                 std::string_view about) {
   auto& [s, c, time, layer, script] = k;
@@ -81,7 +81,7 @@ bool attachment(Command& k, const std::vector<ObjectId>& children, const Attachm
         s = before;
         return c.fail(ErrorCode::type, "layers and environments are no objects that hang on anything", about);
       }
-      // Until the track says otherwise.
+      // The end of the attachment: its next event.
       Time until{INT64_MAX};
       const Time from = when.value_or(Time{INT64_MIN});
       const auto known = attachments(s.objects[child.index]);

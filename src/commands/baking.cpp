@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What code, filters, velocities and environments make of a value becomes plain events.
+// Converts values made by code, filters, velocities and environments to plain events.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_baked = 1'000'000;  // events
 
-// How far a value between two others is from the straight way between them.
+// Returns the distance of a value from the linear interpolation between two others.
 double off_the_way(const Value& from, const Value& to, double s, const Value& is) {
   double a[4], b[4], v[4];
   const int n = to_numbers(from, a);
@@ -32,8 +32,8 @@ double off_the_way(const Value& from, const Value& to, double s, const Value& is
   return off;
 }
 
-// Which of the samples must stay, so that the lines between them are off by no more than that: the farthest one, again
-// and again (Ramer 1972, Douglas and Peucker 1973).
+// Returns which samples must stay so that linear interpolation is off by at most `within`. Splits at the farthest
+// sample, recursively (Ramer 1972, Douglas and Peucker 1973).
 std::vector<bool> needed(const std::vector<Value>& samples, double within) {
   std::vector<bool> stays(samples.size());
   std::vector<std::pair<std::size_t, std::size_t>> todo{{0, samples.size() - 1}};
@@ -67,7 +67,7 @@ struct Baking {
   }
 };
 
-// The plain track of one target: what made it before gives way.
+// Replaces everything that made the value of a target by a plain track.
 void put_baked(Scene& s, const Target& t, const std::vector<Time>& times, const std::vector<Value>& samples,
                double within) {
   const std::vector<bool> stays = needed(samples, within);
@@ -89,7 +89,8 @@ void put_baked(Scene& s, const Target& t, const std::vector<Time>& times, const 
   }
 }
 
-// Whether code says what holds it, and nothing else: what was kept or let go is not what an event of another time says.
+// Returns whether baking can replace the object's attachments: code computes some of them, and none keeps or releases a
+// place in the world, which depends on the time of its event.
 bool bakes(const Scene& s, ObjectId id) {
   const auto all = attachments(s.objects[id.index]);
   const auto plain = [](const AttachmentSpan& a) { return !a.to.keep_world && a.to.kind != AttachmentKind::letgo; };
@@ -97,7 +98,7 @@ bool bakes(const Scene& s, ObjectId id) {
          std::all_of(all.begin(), all.end(), plain);
 }
 
-// What reaches no longer does: the joints that it hangs on have its turns as events of their rotations.
+// Replaces a reach by events of rotation on the joints that bear the object.
 bool bake_reach(Command& k, const Selected& on, const Baking& how, std::string_view about) {
   Scene& s = k.scene;
   Rollback rollback(s);
@@ -112,7 +113,7 @@ bool bake_reach(Command& k, const Selected& on, const Baking& how, std::string_v
       Asking asking;
       for (const auto& [joint, turn] : program.compiled().reached_turns(hand.object, times[i], asking)) {
         auto& all = turns[joint.index];
-        all.resize(i, turn);  // before it hung there
+        all.resize(i, turn);  // no joint bore it before
         all.push_back(turn);
       }
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// copy: a segment of a track once more, elsewhere or many times.
+// copy: repeats a segment of a track, elsewhere or several times.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,15 +16,15 @@
 namespace betwixt {
 namespace {
 
-// Events a script may make by copying: a few words must not fill the machine.
+// The most events that a script may make by copying, because a few words could otherwise exhaust the memory.
 constexpr std::size_t most_copied = 10'000'000;
 
 struct Copying {
   Stretch from;
   Selected into;
-  std::string_view onto;  // how that was written
+  std::string_view onto;  // the word for it in the script
   Time start;
-  std::map<Type, Value> shifts;  // by the type of what is shifted
+  std::map<Type, Value> shifts;  // by the type of the values to shift
   bool shifted = false;
   long times = 1;
   const Value* shift(Type of) const {
@@ -45,7 +45,8 @@ Track component_of(const Track& track, int component) {
   return out;
 }
 
-// How many events of a track give way to copies, but for one that they go on from without a jump.
+// Returns the number of events that copies would replace, not counting one of equal value that the first copy
+// continues.
 std::size_t giving_way(const Track& into, const Track& source, const Copying& how, const std::optional<Value>& by) {
   const Segment& s = how.from.segment;
   const double span = static_cast<double>((s.to - s.from).flicks) * static_cast<double>(how.times);
@@ -56,8 +57,8 @@ std::size_t giving_way(const Track& into, const Track& source, const Copying& ho
   return into.events.count(how.start, end) - (goes_on ? 1 : 0);
 }
 
-// One track, or the tracks of its components, of what stood before, onto another. How many events came of it, and how
-// many gave way.
+// Copies one track, or the tracks of its components, as in `before`, onto another. Returns the numbers of new and of
+// replaced events.
 Result<Changed> copy_track(Scene& s, const Scene& before, const Target& from, const Target& to, const Copying& how,
                            const std::optional<Value>& by) {
   std::vector<Track> originals;
@@ -72,7 +73,7 @@ Result<Changed> copy_track(Scene& s, const Scene& before, const Target& from, co
     if (originals.size() > 1) place.component = static_cast<int>(k);
     const auto tracks = edit_tracks(s, place);
     for (std::size_t i = 0; i < tracks.size(); ++i) {
-      // A whole value onto tracks of components: each takes its own.
+      // If a whole value goes onto tracks of components, each takes its own component.
       const bool apart = tracks.size() > 1;
       const int component = apart ? static_cast<int>(i) : originals.size() > 1 ? static_cast<int>(k) : -1;
       Track source = apart ? component_of(originals[k], component) : originals[k];
@@ -94,7 +95,7 @@ Type type_of(const Scene& s, const Target& t) {
   return t.component < 0 ? whole : component_type(whole);
 }
 
-// The shift for values of one type.
+// Reads the shift for values of one type.
 bool read_shift(Command& k, const Target& of, Value& out) {
   Cursor& c = k.cursor;
   const FunctionSpec free = difference_of(spec_of(k.scene, of.function));
@@ -105,7 +106,7 @@ bool read_shift(Command& k, const Target& of, Value& out) {
   return c.fail(ErrorCode::type, fmt::format("{} cannot be shifted", to_string(type_of(k.scene, of))), c.since(at));
 }
 
-// For each of the types that are copied, as far as it means something for that.
+// Reads the shift for each type that is copied, if it has a meaning for that type.
 bool shift(Command& k, Copying& how) {
   Cursor& c = k.cursor;
   if (how.from.of.targets.empty()) {
@@ -136,7 +137,7 @@ bool shift(Command& k, Copying& how) {
   return c.at = behind, c.depth = depth, true;
 }
 
-// What the shift does not fit is left out, and named.
+// Leaves out, and names, the targets that the shift does not fit.
 void leave_out(Command& k, Copying& how) {
   if (!how.shifted || how.from.of.targets.size() < 2) return;
   Selected from = how.from.of, into = how.into;
@@ -154,7 +155,7 @@ void leave_out(Command& k, Copying& how) {
   how.from.of = std::move(from), how.into = std::move(into);
 }
 
-// TARGET A..B to T [on TARGET] [shift V] [times N]
+// Reads TARGET A..B to T [on TARGET] [shift V] [times N]
 bool arguments(Command& k, Copying& how) {
   Cursor& c = k.cursor;
   if (!on_segment(k, how.from)) return false;
@@ -191,7 +192,7 @@ bool fits(Command& k, const Copying& how) {
   return true;
 }
 
-// notes A..B to T [times N]
+// Reads notes A..B to T [times N]
 bool copy_notes(Command& k, std::string_view word) {
   Cursor& c = k.cursor;
   Segment of;
@@ -210,7 +211,7 @@ bool copy_notes(Command& k, std::string_view word) {
   });
 }
 
-// Whether so many events may still be made.
+// Fails if the copies would exceed the limit of events.
 bool affordable(Command& k, const Copying& how) {
   std::size_t wanted = k.script.copied;
   for (std::size_t i = 0; i < how.into.targets.size(); ++i)
@@ -243,8 +244,7 @@ bool copy(Command& k) {
   for (std::size_t i = 0; i < how.into.targets.size(); ++i) {
     Target source = how.source(i), to = how.into.targets[i];
     Result<Changed> done = copy_track(k.scene, all.before(), source, to, how, shift_of(source));
-    if (done && !source.velocity &&
-        has_velocity(type_of(k.scene, source))) {  // what goes on beside it, unshifted (R-T10)
+    if (done && !source.velocity && has_velocity(type_of(k.scene, source))) {  // the velocity beside it, unshifted
       sum.events += done->events, sum.replaced += done->replaced;
       source.velocity = to.velocity = true;
       done = copy_track(k.scene, all.before(), source, to, how, std::nullopt);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands that say what live input turns.
+// Commands that map live input to targets.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace betwixt {
 namespace {
 
-// dial /address to TARGET [from A B to C D]
+// Runs dial /address to TARGET [from A B to C D]
 bool dial(Command& k) {
   auto& [s, c, time, layer, script] = k;
   c.space();

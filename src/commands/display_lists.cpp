@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Display lists: make, edit, delete, start. (Animation Imaging Model, 2.2.1, 3.3.3)
+// Commands on display lists: make, edit, delete, start. (Animation Imaging Model, 2.2.1, 3.3.3)
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 Time list_time(const Command& k) { return k.time.value_or(from_the_beginning); }
 
-// A list that is there: at the time of the command, or at any time where it has none.
+// Reads the name of a list that exists at the command's time or, without a time, at any time.
 bool list_name(Command& k, std::string_view& word) {
   auto& [s, c, time, layer, script] = k;
   word = c.next_word();
@@ -44,7 +44,7 @@ void open(Command& k, std::string_view word) {
   sheet.from = time;
   for (const Time from : time ? std::vector{*time} : versions(s, word))
     sheet.versions.push_back({from, Sheet::at_end, {}, {}});
-  // What is kept is copied by the next row: where nothing is shown, nobody goes back to it.
+  // A stored state makes the next row copy the lists. It serves only to undo rows of shown lists.
   if (!s.main.empty()) sheet.before = s.lists, sheet.later_before = s.later_lists;
 }
 
@@ -64,7 +64,7 @@ bool make(Command& k) {
   edit_list(s, name, list_time(k)) = {};
   open(k, word);
   script.sheet.before = before, script.sheet.later_before = later_before;
-  script.sheet.changed = known;  // what it was before is not shown any more
+  script.sheet.changed = known;  // its former contents are no longer shown
   return true;
 }
 
@@ -108,11 +108,11 @@ bool delete_it(Command& k) {
                 word, time ? "" : "start NAME shows another one");
     if (!time) s.main.clear();
   }
-  if (shown) (void)expand(s);  // it has only become less
+  if (shown) (void)expand(s);  // always possible: there are fewer objects
   return true;
 }
 
-// Whether nobody else has names that what a list draws may want.
+// Fails if other objects have names that the list's drawing may need.
 bool free_below(Command& k, std::string_view name, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   const std::string below = fmt::format("{}/", name);
@@ -132,7 +132,7 @@ bool start(Command& k) {
   const Status done = expand(s);
   if (done) {
     for (const std::string_view other : script.live ? list_names(s) : std::vector<std::string_view>())
-      for (const Time from : versions(s, other)) {  // an author is told at the end
+      for (const Time from : versions(s, other)) {  // in a script this is reported at the end
         const DisplayList& list = *list_at(s, other, from);
         const auto wrong = unbalanced(list);
         if (!wrong || !ever_calls(s, name, std::string(other))) continue;
@@ -161,7 +161,7 @@ constexpr Verb display_lists_rows[] = {
 
 }  // namespace
 
-// rename OLD NEW, where the old name is a list's.
+// Runs `rename OLD NEW` where OLD is a display list.
 bool rename_list(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view old;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// create NAME scene file="logo.svg": what a drawing holds becomes objects.
+// create NAME scene file="logo.svg": the shapes of a drawing become objects.
 #include "commands/drawings.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace betwixt {
 namespace {
 
-// What the drawing says of a thing, as values of an object.
+// Converts a shape of the drawing to an object.
 Object object_of(const DrawnThing& thing, const std::string& name) {
   static const auto of_polygon = [](std::string_view function) { return *find_built_in(Kind::polygon, function); };
   Object o;
@@ -24,7 +24,7 @@ Object object_of(const DrawnThing& thing, const std::string& name) {
   set(of_polygon("points"), Points(thing.points));
   if (!thing.holes.empty()) set(of_polygon("holes"), Points(thing.holes));
   set(fn::color, thing.color);
-  set(fn::material, Text("glow"));  // as it is drawn, whatever lights there are
+  set(fn::material, Text("glow"));  // keeps the drawn colours under any light
   if (thing.transparency > 0) set(fn::transparency, thing.transparency);
   if (!thing.fills) set(of_polygon("fill"), false);
   if (thing.strokes) set(of_polygon("stroke"), thing.stroke);

@@ -13,7 +13,7 @@
 namespace betwixt {
 namespace {
 
-// A length of time that is a whole number of ticks.
+// Reads a length of time that is a whole number of ticks.
 bool whole_ticks(Command& k, std::int64_t& out) {
   auto& [s, c, time, layer, script] = k;
   c.space();
@@ -27,7 +27,7 @@ bool whole_ticks(Command& k, std::int64_t& out) {
                 fmt::format("the nearest are {}t and {}t", out, out + 1));
 }
 
-// Puts an event on the tracks of environments, made where there is none yet: on all or on none.
+// Adds an event to the tracks of environments, creating those that do not exist. On failure changes none.
 bool add_to(Command& k, const std::vector<std::string>& names, const decltype(EnvironmentEvent::what)& what,
             std::string_view about) {
   auto& [s, c, time, layer, script] = k;
@@ -168,8 +168,8 @@ constexpr Verb environments_rows[] = {
 
 }  // namespace
 
-// The tick that the command belongs to: between ticks it is the one before (R-E1a). Without a time a live host's
-// commands happen now, an author's at the beginning.
+// Returns the tick that the command belongs to; between two ticks, the earlier one. Without a time a live host's
+// commands happen now, and an author's at the beginning.
 std::int64_t tick(const Command& k) {
   const Time t = k.time ? *k.time : k.script.options.now.value_or(Time{});
   return k.scene.ticks.whole(t);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stands behind a row's time: an event's value, and how to go on from there.
+// Reads the part of a row after its time: an event's value and the interpolation that follows it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace betwixt {
 namespace {
 
-// Would an aim's separate numbers meet an object?
+// Returns whether the separate numbers of an aim would meet an aim at an object.
 bool mixes_aims(const Scene& s, const Target& t, const Value& v) {
   const Slot* slot = s.objects[t.object.index].find(t.function);
   if (!slot) return false;
@@ -28,7 +28,7 @@ bool mixes_aims(const Scene& s, const Target& t, const Value& v) {
   return any;
 }
 
-// What is said when all is read, should it still be so then.
+// Stores diagnostics that are reported at the end of the script if they still apply.
 void withhold(Command& k, const Selected& to, const Event& event, std::string_view about) {
   Script& script = k.script;
   constexpr std::size_t most = 10'000;
@@ -46,7 +46,7 @@ void withhold(Command& k, const Selected& to, const Event& event, std::string_vi
   }
 }
 
-// Whether the value can stand on the target's track, beside what is there.
+// Fails if the value cannot be on the target's track beside its present contents.
 bool goes_with(Command& k, const Selected& to, const Target& t, const Event& event, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   const bool computes = std::holds_alternative<Procedure>(event.value);
@@ -65,7 +65,7 @@ bool goes_with(Command& k, const Selected& to, const Target& t, const Event& eve
                   fmt::format("bake {} A..B makes plain rows of them", target_name(s, {t.object, t.function})));
   const bool orientation = !tracks[0]->events.empty() && std::holds_alternative<Quat>(tracks[0]->events.front().value);
   const bool turns = std::holds_alternative<Quat>(event.value);
-  // Components of an orientation are nothing an animator would know.
+  // Components of an orientation would mean nothing to an animator.
   if ((!whole && slot->components.empty() && orientation) || (rotation && whole && !slot->components.empty() && turns))
     return c.fail(ErrorCode::type,
                   fmt::format("'{}' cannot hold both orientations and separate angles", target_name(s, t)), about,
@@ -87,7 +87,7 @@ bool has_code(const Track& track) {
   return any;
 }
 
-// Whether an object can show a shape.
+// Fails if the target is the geometry of an object that cannot show a shape.
 bool draws(Command& k, const Target& t, std::string_view about) {
   const Object& o = k.scene.objects[t.object.index];
   return t.function != fn::geometry || drawable(o.kind) ||
@@ -106,7 +106,7 @@ bool focuses_elsewhere(Command& k, const Target& t, const Value& v, std::string_
 
 namespace {
 
-// What `keep` does to an event that is there: it goes on otherwise, and stays what else it is.
+// Applies `keep` to an existing event: changes its twerper, eases and tangents, but not its value.
 bool keep_there(Scene& s, const Target& t, const Event& event) {
   bool all = true;
   for (Track* track : edit_tracks(s, t)) {
@@ -156,7 +156,7 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
   if (to.type() == Type::text && !event.keep)
     say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, event.value, about);
   const auto& direct = script.sheet.tracks;
-  const bool straight = to.type() != Type::attachment;  // a plain one among its rows has had the scene copied
+  const bool straight = to.type() != Type::attachment;  // a plain attachment among its rows has copied the scene
   if (&to == &script.sheet.on && !direct.empty() && !event.keep && straight) {
     for (std::size_t i = 1; i < direct.size(); ++i) direct[i]->events.put(event);
     if (direct[0]->events.put(std::move(event)) && script.sheet.fresh)
@@ -170,7 +170,7 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
 
 }  // namespace
 
-// = "…": a value that code computes.
+// Reads = "…": a value that code computes.
 bool computed(Command& k, const Selected& to, Value& out) {
   auto& [s, c, time, layer, script] = k;
   if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing here");
@@ -193,7 +193,7 @@ bool computed(Command& k, const Selected& to, Value& out) {
       if (!placed(s.objects[t.object.index].kind))
         return c.fail(ErrorCode::type, "layers and environments are no objects that hang on anything", about);
   }
-  // What is read once, when the script is.
+  // These functions are read only once, with the script.
   static constexpr std::string_view settled[] = {"file", "texture", "font", "tex", "mode", "of", "within"};
   const bool is_name = to.type() == Type::text || to.type() == Type::aim;
   if (is_name && std::find(std::begin(settled), std::end(settled), to.spec->name) != std::end(settled))
@@ -204,7 +204,8 @@ bool computed(Command& k, const Selected& to, Value& out) {
   return true;
 }
 
-// What stands behind a row's time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep TWERPER.
+// Reads the part of a row after its time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep
+// TWERPER.
 bool event(Command& k, const Selected& to, Time when) {
   auto& [s, c, time, layer, script] = k;
   if (to.type() == Type::motion) return moving(k, to, when, std::nullopt);
@@ -252,14 +253,14 @@ bool event(Command& k, const Selected& to, Time when) {
   return put(k, to, std::move(e), about);
 }
 
-// How an event goes on: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V] [handle…=(L V)].
+// Reads an event's interpolation: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V] [handle…=(L V)].
 bool way(Command& k, const Selected& to, Event& e) {
   auto& [s, c, time, layer, script] = k;
   bool chosen = false;
   while (!c.at_line_end()) {
     const char* start = c.at;
     const std::string_view w = c.peek_word();
-    const bool ease = w == "ease-in" || w == "ease-out";  // with a length an option, without one a twerper
+    const bool ease = w == "ease-in" || w == "ease-out";  // an option if a length follows, otherwise a twerper
     if (ease) {
       c.word(), c.space();
       if (starts_like_time(c.peek()))

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A fall by the laws of cartoons: the object goes on as it went for the delay, then drops, and bounces. What comes of
-// it are plain events on plain tracks. (twixt notes, G4, G52)
+// A fall by the laws of cartoons: the object keeps its speed during the delay, then drops, and bounces. The result is
+// plain events on plain tracks. (twixt notes, G4, G52)
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,20 +23,20 @@ struct Laws {
   double gravity = 9.81, ground = 0, bounce = 0;
 };
 
-// What takes the values of a position's track to the world, and how fast it went with all that it carries: the speed
-// that is lost at that time, for what goes on goes on carrying.
+// The transformation from the values of a position's track to the world, and the part of the object's speed that is
+// lost at that time. The speed of a parent that still holds the object is not lost.
 struct Carried {
   Mat4 to_world;
   Vec3 origin, speed;
 };
 
-// Where it is at a time, and how fast it comes and goes.
+// The object's place at a time, and its speed just before and after.
 struct Mark {
   Time time;
   Vec3 place, in, out;
 };
 
-// From hop to hop, in the world: along the ground it goes on as it went.
+// Returns the events from bounce to bounce, in the world. Along the ground the speed is constant.
 std::vector<Mark> path(Time start, Vec3 place, Vec3 speed, const Laws& laws) {
   std::vector<Mark> marks;
   const Vec3 along{speed.x, 0, speed.z};
@@ -51,10 +51,10 @@ std::vector<Mark> path(Time start, Vec3 place, Vec3 speed, const Laws& laws) {
   for (int hops = 0; hops < 200; ++hops) {
     const auto vertical = [&](double v) { return Vec3{along.x, v, along.z}; };
     marks.push_back({now, place, vertical(came), vertical(speed.y)});
-    // y + speed·d - g/2·d² = ground
+    // Solves y + speed·d - g/2·d² = ground.
     const double root = speed.y * speed.y + 2 * laws.gravity * (place.y - laws.ground);
     const double left = end.seconds() - t;
-    if (!(root > 0) || (place.y <= laws.ground && speed.y <= 0)) break;  // it lies
+    if (!(root > 0) || (place.y <= laws.ground && speed.y <= 0)) break;  // it rests
     const double d = (speed.y + std::sqrt(root)) / laws.gravity;
     if (d >= left) {
       const double y = place.y + speed.y * left - laws.gravity / 2 * left * left;
@@ -68,13 +68,13 @@ std::vector<Mark> path(Time start, Vec3 place, Vec3 speed, const Laws& laws) {
     place = place + (now - before).seconds() * along;
     place.y = laws.ground;
     speed.y = -came * laws.bounce;
-    if (speed.y * speed.y / (2 * laws.gravity) < 1e-4) speed.y = 0;  // hops nobody sees
+    if (speed.y * speed.y / (2 * laws.gravity) < 1e-4) speed.y = 0;  // hops too low to see
   }
   marks.back().out = {};
   return marks;
 }
 
-// Differences of places leave noise behind the eleventh digit, and nobody wants to read that.
+// Rounds to 11 digits: differences of places have noise beyond them, which would make the rows unreadable.
 Vec3 tidied(Vec3 v, double size) {
   const double unit = std::pow(10, std::max(0.0, 11 - std::ceil(std::log10(std::max(1.0, size)))));
   for (int i = 0; i < 3; ++i)
@@ -97,7 +97,7 @@ Carried carried(const Program& program, ObjectId id, Time t) {
   if (!let_go_at(o, t) && !o.find(fn::motion)) return c;
   Asking asking;
   const std::uint32_t node = compiled.node_of[id.index];
-  // Environments go in steps, which have no speed.
+  // The steps of environments have no speed.
   const Mat4 around = linear_part(compiled.placement(node, t, asking).around);
   const auto place = [&](Time when) { return translation_of(compiled.placement(node, when, asking).world); };
   const auto speed = [&](int side) {
@@ -111,7 +111,7 @@ Carried carried(const Program& program, ObjectId id, Time t) {
   return c;
 }
 
-// The same things, but only their own tracks say where they are: what filters and layers add is added to a fall too.
+// Returns the program of the same objects with only their own tracks: filters and layers are added to a fall, too.
 Program bare(const Scene& s, const std::vector<ObjectId>& things, const Program& program) {
   Scene plain = s;
   bool any = false;
@@ -129,8 +129,8 @@ Program bare(const Scene& s, const std::vector<ObjectId>& things, const Program&
   return any ? Program::compile(Document(std::make_shared<const Scene>(std::move(plain)))) : program;
 }
 
-// How fast its own tracks say that it goes. A track that only stays where it has come to, as behind its last event,
-// says how fast it came.
+// Returns the speed of the object's own tracks. If a track is constant after the time, as after its last event,
+// returns the speed just before it.
 Vec3 pace(const Program& own, const Scene& s, ObjectId id, Time t) {
   Asking asking;
   const auto rate = [&](bool coming) {
@@ -149,7 +149,7 @@ Vec3 pace(const Program& own, const Scene& s, ObjectId id, Time t) {
   return length(goes) <= nothing ? came : goes;
 }
 
-// The fall rules from `from` on: velocities give way, and what they would have made after it too.
+// Ends velocities from `from` on, so that the fall takes over, and erases their events up to `until`.
 void end_reign(Scene& s, ObjectId id, Time from, Time until) {
   for (int axis = 0; axis < 3; ++axis) {
     Target rate{id, fn::position, axis};
@@ -165,7 +165,7 @@ void end_reign(Scene& s, ObjectId id, Time from, Time until) {
   }
 }
 
-// It ends where something takes hold of what falls.
+// Ends the fall where something takes hold of the object.
 Laws until_caught(const Object& o, Time start, Laws laws) {
   for (const AttachmentSpan& a : attachments(o)) {
     if (a.from <= start || (!a.computed && a.to.kind < AttachmentKind::hang)) continue;
@@ -175,7 +175,7 @@ Laws until_caught(const Object& o, Time start, Laws laws) {
   return laws;
 }
 
-// Of a fall, as `fall` writes it: hermite, a parabola.
+// Returns whether the segment has the form that `fall` writes: hermite, and a parabola.
 bool falls(const Event& from, const Event& to) {
   if (from.twerper != Twerper::hermite || !from.detail->tangent_out || !to.detail->tangent_in) return false;
   const auto number = [](const Value& v) { return std::get_if<double>(&v); };
@@ -186,7 +186,7 @@ bool falls(const Event& from, const Event& to) {
   return std::abs(*q - *p - way) <= 1e-6 * (1 + std::abs(*p) + (std::abs(*out) + std::abs(*in)) * h);
 }
 
-// How many events of the author's own stand behind the beginning of a fall, where it will go on.
+// Returns the number of the author's own events that the fall would replace.
 std::size_t displaced(const Scene& s, ObjectId id, Time from, Time until) {
   std::size_t most = 0;
   for (const Track* track : tracks_of(s, {id, fn::position})) {
@@ -201,7 +201,7 @@ std::size_t displaced(const Scene& s, ObjectId id, Time from, Time until) {
   return most;
 }
 
-// delay= gravity= ground= bounce= and for LENGTH
+// Reads delay= gravity= ground= bounce= and for LENGTH.
 bool laws_of(Command& k, Laws& laws) {
   Cursor& c = k.cursor;
   while (!c.at_line_end()) {
@@ -232,8 +232,8 @@ bool laws_of(Command& k, Laws& laws) {
   return true;
 }
 
-// A fall writes three components. Code that gives the whole position would not see them. A track that repeats would
-// repeat the fall, and change the values before it.
+// Fails if the position is not made of plain rows. A fall writes three components: code that computes the whole
+// position would not use them, and a track that repeats would repeat the fall and change the values before it.
 bool in_plain_rows(Command& k, ObjectId id, std::string_view word) {
   const Object& o = k.scene.objects[id.index];
   const Slot* slot = o.find(fn::position);
@@ -253,7 +253,7 @@ bool in_plain_rows(Command& k, ObjectId id, std::string_view word) {
                                                   format_time(*k.time, k.scene.rate)));
 }
 
-// What else moves the thing while it falls, and what falls no way at all.
+// Adds notices about other motions of the falling object, and about one that is below the ground.
 void say_company(Command& k, ObjectId id, double height, const Laws& laws, std::string_view word) {
   auto& [s, c, time, layer, script] = k;
   const Object& o = s.objects[id.index];
@@ -273,7 +273,7 @@ void say_company(Command& k, ObjectId id, double height, const Laws& laws, std::
                 word, "ground=Y says where the ground is");
 }
 
-// One component of the way, in place of what its track had there.
+// Replaces the events of one component by those of the fall.
 void put_marks(Scene& s, ObjectId id, int axis, const std::vector<Mark>& marks) {
   Track* track = edit_track(s, Target{id, fn::position, axis});
   EventDetail arrival = end_alone(*track, marks.front().time, component_track_type(Type::vector), true);
@@ -343,7 +343,7 @@ constexpr Verb fall_rows[] = {
      Verb::timed, fall},
 };
 
-// The event that ends it on one of its pieces.
+// Returns the event that ends the fall inside one of its segments.
 Event end_between(const Event& from, const Event& to, Time t) {
   const double h = (to.time - from.time).seconds(), d = (t - from.time).seconds();
   const double out = std::get<double>(*from.detail->tangent_out), in = std::get<double>(*to.detail->tangent_in);
@@ -362,7 +362,7 @@ Event end_between(const Event& from, const Event& to, Time t) {
 bool end_fall(Scene& s, ObjectId id, Time t) {
   const auto now = tracks_of(s, {id, fn::position});
   if (now.size() != 3) return false;
-  // Pieces of all three components, one behind the other, the first of them over this time.
+  // The successive segments of all three components; the first contains the time.
   std::array<std::vector<Event>, 3> pieces;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<Event>& out = pieces[axis];

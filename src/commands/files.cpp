@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_included = 10'000;  // files that use files that use files: their number can grow without end
+constexpr int most_included = 10'000;  // files that use files can multiply without end
 
 Result<std::string> contents(const fs::path& path, bool special) {
   FileContents in = read_contents(path.string(), {.special = special});
@@ -50,7 +50,7 @@ Result<std::string> contents(const fs::path& path, bool special) {
   }
 }
 
-// Without links and dots; of a file that is not there too, wherever the program was started.
+// Returns the path without links and dots, from any working folder. Works for a missing file, too.
 fs::path real_path(const fs::path& path, std::error_code& why) {
   const fs::path whole = fs::absolute(path, why);
   return why ? path : fs::weakly_canonical(whole, why);
@@ -68,7 +68,7 @@ bool Script::may_read(const fs::path& path) const {
   return true;
 }
 
-// The path as people know it: relative to the first script's folder.
+// Returns the path for messages: relative to the first script's folder.
 std::string Script::shown(const fs::path& path) const {
   std::error_code why;
   const fs::path real = real_path(path, why);
@@ -77,7 +77,7 @@ std::string Script::shown(const fs::path& path) const {
 }
 
 void read_file(Scene& s, Script& script, const std::string& path) {
-  auto text = contents(path, true);  // of the author's own choice: it may come through a pipe
+  auto text = contents(path, true);  // the author named it, so it may be a pipe
   if (!text) {
     script.diagnostics.push_back({Severity::error, text.error(), {}, 0});
     return;
@@ -90,9 +90,9 @@ void read_file(Scene& s, Script& script, const std::string& path) {
 
 namespace {
 
-// What is wrong with a file that does not even call itself a script is said without its words: they may be nobody's
-// business. Where there were errors among the diagnostics from `said` on, all of them go; the line of the first is
-// returned, or 0 where it is in another file.
+// Withdraws the diagnostics of a file that has no script's header, because their quotations could reveal its contents.
+// If there are errors from index `said` on, removes all diagnostics from there on and returns the line of the first
+// error, or 0 if it is in another file. Otherwise returns nullopt.
 std::optional<int> take_back(Script& script, std::size_t said, const std::string& file) {
   auto& all = script.diagnostics;
   const auto first = all.begin() + static_cast<std::ptrdiff_t>(said);
@@ -133,7 +133,7 @@ bool use(Command& k) {
   if (!text) return c.fail(text.error().code, text.error().message, about);
   script.open_files.push_back(real);
   const std::size_t said = script.diagnostics.size();
-  const auto now = std::exchange(script.options.now, std::nullopt);  // its lines came when it was written
+  const auto now = std::exchange(script.options.now, std::nullopt);  // its lines belong to the time of writing
   read_text(s, script, *text, path.string());
   script.options.now = now;
   script.open_files.pop_back();
@@ -143,12 +143,12 @@ bool use(Command& k) {
       return c.fail(ErrorCode::file, fmt::format("'{}' is no script{}", name, where), about,
                     "lines of files that end in .bx are shown");
     }
-  // What the file may have changed holds for the rest of this line's text.
+  // Settings that the file may have changed apply to the rest of this line.
   c.rate = s.rate, c.ticks = s.ticks;
   return true;
 }
 
-// What a `tex` says is set by programs, and a script cannot run any of itself.
+// Adds the formula of a `tex`. A script cannot run the programs that set formulas; their results must already be there.
 bool tex_formula(Command& k, const std::string& tex, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (s.formulas->contains(tex)) return true;
@@ -162,7 +162,7 @@ bool tex_formula(Command& k, const std::string& tex, std::string_view about) {
   return true;
 }
 
-// One mesh of a scene: truck.glb#Wheels.
+// Loads one mesh of a scene: truck.glb#Wheels.
 bool part_of_scene(Command& k, std::string& path, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   const std::string part = path.substr(path.find('#'));
@@ -182,8 +182,8 @@ bool part_of_scene(Command& k, std::string& path, std::string_view about) {
                 did_you_mean(part.substr(1), names));
 }
 
-// Reads what a `file` of a mesh or a sound or a `texture` names, and keeps it in the scene; `path` becomes its place
-// below the first script's folder.
+// Loads the file that `file` (of a mesh or a sound) or `texture` names into the scene. Makes `path` relative to the
+// first script's folder.
 bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (f == fn::font) {

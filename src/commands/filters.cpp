@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// filter: a function through time over a track.
+// filter: applies a function through time to a track.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-// The filter that a command names: built in, of the author's own, or none.
+// The filter that a command names: built in, of the author's own, or `none`.
 struct Chosen {
   std::string_view name;
   const FilterSpec* spec = nullptr;
@@ -47,11 +47,11 @@ bool means_something(const Chosen& filter, Type type) {
   return row_of(type).computed && (!filter.spec || suits(*filter.spec, type));
 }
 
-// What the filter knows of a key; null where it is the author's own and takes any that it makes use of.
+// Finds the filter's parameter. Sets `known` to nullptr for a filter of the author's own, which may use any key.
 bool known_key(Cursor& c, const Chosen& filter, std::string_view key, const FilterParameter*& known) {
   if (filter.own) {
     if (filter.own->code->language != "lua") return true;
-    std::string global(key);  // a slip would be a nil in its code
+    std::string global(key);  // a typing error would be nil in its code
     std::replace(global.begin(), global.end(), '-', '_');
     return stands_in(filter.own->code->source, global) ||
            c.fail(ErrorCode::name, fmt::format("'{}' makes no use of '{}'", filter.name, key.substr(0, 40)), key);
@@ -66,7 +66,7 @@ bool known_key(Cursor& c, const Chosen& filter, std::string_view key, const Filt
                          did_you_mean(key, words));
 }
 
-// A number; with a unit a length of time, in seconds, or an angle, in radians.
+// Reads a number. With a unit it is a length of time, in seconds, or an angle, in radians.
 bool number_or_length(Cursor& c, bool length_wanted, double& out, bool& unit) {
   const char* const at = (c.space(), c.at);
   std::optional<Quantity> q;
@@ -125,7 +125,7 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
   return true;
 }
 
-// [key=value …] [A..B]
+// Reads [key=value …] [A..B]
 bool filter_arguments(Command& k, const Chosen& chosen, Type type, Filter& made) {
   Cursor& c = k.cursor;
   while (!c.at_line_end()) {
@@ -151,7 +151,7 @@ bool filter_arguments(Command& k, const Chosen& chosen, Type type, Filter& made)
   return true;
 }
 
-// [key=value …] [A..B] of a filter on values of one type.
+// Reads [key=value …] [A..B] of a filter for values of one type, and adds the filter.
 bool put_filter(Command& k, const Selected& on, const Chosen& chosen, std::string_view word) {
   const Type type = on.spec ? on.type() : Type::vector;
   if (!chosen.none() && !means_something(chosen, type) && !(chosen.spec && !on.spec))

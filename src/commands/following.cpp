@@ -39,7 +39,7 @@ ObjectId Following::id(ObjectId of) const {
   return at == ids_.end() ? of : at->second;
 }
 
-// Texts that are the name, or begin with it and a dot or a slash, speak of the new one.
+// Renames quoted texts that are the name, or begin with it and a dot or a slash.
 std::string Following::source(const std::string& source) const {
   std::string out;
   for (std::size_t i = 0; i < source.size();) {

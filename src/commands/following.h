@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What speaks of objects, by number or by name, and follows where these get other names or copies of their own.
+// References to objects, by number or by name, and their update when objects are renamed or copied.
 #pragma once
 
 #include <optional>
@@ -14,20 +14,20 @@ namespace betwixt {
 
 class Following {
  public:
-  // What was called `from` is called `to`, and so is all below it. `known`: names in lists follow only where this scene
-  // has what they would name then; none: they always do.
+  // Renames `from`, and everything below it, to `to`. With `known`, names in lists change only if that scene has an
+  // object of the new name; with nullptr they always change.
   Following(std::string from, std::string to, const Scene* known = nullptr)
       : from_(std::move(from)), to_(std::move(to)), known_(known) {}
-  // What spoke of the one speaks of the other.
+  // Replaces references to one object by references to the other.
   void instead(ObjectId of, ObjectId now) { ids_[of.index] = now; }
 
-  std::string name(const std::string&) const;  // the same where it is outside
+  std::string name(const std::string&) const;  // unchanged if it is outside `from`
   ObjectId id(ObjectId of) const;
-  // The code with texts in quotes that begin with the name; null: there are none.
+  // Returns the code with its quoted texts renamed, or nullptr if nothing changes.
   std::shared_ptr<const Routine> code(Role, const std::shared_ptr<const Routine>&) const;
-  // None: nothing of the value follows.
+  // Returns nullopt if nothing in the value changes.
   std::optional<Value> value(const Value&) const;
-  bool concerns(const Object&) const;  // whether any of its values do
+  bool concerns(const Object&) const;  // whether any of its values change
   void apply(Object&) const;
 
  private:

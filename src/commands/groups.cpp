@@ -17,11 +17,11 @@
 namespace betwixt {
 namespace {
 
-// When whose turn comes: so many times the length.
+// The order in which objects follow each other; each delay is a multiple of one length.
 struct Turns {
   std::string_view from = "first";
   std::int64_t seed = -1;
-  double metres = 0;  // by place: the length for so many
+  double metres = 0;  // the distance that corresponds to one length, for order by place
   Vec3 point;
 };
 
@@ -64,7 +64,7 @@ std::vector<double> turns_of(const Command& k, const std::vector<ObjectId>& obje
     const double n = static_cast<double>(i), off = std::abs(n - last / 2);
     turn[i] = how.from == "last" ? last - n : how.from == "centre" ? off : how.from == "edges" ? last / 2 - off : n;
   }
-  if (how.seed >= 0) {  // Fisher and Yates, by a generator that is the same everywhere
+  if (how.seed >= 0) {  // Fisher and Yates, with a generator that is the same on every machine
     std::mt19937_64 random(static_cast<std::uint64_t>(how.seed));
     for (std::size_t i = turn.size(); i > 1; --i) std::swap(turn[i - 1], turn[random() % i]);
   }
@@ -95,7 +95,7 @@ bool stagger(Command& k) {
     return false;
   }
   if (!finish(c)) return false;
-  std::vector<ObjectId> objects;  // all that one does is its turn
+  std::vector<ObjectId> objects;  // all targets of one object have the same turn
   for (const Target& t : on.targets)
     if (objects.empty() || objects.back() != t.object) objects.push_back(t.object);
   const std::vector<double> turn = turns_of(k, objects, how);
@@ -129,7 +129,7 @@ bool spread(Command& k) {
   if (!values(k).value(*on.spec, on.component, from)) return false;
   if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' and a value are missing here");
   if (!values(k).value(*on.spec, on.component, to) || !finish(c)) return false;
-  // Colours are laid out in light, as they blend in time.
+  // Colours are spread in linear light, as they blend in time.
   const auto *dark = std::get_if<Color>(&from), *bright = std::get_if<Color>(&to);
   const auto way = add_scaled(to, from, -1);
   const bool turn = std::holds_alternative<Quat>(from) && std::holds_alternative<Quat>(to);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands that lay motion over motion.
+// Commands that add layers of motion.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ bool on_layer(Command& k) {
   const ObjectId id = s.names.find(word);
   c.space();
   const std::string_view next = c.peek_word();
-  // The rows of its sheet would have nowhere to go.
+  // The rows of its sheet would have no destination.
   if (!time && first_dot(next) != std::string_view::npos) script.sheet.open = script.sheet.broken = true;
   if (!id) {
     std::vector<std::string_view> layers;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The rows of display lists: how each is read. (Animation Imaging Model, 2.2.1)
+// Reads the rows of display lists. (Animation Imaging Model, 2.2.1)
 #include "commands/list_rows.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-// A command of a list as its row is read; `about`: its word.
+// A command of a list while its row is read. `about`: its word.
 struct Drawn {
   Command& k;
   std::string_view about;
@@ -120,8 +120,8 @@ bool callable(Command& k, const std::string& name) {
   return true;
 }
 
-// A begin of a live host, or of an edit at a time, belongs to the environment that has the name then, or will have it
-// next (R-E9).
+// The `begin` of a live host, or of an edit at a time, belongs to the environment that has the name then or that gets
+// it next.
 bool since(Command& k, DisplayCommand& command) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view behind(c.at, 0);  // the name; a comment may follow
@@ -145,7 +145,7 @@ bool begin(Drawn& d) { return name(d, "an environment") && since(d.k, d.command)
 
 struct ReadRow {
   ListRow row;
-  bool (*read)(Drawn&);  // of commands; null: it says where rows go
+  bool (*read)(Drawn&);  // nullptr for rows that say where later rows go
 };
 constexpr ReadRow rows[] = {
     {{"point", "point (x y z) …", "Draws points.", "make list\n  point (0 0) (1 0 0)"}, points<1>},
@@ -213,7 +213,7 @@ bool tag(Command& k) {
   return true;
 }
 
-// Versions that do not have the tag, or not so many rows behind it, are passed over.
+// Selects the rows to replace. Skips versions without the tag, and versions with too few rows after it.
 bool replace(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view word = c.next_word();
@@ -249,7 +249,7 @@ bool replace(Command& k) {
   return true;
 }
 
-// One command of the list, at its end or in place of another, in all versions that the rows go to.
+// Reads one command of the list and puts it at the end, or in place of another, in all versions that receive the rows.
 bool draw(Command& k, std::size_t index, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   Drawn d{k, about, {}};

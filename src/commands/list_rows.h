@@ -15,12 +15,13 @@ namespace betwixt {
 struct ListRow {
   std::string_view word, usage, sentence, example;
 };
-// In the order of Drawing, and behind them what is no command of a list.
+// In the order of Drawing; the rows that are not drawing commands come last.
 std::span<const ListRow> list_rows();
 
-// What comes at the end must fit what is there; what is put between may be completed later.
+// Fails if a command at the end of the list does not match the commands before it. A command inserted in between may be
+// completed later.
 bool in_order(Command&, const DisplayCommand&, std::string_view about);
-// What is wrong with a command that has no other half.
+// Returns the message for a command whose other half is missing.
 std::string without_half(const DisplayCommand&);
 
 }  // namespace betwixt

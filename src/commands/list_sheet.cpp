@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sheet of a display list: what is open in it, and what becomes of it when its rows are over.
+// The sheet of a display list: its open commands, and the work at the end of its rows.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::string said(const DisplayCommand& c) {
   return name && c.what != Drawing::text ? fmt::format("{} {}", word, **name) : std::string(word);
 }
 
-// What is open at the end of the list, as far as it is in order.
+// Returns the commands that are open at the end of the list, as far as they match.
 std::vector<Drawing> nested(const DisplayList& list) {
   std::vector<Drawing> open;
   for (std::size_t i = 0; i < list.commands.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<Drawing> nested(const DisplayList& list) {
 
 }  // namespace
 
-// What is wrong with a command that has no other half.
+// Returns the message for a command whose other half is missing.
 std::string without_half(const DisplayCommand& c) {
   const bool closes = c.what == Drawing::pop || c.what == Drawing::end;
   const bool stack = c.what == Drawing::pop || c.what == Drawing::push;
@@ -39,7 +39,8 @@ std::string without_half(const DisplayCommand& c) {
                 : fmt::format("this '{}' is never followed by its '{}'", said(c), stack ? "pop" : "end");
 }
 
-// What comes at the end must fit what is there; what is put between may be completed later.
+// Fails if a command at the end of the list does not match the commands before it. A command inserted in between may be
+// completed later.
 bool in_order(Command& k, const DisplayCommand& command, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   const bool closes = command.what == Drawing::pop || command.what == Drawing::end;
@@ -66,7 +67,7 @@ bool in_order(Command& k, const DisplayCommand& command, std::string_view about)
   return true;
 }
 
-// The lines that rows stand below that come by themselves.
+// Returns the lines that must precede rows that come alone.
 std::string opener(const Scene& s, const Sheet& sheet) {
   if (sheet.list.empty()) return sheet.opener;
   const std::string edit = (sheet.from ? "at " + write_seconds(*sheet.from) + " " : "") + "edit " + sheet.list;
@@ -80,7 +81,7 @@ std::string opener(const Scene& s, const Sheet& sheet) {
 
 namespace {
 
-// What shows the list must show it as it is now.
+// Expands the list again where it is shown.
 void show(Scene& s, Script& script, const std::string& name) {
   const Sheet& sheet = script.sheet;
   if (!sheet.changed || s.main.empty() || !ever_calls(s, s.main, name)) return;
@@ -89,7 +90,7 @@ void show(Scene& s, Script& script, const std::string& name) {
 
 }  // namespace
 
-// The rows of a display list are over: what shows it must show it as it is now.
+// Ends the rows of a display list and expands it where it is shown.
 void close_list(Scene& s, Script& script) {
   Sheet& sheet = script.sheet;
   if (sheet.list.empty()) return;
@@ -105,7 +106,7 @@ void close_list(Scene& s, Script& script) {
     auto d = script.withheld(
         Severity::error, spot.data() ? without_half(command) : fmt::format("in '{}': {}", name, without_half(command)),
         spot.data() ? spot : sheet.place);
-    if (d) script.unfinished[{name, v.from}] = *std::move(d);  // it may still be completed
+    if (d) script.unfinished[{name, v.from}] = *std::move(d);  // later rows may still complete it
   }
   show(s, script, name);
 }
@@ -117,13 +118,13 @@ void show_list(Scene& s, Script& script) {
   show_lists(s, script);
 }
 
-// Where that would be too much, the rows of the sheet that made it so are not done, nor are those behind it.
+// If the expansion is too large, drops the rows of the first sheet that made it so, and those of all later sheets.
 void show_lists(Scene& s, Script& script) {
   const auto sheets = std::exchange(script.unshown, {});
   if (sheets.empty()) return;
   Status done = expand(s);
   if (done) return;
-  // After how many of them it was still possible.
+  // Finds, by bisection, the number of sheets that can be expanded.
   std::size_t possible = 0, impossible = sheets.size();
   while (impossible - possible > 1) {
     const std::size_t half = (possible + impossible) / 2;
@@ -134,7 +135,7 @@ void show_lists(Scene& s, Script& script) {
       impossible = half, done = then;
   }
   s.lists = sheets[possible].before, s.later_lists = sheets[possible].later_before;
-  (void)expand(s);  // it was possible
+  (void)expand(s);  // cannot fail: it has succeeded before
   script.report(Severity::error, done.error(), sheets[possible].place);
 }
 

@@ -13,14 +13,14 @@
 namespace betwixt {
 namespace {
 
-// What others' files hold is kept, as it was when they were read.
+// Returns an empty scene with the contents of files that the other scene had read.
 Scene with_files_of(const Scene& was) {
   Scene scene;
   scene.meshes = was.meshes, scene.pictures = was.pictures, scene.sounds = was.sounds, scene.formulas = was.formulas;
   return scene;
 }
 
-// A film that there is something to say about is read once more, to find out where it says that.
+// If a film has remarks, reads it a second time to find their places.
 template <class Read>
 void say_remarks(const Scene& scene, Diagnostics& out, const LoadOptions& options, const Read& read) {
   Watch watch(look_over(scene));
@@ -106,8 +106,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
                 "a target is an object and a function, as in ball.position");
   Selected found;
   std::vector<Target> out;
-  if (const auto objects = select(scene, word);
-      !objects.empty()) {  // an object: all that has been said of it, and where it is
+  if (const auto objects = select(scene, word); !objects.empty()) {  // an object: all its values, and its place
     for (ObjectId id : objects) {
       StillWanted::ask();
       for (const Slot& slot : scene.objects[id.index].slots)

@@ -22,7 +22,7 @@ namespace {
 
 using Remarks = std::vector<Remark>;
 
-// More lines than that are not looked for: whoever is told so many has enough to do.
+// The most places to search for; more warnings would not help the author.
 constexpr std::size_t most_places = 200;
 
 void say(Remarks& out, const Subject& about, ErrorCode code, std::string what, std::string hint = {},
@@ -32,7 +32,7 @@ void say(Remarks& out, const Subject& about, ErrorCode code, std::string what, s
 
 Subject of(ObjectId id, FunctionId f, std::optional<Time> time = std::nullopt) { return {Target{id, f, -1}, time}; }
 
-// Shapes that are asked to blend but can only step: said once for each track.
+// Warns, once for each track, about shapes that should blend but can only step.
 void look_at_blends(const Scene& s, Remarks& out) {
   Program program;
   bool compiled = false;
@@ -75,7 +75,7 @@ void look_at_blends(const Scene& s, Remarks& out) {
   }
 }
 
-// Notes that nobody will ever see: said once, of the first.
+// Warns, at the first one, about notes that are never visible.
 void look_at_notes(const Scene& s, Remarks& out) {
   if (!s.range || s.notes->empty() || !s.notes_shown) return;
   const auto outside = [&](const auto& note) { return note.first < s.range->first || note.first > s.range->second; };
@@ -86,7 +86,7 @@ void look_at_notes(const Scene& s, Remarks& out) {
                   format_time(s.range->first, s.rate), format_time(s.range->second, s.rate)));
 }
 
-// Tangents that no `hermite` asks for, handles that no `fcurve` does: said once for each track.
+// Warns, once for each track, about tangents without a `hermite` and handles without an `fcurve`.
 void look_at_tangents(const Scene& s, ObjectId id, const Slot& slot, const Strand& strand, Remarks& out) {
   const auto look = [&](const Track& track, int component) {
     const Event* before = nullptr;
@@ -116,7 +116,8 @@ void look_at_tangents(const Scene& s, ObjectId id, const Slot& slot, const Stran
   for (std::size_t i = 0; i < strand.components.size(); ++i) look(*strand.components[i], static_cast<int>(i));
 }
 
-// Components with events of their own, of what code computes as a whole: it does not reach them.
+// Warns about components with events of their own if code computes the whole value: their events replace the code's
+// values.
 void look_at_code(const Scene& s, ObjectId id, const Slot& slot, Remarks& out) {
   if (!slot.set || !std::holds_alternative<Procedure>(*slot.set)) return;
   for (std::size_t i = 0; i < slot.components.size(); ++i) {
@@ -129,7 +130,7 @@ void look_at_code(const Scene& s, ObjectId id, const Slot& slot, Remarks& out) {
   }
 }
 
-// Things that are let go while nothing holds them: said once for each.
+// Warns, once for each, about objects that are let go while nothing holds them.
 void look_at_letting_go(const Scene& s, ObjectId id, const Object& o, Remarks& out) {
   bool held = false, said = false;
   for (const AttachmentSpan& a : attachments(o)) {
@@ -141,7 +142,7 @@ void look_at_letting_go(const Scene& s, ObjectId id, const Object& o, Remarks& o
   }
 }
 
-// Lenses of cameras that have none.
+// Warns about lens openings of orthographic cameras, which have no lens.
 void look_at_lens(ObjectId id, const Object& o, Remarks& out) {
   if (o.kind == Kind::camera && o.find(fn::f_stop) && o.find(fn::camera_height))
     say(out, of(id, fn::f_stop), ErrorCode::type,
@@ -149,7 +150,7 @@ void look_at_lens(ObjectId id, const Object& o, Remarks& out) {
         "lens or fov in place of height");
 }
 
-// Joints that move no vertices: their number is another than the file's, or nothing has such a name.
+// Warns about joints that move no vertices: their number differs from the file's, or no object has that name.
 void look_at_joints(const Scene& s, ObjectId id, const Object& o, Remarks& out) {
   const Slot *said = o.find(fn::joints), *file = o.find(fn::file);
   const auto* names = said && said->set ? std::get_if<Names>(&*said->set) : nullptr;
@@ -168,13 +169,14 @@ void look_at_joints(const Scene& s, ObjectId id, const Object& o, Remarks& out) 
                  fmt::format("{} follows '{}', which is not there: it stays", o.name, name));
 }
 
-// Whether a function of the object's own has plain events and nothing else that says what it is.
+// Returns the track of a function if only its events make the value, or nullptr.
 const Track* plain_track(const Slot& slot, int component) {
   if (slot.layer || !slot.filters.empty()) return nullptr;
   return component < 0 ? &*slot.track : &*slot.components[static_cast<std::size_t>(component)];
 }
 
-// Tracks that stand still between two events, and swing far away on the way: said once for each, where it is worst.
+// Warns, once for each track at the worst place, about tracks with equal values at two events and a large swing in
+// between.
 void look_at_swings(const Scene& s, ObjectId id, const Slot& slot, Remarks& out) {
   const Type whole = spec_of(s, slot.function).type;
   const int parts = static_cast<int>(slot.components.size());
@@ -197,8 +199,8 @@ void look_at_swings(const Scene& s, ObjectId id, const Slot& slot, Remarks& out)
   }
 }
 
-// A bspline comes near its events only: beside another twerper, which goes through them, it jumps. Said once for each
-// track.
+// Warns, once for each track, about a bspline beside another twerper. A bspline only comes near its events, while the
+// other goes through them, so that the value jumps.
 void look_at_torn_splines(const Scene& s, ObjectId id, const Slot& slot, Remarks& out) {
   const auto look = [&](const Track& track, int component) {
     if (track.global != Twerper::unset || track.events.size() < 3) return;
@@ -220,7 +222,7 @@ void look_at_torn_splines(const Scene& s, ObjectId id, const Slot& slot, Remarks
   for (std::size_t i = 0; i < slot.components.size(); ++i) look(*slot.components[i], static_cast<int>(i));
 }
 
-// Environments that something stands in but nobody ever animates: said of the first that does.
+// Warns, at the first object, about environments that contain objects but are never animated.
 void look_at_idle_environments(const Scene& s, Remarks& out) {
   std::vector<std::string_view> known;
   for (std::size_t i = 0; i < s.objects.size(); ++i)
@@ -247,7 +249,7 @@ void look_at_idle_environments(const Scene& s, Remarks& out) {
   }
 }
 
-// What a remark is about, as it is now; none: it is not there.
+// Returns the present state of a remark's subject, or nullopt if it does not exist.
 std::optional<Event> state(const Scene& s, const Subject& about) {
   Event now;
   if (about.notes) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What can be told of a film only when the whole of it has been read: what it says and nobody will see, or nobody will
-// have meant; and where it says so.
+// Warnings that need the whole film: settings without any visible effect, settings that are probably mistakes, and
+// their places in the script.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace betwixt {
 
-// What a remark is about: an event of a track, or what holds for the whole film; or the notes at a time.
+// The subject of a remark: an event of a track, a setting of the whole film, or the notes at a time.
 struct Subject {
   Target target;
   std::optional<Time> time;
@@ -26,8 +26,8 @@ struct Remark {
 };
 std::vector<Remark> look_over(const Scene&);
 
-// Reads along when a film with remarks is read once more: the last line that changed what a remark is about is its
-// place. A document keeps no places, so films without remarks pay nothing for them.
+// Finds the places of remarks while the film is read a second time: the place of a remark is the last line that changed
+// its subject. A document stores no places, so films without remarks cost nothing extra.
 class Watch {
  public:
   explicit Watch(std::vector<Remark> remarks);

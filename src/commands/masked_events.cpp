@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What velocities keep from being seen. (rules, R-T5)
+// Reports events that velocities mask.
 #include <fmt/format.h>
 
 #include "commands/script.h"
@@ -10,7 +10,7 @@
 namespace betwixt {
 namespace {
 
-// Events of `primary` while a velocity reigns: f(event) for each.
+// Calls f(event) for each event of `primary` while a velocity is in effect.
 template <class F>
 void each_masked(const Track& primary, const Track& velocity, F&& f) {
   std::optional<Time> from;
@@ -28,7 +28,7 @@ void each_masked(const Track& primary, const Track& velocity, F&& f) {
   if (from) until({INT64_MAX});
 }
 
-// The same for a function's whole track, or for those of its components.
+// Does the same for a function's whole track, or for the tracks of its components.
 template <class F>
 void each_masked(const Slot& slot, Type type, F&& f) {
   if (slot.components.empty() && slot.velocity.components.empty())
@@ -66,7 +66,7 @@ void say_masked_events(const Scene& s, Script& script) {
 
 void say_idle_releases(const Scene& s, Script& script) {
   for (Script::Release& r : script.releases) {
-    if (!find_object(s, r.target.object)) continue;  // it is gone, and nobody asks any more
+    if (!find_object(s, r.target.object)) continue;  // the object was removed, so the warning no longer matters
     bool reigns = false;
     for (const Track* track : tracks_of(s, r.target)) {
       bool open = false;

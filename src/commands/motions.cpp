@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motions in scripts: 1f..48f T(6.28 0) R(-1turn @ 0 1). On the track a motion is an event that reigns up to the next
-// one; where nothing moves, an empty motion stands.
+// Motions in scripts: 1f..48f T(6.28 0) R(-1turn @ 0 1). On the track a motion is an event that lasts up to the next
+// one; an empty motion fills the time without motion.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ bool moves(const Event& e) {
 
 }  // namespace
 
-// What stands behind a row's segment.
+// Reads the motion after a row's segment.
 bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until) {
   auto& [s, c, time, layer, script] = k;
   c.space();
@@ -54,7 +54,7 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
       if (other.time >= from && before && !end) end = other.time;
       if (until && other.time > from && other.time < *until && moves(other) && !busy) busy = &other;
     });
-    // Up to the next event: where it stood open, the new one ends it.
+    // A motion without an end lasts up to the next event; the new motion ends it.
     if (before && end && *end > from) busy = before;
     if (busy)
       return c.fail(ErrorCode::range,
@@ -65,7 +65,7 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
   if (!until && !rest)
     script.note(Severity::notice, "this motion has no end yet: it goes on to the next row", about,
                 "a segment, as in 1f..24f");
-  // An ease-in is of the arrival: it belongs to the event at the end.
+  // An ease-in describes the arrival, so it belongs to the event at the end.
   const Time ease_in = until ? e.detail->ease_in : Time{};
   if (ease_in != Time{}) e.detail.edit().ease_in = {};
   for (const Target& t : to.targets) {
@@ -86,7 +86,7 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
   return true;
 }
 
-// What operations on times have made of motions: where they last otherwise than before, or have no end.
+// Reports motions that an operation on times has lengthened, shortened or left without an end.
 void say_lasting(const Command& k, const Scene& before, const Selected& on, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   struct Row {

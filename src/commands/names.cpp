@@ -36,7 +36,7 @@ bool alias(Command& k) {
   return true;
 }
 
-// A number, an angle, a length, a time; a vector or a pair; a colour; a text.
+// Reads a number, an angle, a length, a time, a vector, a pair, a colour or a text.
 bool let_item(Command& k, LetItem& out) {
   Cursor& c = k.cursor;
   ValueReader reader = values(k);
@@ -64,14 +64,14 @@ bool let_item(Command& k, LetItem& out) {
   return out = color, true;
 }
 
-// Whether brackets hold what is more than one formula.
+// Returns whether the brackets hold more than one formula.
 bool begins_list(const Cursor& c) {
   Cursor ahead = c;
   Quantity q;
   return c.peek() == '(' && !(formula(ahead, q) && ahead.at_line_end());
 }
 
-// One of these, or several in brackets: two or three plain numbers are a vector, all else is a list.
+// Reads one such value, or several in brackets: two or three plain numbers are a vector, all other values are a list.
 bool let_value(Command& k, Let& out) {
   Cursor& c = k.cursor;
   c.space();

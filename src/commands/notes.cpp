@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Remarks at times, and their track.
+// Notes at times, and operations on their track.
 #include "commands/notes.h"
 
 #include <fmt/format.h>

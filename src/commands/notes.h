@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Notes as a track: operations on times take the word `notes` where else a target stands.
+// Notes as a track: operations on times accept the word `notes` in place of a target.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace betwixt {
 
-// Takes the word `notes`; targets have a dot.
+// Reads the word `notes`. Targets have a dot, so they cannot be confused with it.
 bool accept_notes(Command&, std::string_view& word);
-// The nearest time; one beyond all times for what is beyond.
+// Returns the nearest time, clamped to the range of times.
 Time time_of(double flicks);
-// Every note of the segment goes to where `to` says, which may be nowhere or several times. Notes replace nothing: two
-// may stand at one time.
+// Moves each note of the segment to the times that `to` returns: none, one or several. A moved note replaces no other;
+// two may have the same time.
 bool retime_notes(Command&, std::string_view word, Segment, const std::function<void(Time, std::vector<Time>&)>& to);
 
 }  // namespace betwixt

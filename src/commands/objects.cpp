@@ -16,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-// `car/wheel` is coupled to `car` from the beginning.
+// Finds the parent in a name: `car/wheel` is coupled to `car` from the beginning.
 bool parent_by_name(Command& k, const std::string& name, std::string_view about, ObjectId& parent) {
   auto& [s, c, time, layer, script] = k;
   const auto slash = name.rfind('/');
@@ -28,7 +28,7 @@ bool parent_by_name(Command& k, const std::string& name, std::string_view about,
                          fmt::format("create {} first", above));
 }
 
-// What is made like another: that with what was said of the copy, and all below it.
+// The source of copies: the original with the settings for its copy, and everything below it.
 struct Like {
   ObjectId original;
   Object object;
@@ -36,7 +36,7 @@ struct Like {
   std::vector<ObjectId> parts;
 };
 
-// One copy: what referred to the original or to one of its parts refers to the copy of that.
+// Adds one copy. References to the original, or to one of its parts, become references to the copy of that part.
 void add_copy(Scene& s, const Like& like, const std::string& name, ObjectId parent) {
   StillWanted::ask();
   const std::string& old = like.object.name;
@@ -139,7 +139,7 @@ bool create(Command& k) {
   return true;
 }
 
-// With what is removed goes all below it.
+// Adds everything below the objects that are about to be removed.
 void take_along(Command& k, std::vector<ObjectId>& going, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   const std::size_t named = going.size();
@@ -175,7 +175,7 @@ bool remove(Command& k) {
   return true;
 }
 
-// What patterns in aliases name: it stays in them under whatever name.
+// The objects that a pattern in an alias matches. They stay in the alias under their new names.
 struct Meant {
   std::string alias, pattern;
   std::vector<ObjectId> all;
@@ -209,7 +209,7 @@ void rename_in_aliases(Scene& s, const Following& names, const std::vector<Meant
   }
 }
 
-// Whatever speaks of them by name, code and lists of environments too.
+// Renames references by name, also in code and in lists of environments.
 void rename_in_values(Scene& s, const Following& names, const std::vector<std::uint32_t>& speaking) {
   for (std::size_t i = 0; i < s.procedures->size(); ++i)
     if (auto code = names.code((*s.procedures)[i].role, (*s.procedures)[i].code))
@@ -220,7 +220,7 @@ void rename_in_values(Scene& s, const Following& names, const std::vector<std::u
     if (names.concerns(s.objects[i])) names.apply(s.objects.edit(i));
 }
 
-// An object with all below it.
+// Renames an object and everything below it.
 bool rename_whole(Command& k, ObjectId id, const std::string& name, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   const std::string old = s.objects[id.index].name;
@@ -316,7 +316,7 @@ bool free_name(Command& k, const std::string& name, std::string_view about) {
   return true;
 }
 
-// What display lists draw is changed by their rows only.
+// Fails if display lists draw the object, because only their rows can change it.
 bool own(Command& k, ObjectId id, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (!s.objects[id.index].derived) return true;
@@ -353,7 +353,7 @@ bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
                     key.substr(dot + 1));
     c.space();
     if (c.peek() == '"' && spec.type != Type::text && c.end - c.at > 1) {
-      // A formula in quotes would be a procedure.
+      // A quoted formula would be a procedure.
       return c.fail_here(ErrorCode::type, fmt::format("{} is {}, not a text", spec.name, to_string(spec.type)));
     }
     if (spec.type == Type::motion)
@@ -375,7 +375,7 @@ bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
   return true;
 }
 
-// One or more objects: a name that exists, an alias, or a pattern (which may name none).
+// Reads one or more objects: an existing name, an alias, or a pattern (which may match nothing).
 bool objects(Command& k, std::string_view& word, std::vector<ObjectId>& out) {
   auto& [s, c, time, layer, script] = k;
   word = c.next_word();
@@ -393,7 +393,7 @@ bool objects(Command& k, std::string_view& word, std::vector<ObjectId>& out) {
   }
   c.at = word.data();
   ObjectId id;
-  return values(k).object(id);  // says what is wrong
+  return values(k).object(id);  // reports the error
 }
 
 std::span<const Verb> objects_verbs() { return objects_rows; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sheets that stay open while lines come one by one, of several authors perhaps.
+// Sheets that stay open while lines come one by one, possibly from several authors.
 #include <algorithm>
 
 #include "commands/script.h"
@@ -19,7 +19,7 @@ bool same_list(const DisplayLists& a, const DisplayLists& b, const std::string& 
   return x && y ? x->same(*y) : x == y;
 }
 
-// Whether a list is as it was at all times.
+// Returns whether all versions of the list are unchanged.
 bool as_left(const Scene& s, const OpenSheet& left) {
   const std::string& name = left.sheet.list;
   if (!same_list(*s.lists, *left.lists, name)) return false;
@@ -37,7 +37,7 @@ bool as_left(const Scene& s, const OpenSheet& left) {
 
 void find_tracks(Scene& s, Sheet& sheet) {
   sheet.tracks.clear();
-  if (!sheet.on.spec) return;  // a pattern that names nothing: rows are read by nobody
+  if (!sheet.on.spec) return;  // the pattern names nothing, so its rows are skipped
   for (const Target& t : sheet.on.targets)
     if (Track* track = edit_track(s, t)) sheet.tracks.push_back(track);
   if (sheet.tracks.size() != sheet.on.targets.size()) sheet.tracks.clear();
@@ -50,7 +50,7 @@ std::shared_ptr<const OpenSheet> left_open(const Scene& s, const Script& script)
   left->opener = opener(s, script.sheet);
   left->pattern = script.sheet.on.text;
   left->sheet = script.sheet;
-  // What points into this line or this scene.
+  // Clear pointers into this line or this scene.
   left->sheet.tracks.clear(), left->sheet.spots.clear();
   left->sheet.place = {}, left->sheet.on.text = {}, left->sheet.on.spec = nullptr;
   left->sheet.before.reset(), left->sheet.later_before.reset();

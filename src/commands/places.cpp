@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Patterns take the place of loops: a command whose formulas speak of i, the place among what its pattern names, is
-// carried out once for each.
+// Patterns replace loops. A command whose formulas mention i, the place among the objects that its pattern names, runs
+// once for each of them.
 #include <unordered_map>
 
 #include "base/names.h"
@@ -16,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-// A word with all that its brackets and quotes hold together, as the time behind `at` may be.
+// Takes the next word, with everything that its brackets and quotes enclose, such as the time after `at`.
 std::string_view piece(std::string_view& rest) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r'; };
   while (!rest.empty() && blank(rest[0])) rest.remove_prefix(1);
@@ -35,12 +35,12 @@ std::string_view piece(std::string_view& rest) {
 
 bool speaks_of_any(std::string_view text) { return speaks_of_place(text.data(), text.data() + text.size()); }
 
-// The pattern that a line is about: of `at T on L move a* …` it is a*.
+// The pattern that a line is about, such as a* in `at T on L move a* …`.
 struct Subject {
   std::string_view pattern;
   bool creates = false;
-  bool placed = false;  // the time or what stands behind the pattern speaks of a place; in a name `n` is none
-  bool paired = false;  // what braces behind the pattern write out goes one for one with it
+  bool placed = false;  // the time or the words after the pattern mention a place; the `n` in a name does not count
+  bool paired = false;  // names written out by braces after the pattern pair with the pattern's objects
 };
 Subject subject(std::string_view line) {
   Subject out;
@@ -56,7 +56,7 @@ Subject subject(std::string_view line) {
   return out;
 }
 
-// Places among what braces stand for, by names.
+// Returns the place of each of the names: among all of them, and in the ranges that the pattern has in braces.
 std::vector<PatternPlace> places(const std::vector<std::string>& names, std::string_view pattern) {
   std::vector<PatternPlace> out(names.size());
   const auto sizes = brace_ranges(pattern);
@@ -80,7 +80,7 @@ std::vector<PatternPlace> places(const std::vector<std::string>& names, std::str
   return out;
 }
 
-struct Alone {  // whatever way out
+struct Alone {  // ends the single runs on every way out
   Command& k;
   explicit Alone(Command& command) : k(command) {}
   Alone(const Alone&) = delete;
@@ -118,7 +118,7 @@ bool in_places(Command& k, const std::function<bool()>& command) {
     objects = select(k.scene, pattern);
     for (const ObjectId id : objects) names.push_back(k.scene.objects[id.index].name);
   }
-  if (names.empty()) return command();  // it says what is wrong
+  if (names.empty()) return command();  // reports the error
   if (names.size() > 1) k.script.touched = names.size();
   const std::vector<PatternPlace> all = places(names, pattern);
   const Alone alone(k);
@@ -166,7 +166,7 @@ bool in_places(Command& k, const Selected& of, const std::function<bool(const Se
     }
     if (done) rollback.keep();
   }
-  find_tracks(k.scene, sheet);  // they are others now
+  find_tracks(k.scene, sheet);  // the single runs have replaced them
   return done;
 }
 

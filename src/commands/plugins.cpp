@@ -16,9 +16,9 @@ namespace betwixt {
 namespace {
 
 constexpr std::size_t most_words = 100;       // of all plug-ins
-constexpr std::size_t most_procedures = 230;  // of a film: a twerper's place among them is one byte
+constexpr std::size_t most_procedures = 230;  // of a film: a twerper stores the place among them in one byte
 
-// For all scripts of this process.
+// The words for all scripts of this process.
 struct Word {
   std::string name, help, path;
 };
@@ -33,7 +33,7 @@ Brought& brought() {
   return b;
 }
 
-// The type that a plug-in calls so, where its values are numbers.
+// Returns the type of this name if its values are numbers, otherwise nullptr.
 const TypeRow* type_of_numbers(std::string_view word) {
   const TypeRow* row = find_type(word);
   return row && row->dials && row->channels > 0 ? row : nullptr;
@@ -95,7 +95,7 @@ Status use_plugin(const std::string& path) {
       std::count_if(all.words.begin(), all.words.end(), [&](const Word& w) { return w.path != path; }));
   if (others + words.size() > most_words)
     return refuse(ErrorCode::range, fmt::format("plug-ins have no more than {} words", most_words));
-  // The same file once more: its words are new again.
+  // If the same file is loaded again, its words are replaced.
   std::erase_if(all.procedures, [&](const NamedProcedure& p) { return p.code->source == path; });
   std::erase_if(all.functions, [&](const FunctionSpec& f) {
     return std::any_of(all.words.begin(), all.words.end(),

@@ -12,15 +12,15 @@
 
 namespace betwixt {
 
-// Gives the scene the words that plug-ins brought.
+// Adds the plug-ins' words to the scene.
 void adopt_plugins(Scene&);
-// What the plug-in says about a word of its own; empty: it says nothing, or no plug-in brought the word.
+// Returns the plug-in's help for one of its words, or "" if it has none or no plug-in brought the word.
 std::string plugin_help(std::string_view word);
-// The plug-ins that a script seems to need: those with a word that stands in it.
+// Returns the plug-ins that have a word which occurs in the script.
 std::vector<std::string> plugins_for(std::string_view script);
 std::vector<std::string> plugins_loaded();  // all that brought any words
 
-// What a procedure's name would be mistaken for: "a command", "a twerper", …; empty: the name is free.
+// Returns the meaning that the name already has ("a command", "a twerper", …), or "" if it is free.
 std::string_view taken_by(std::string_view name, Role);
 
 }  // namespace betwixt

@@ -19,7 +19,7 @@
 namespace betwixt {
 namespace {
 
-constexpr int deepest_command = 20;  // commands of the author's that run each other
+constexpr int deepest_command = 20;  // depth of the author's commands that run each other
 
 bool procedure(Command& k) {
   auto& [s, c, time, layer, script] = k;
@@ -52,7 +52,7 @@ bool procedure(Command& k) {
     return c.fail(ErrorCode::name,
                   fmt::format("'{}' is a {} already", name, role_names[static_cast<std::size_t>(at->role)]), name);
   s.procedures.edit()[static_cast<std::size_t>(at - all.begin())] = std::move(made);
-  // Filters hold their code; they go on with the new one.
+  // Filters store their code; they continue with the new one.
   if (role == Role::filter)
     for (std::size_t i = 0; i < s.objects.size(); ++i)
       for (std::size_t k = 0; k < s.objects[i].slots.size(); ++k)
@@ -62,11 +62,10 @@ bool procedure(Command& k) {
   return true;
 }
 
-// What the author's code can do to the film: its lines are carried out as if they stood in place of the command.
+// The functions with which the author's code can change the film. Its lines run as if they replaced the command.
 struct Hosting : Host {
   Command& k;
-  bool called_off =
-      false;  // the work is not wanted any more: that is thrown when the code is left, which must not see it
+  bool called_off = false;  // reported only after the code has returned, so that the code cannot catch it
   explicit Hosting(Command& command) : k(command) {}
   Status run(std::string_view line) override {
     return or_called_off([&] { return run_line(line); });
@@ -96,7 +95,7 @@ struct Hosting : Host {
   Status run_line(std::string_view line) {
     Diagnostics said;
     LoadOptions options = k.script.options;
-    options.now.reset();  // they are not in a history
+    options.now.reset();  // they have no line in a history
     Script inner(k.scene, said, options);
     inner.depth = k.script.depth + 1;
     inner.root = k.script.root;
@@ -116,7 +115,7 @@ struct Hosting : Host {
   }
 };
 
-// The words behind it: texts without their quotes, vectors as they are written.
+// Reads the words after the command: texts without their quotes, vectors as they are written.
 bool arguments(Cursor& c, std::vector<std::string>& words) {
   while (!c.at_line_end()) {
     if (c.peek() == '"') {
@@ -170,10 +169,10 @@ Result<std::shared_ptr<const Routine>> make_code(const Command& k, std::string s
   const std::string known = fmt::format("local {} = {} ", names, values);
   if (auto expression = make_lua(Role::value, known + "return " + source)) return expression;
   if (auto chunk = make_lua(Role::value, known + source)) return chunk;
-  return make_lua(Role::value, std::move(source));  // it says what is wrong
+  return make_lua(Role::value, std::move(source));  // reports the error
 }
 
-// A command of the author's: it runs commands of the language, all of them or none.
+// Runs a command of the author's own: either all of its commands, or none.
 bool own_command(Command& k, const NamedProcedure& p) {
   auto& [s, c, time, layer, script] = k;
   const char* start = c.at;
@@ -183,7 +182,7 @@ bool own_command(Command& k, const NamedProcedure& p) {
     return c.fail(ErrorCode::range, fmt::format("commands run each other more than {} deep", deepest_command),
                   {start - p.name.size(), p.name.size()});
   Rollback all(s);
-  const NamedProcedure own = p;  // its lines may make another of this name
+  const NamedProcedure own = p;  // a copy, because its lines may replace this procedure
   Hosting host(k);
   const Status done = own.code->command(host, words);
   if (host.called_off) throw NotWanted{};

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How fast values change: velocities, and the tangents of hermite.
+// Rates of change: velocities, and the tangents of hermite.
 #include <fmt/format.h>
 
 #include "commands/command.h"
 
 namespace betwixt {
 
-// A value per second: angles of a rotation one by one, or the turning about an axis.
+// Reads a value per second. For a rotation: a rate for each angle, or an angular velocity about an axis.
 bool rate_of_change(Command& k, const Selected& to, Value& out) {
   auto& [s, c, time, layer, script] = k;
   const Type type = to.type();
@@ -49,8 +49,8 @@ bool rate_of_change(Command& k, const Selected& to, Value& out) {
 
 namespace {
 
-// quat(w x y z): the change of the four numbers per second, as glTF has it; or a turning speed about fixed axes. What
-// is kept is the former, of which there is one for any orientation.
+// Reads quat(w x y z), the change of the four numbers per second, as in glTF; or an angular velocity about fixed axes.
+// The track stores the former, which has one form for every orientation.
 bool turning_tangent(Command& k, const Selected& to, const Event& e, Value& out) {
   Cursor& c = k.cursor;
   const auto* q = std::get_if<Quat>(&e.value);
@@ -75,7 +75,7 @@ bool turning_tangent(Command& k, const Selected& to, const Event& e, Value& out)
 
 }  // namespace
 
-// tangent=V, tangent-in=V, tangent-out=V: where hermite comes from and goes, per second.
+// Reads tangent=V, tangent-in=V, tangent-out=V: the slopes of hermite, per second.
 bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
   auto& [s, c, time, layer, script] = k;
   if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
@@ -96,7 +96,7 @@ bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
   return true;
 }
 
-// handle-in=(L V), handle-out=(L V): where the handles of fcurve are, seen from the event.
+// Reads handle-in=(L V), handle-out=(L V): the handles of fcurve, relative to the event.
 bool handle(Command& k, const Selected& to, std::string_view key, Event& e) {
   auto& [s, c, time, layer, script] = k;
   if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));

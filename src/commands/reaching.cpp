@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// reach HAND to GOAL: what a hand is brought to by the joints that it hangs on, for a while or for good.
+// reach HAND to GOAL: joints bring a hand to a goal, for a while or for good.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Reaching {
   bool bones_said = false, pole_said = false;
 };
 
-// What it hangs on at a time; none: nothing.
+// Returns the parent of an object at a time; empty if there is none.
 ObjectId holder(const Scene& s, ObjectId id, Time t) {
   ObjectId held;
   for (const AttachmentSpan& a : attachments(s.objects[id.index]))
@@ -32,7 +32,7 @@ ObjectId holder(const Scene& s, ObjectId id, Time t) {
   return held;
 }
 
-// Whether code says so: then nobody knows by now.
+// Returns whether code computes the parent, which is then not known yet.
 bool held_by_code(const Scene& s, ObjectId id, Time t) {
   bool computed = false;
   for (const AttachmentSpan& a : attachments(s.objects[id.index]))
@@ -40,7 +40,7 @@ bool held_by_code(const Scene& s, ObjectId id, Time t) {
   return computed;
 }
 
-// The joints by which it reaches at a time, the nearest first.
+// Returns the joints with which the hand reaches at a time, the nearest first.
 std::vector<ObjectId> joints(const Scene& s, ObjectId hand, Time t, long bones) {
   std::vector<ObjectId> out;
   for (ObjectId at = holder(s, hand, t); at && static_cast<long>(out.size()) < bones; at = holder(s, at, t))
@@ -54,7 +54,7 @@ bool moves_with(const Scene& s, ObjectId what, const std::vector<ObjectId>& some
   return false;
 }
 
-// What reaches for something, at any time, and for what, from when on.
+// An object that reaches, and its goals with the time at which each begins.
 struct Reacher {
   ObjectId hand;
   std::map<std::uint32_t, Time> goals;
@@ -79,7 +79,8 @@ std::vector<Reacher> reachers(const Scene& s) {
   return all;
 }
 
-// Whether what moves the goal reaches, by whatever way round, for something that the hand's own joints move.
+// Returns whether the mover of the goal itself reaches, directly or through others, for something that the hand's own
+// joints move.
 bool in_a_circle(const Scene& s, const std::vector<Reacher>& all, const std::vector<ObjectId>& chain, ObjectId goal,
                  Time t) {
   std::set<std::uint32_t> seen;
@@ -99,7 +100,7 @@ bool in_a_circle(const Scene& s, const std::vector<Reacher>& all, const std::vec
   return false;
 }
 
-// Why it cannot reach for an object; empty: it can.
+// Returns why the hand cannot reach for the goal, or "" if it can.
 std::string hindrance(const Scene& s, const std::vector<Reacher>& all, ObjectId hand, std::vector<ObjectId> chain,
                       ObjectId goal, Time t) {
   const std::string &name = s.objects[hand.index].name, &there = s.objects[goal.index].name;
@@ -189,7 +190,7 @@ bool arguments_of_reach(Command& k, Reaching& r, std::string_view& about) {
   return true;
 }
 
-// A quarter of a second, but no more than a third of the time there is.
+// Returns a quarter of a second, but at most a third of the reach's duration.
 Time usual_blend(const Reaching& r) {
   const Time quarter{flicks_per_second / 4};
   return r.until ? std::min(quarter, Time{(*r.until - *r.from).flicks / 3}) : quarter;

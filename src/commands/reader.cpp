@@ -38,7 +38,7 @@ bool open_sheet(Command& k, std::string_view word) {
   return true;
 }
 
-// Why there is no such command, and what may have been meant.
+// Reports that there is no such command, and suggests similar words.
 bool no_command(Command& k, std::string_view w, const char* start) {
   auto& [s, c, time, layer, script] = k;
   const auto fail = [&](ErrorCode code, std::string message, std::string hint = {}) {
@@ -51,7 +51,7 @@ bool no_command(Command& k, std::string_view w, const char* start) {
   if (const auto why = not_of_a_script(w); !why.empty())
     return fail(ErrorCode::name, fmt::format("'{}' {}", w, why),
                 w == "load" ? "who shows the film loads it: betwixt play --load PLUGIN FILE" : "");
-  if (c.at_line_end() && !time) script.sheet.open = script.sheet.broken = true;  // meant as a target, it seems
+  if (c.at_line_end() && !time) script.sheet.open = script.sheet.broken = true;  // probably meant as a target
   if (s.names.find(w))
     return fail(ErrorCode::name, fmt::format("'{}' is an object, not a command", said),
                 fmt::format("a sheet opens with a target, as in {}.position", said));
@@ -72,7 +72,7 @@ bool no_command(Command& k, std::string_view w, const char* start) {
   return fail(ErrorCode::name, message, did_you_mean(w, words));
 }
 
-// +12f: as much later than the row above.
+// Reads +12f: a time relative to the row above.
 bool since_row_above(Command& k, Time& out) {
   Cursor& c = k.cursor;
   const char* const start = c.at;
@@ -117,7 +117,7 @@ bool row(Command& k) {
   return in_places(k, sheet.on, [&](const Selected& on) { return row_of(k, on); });
 }
 
-// One logical line: whether it could be carried out.
+// Runs one logical line. Returns false if it failed.
 bool line(Command& k, const char* line_start) {
   auto& [s, c, time, layer, script] = k;
   if (c.at_line_end()) return true;
@@ -133,7 +133,7 @@ bool line(Command& k, const char* line_start) {
   return done;
 }
 
-// The name that begins there, up to a '/' in it; empty: none does.
+// Returns the name that begins here, up to a '/' in it, or "" if none does.
 std::string_view name_at(const char* from, const char* end) {
   std::size_t length = 0;
   if (from != nullptr)
@@ -141,8 +141,8 @@ std::string_view name_at(const char* from, const char* end) {
   return {from, length};
 }
 
-// Whether an error is about what a line above should have made, which was refused: its name, a thing below it, or the
-// word that is marked (what `let` names may stand where a number does, and is then no number).
+// Returns whether an error follows from an earlier line that failed: it is about a name that the line should have made,
+// about an object below it, or its marked word is such a name (a missing `let` name is reported as an invalid number).
 bool follows(const Script& script, const Error& e, const Cursor& c) {
   if (script.failed.empty() && !script.file_missing) return false;
   const std::string_view missed = name_missed(e);
@@ -152,12 +152,12 @@ bool follows(const Script& script, const Error& e, const Cursor& c) {
          failed(name_at(c.where.data(), c.end));
 }
 
-// What went wrong in the line that began there; reading goes on behind it.
+// Reports the error of the line that began there. Reading continues after the line.
 void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
   Error e = c.error.value_or(fail(ErrorCode::syntax, "this cannot be carried out"));
   const LogicalLine one = logical_line(between(line_start, c.end));
   const char* next = one.next(c.end);
-  // Where a bracket is never closed, what the lines below seem to lack is not the trouble.
+  // An unclosed bracket is the cause, not the words that the lines below seem to lack.
   if (one.depth > 0 && c.depth > 0 && c.where.data() >= next) {
     e = fail(ErrorCode::syntax, "this bracket is never closed");
     c.where = {c.brackets[std::min(static_cast<std::size_t>(c.depth), c.brackets.size()) - 1], 1};
@@ -173,7 +173,7 @@ void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
   c.at = next;
 }
 
-// How many things a command was about.
+// Reports the number of objects that a command was about.
 void say_touched(Script& script, const char* line_start) {
   if (script.touched > 1) script.note(Severity::notice, fmt::format("{} objects", script.touched), {line_start, 0});
 }
@@ -181,7 +181,7 @@ void say_touched(Script& script, const char* line_start) {
 void run(Scene& s, Script& script, std::size_t from = 0) {
   Cursor c(script.source.text);
   c.at += from;
-  const bool author = script.open_files.size() < 2;  // what a script uses is a part of one line
+  const bool author = script.open_files.size() < 2;  // a used file counts as one line of it
   const std::size_t size = script.source.text.size();
   while (c.at < c.end && !script.given_up) {
     StillWanted::ask();
@@ -201,7 +201,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     const bool done = line(k, line_start);
     if (done && script.options.counts) say_touched(script, line_start);
     if (done && script.watch && script.depth == 0) script.watch->look(s, script.source, between(line_start, c.at));
-    if (done && !script.failed.empty())  // what is there now was made
+    if (done && !script.failed.empty())  // its names exist now
       for (const std::string& name : names_made(between(line_start, c.at))) script.failed.erase(name);
     script.frames_read = c.frames_read, script.ticks_read = c.ticks_read;
     if (!done) {
@@ -256,7 +256,8 @@ bool carry_out(Command& k) {
     return c.fail_here(ErrorCode::syntax, fmt::format("a command begins with a verb, not with '{}'", c.peek()));
   script.verb = start;
   const Verb* const known = find_verb(w);
-  if (w != "at" && (!known || !(known->flags & Verb::opens_sheet))) show_lists(s, script);  // `at` leads to another one
+  // `at` is only a prefix of the command.
+  if (w != "at" && (!known || !(known->flags & Verb::opens_sheet))) show_lists(s, script);
   if (const Verb* v = known) {
     if ((v->flags & Verb::stamped) && !time && script.options.now) {
       script.stamp(s, {start, 0}, "at ", " ");
@@ -331,7 +332,7 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   if (const auto bad = unsound(text)) {
     script.report(Severity::error, bad->why, {text.data() + bad->at, 0});
     script.diagnostics.back().line.clear();
-  } else {  // a script that the system can start begins with a line for it
+  } else {  // the first line of a script that the system can start
     run(s, script, text.starts_with("#!") ? std::min(text.find('\n'), text.size()) : 0);
   }
   close_list(s, script);
@@ -350,7 +351,7 @@ void read_line(Scene& s, Script& script, std::string_view line, const std::strin
   script.folder = std::filesystem::path(name).parent_path();
   const std::shared_ptr<const OpenSheet> left = std::exchange(script.left, nullptr);
   if (left && indented(line) && !go_on(s, script, *left)) {
-    // What its names mean has changed.
+    // The meaning of its names has changed.
     const std::size_t said = script.diagnostics.size();
     script.source = {left->opener, name};
     run(s, script);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Carries out a text on a scene, line by line: commands, and the rows of sheets. A command that cannot be carried out
-// changes nothing and says why.
+// Runs a text on a scene, line by line: commands, and the rows of sheets. A command that fails changes nothing and
+// reports why.
 #pragma once
 
 #include <string>
@@ -13,24 +13,25 @@
 
 namespace betwixt {
 
-// As if it stood where the author's script does; within the script, as if it stood in its place.
+// Read a text as if it were the author's script or, inside a script, as if its lines replaced the current one.
 void read_file(Scene&, Script&, const std::string& path);
 void read_text(Scene&, Script&, std::string_view text, const std::string& name);
 
-// load_text of a text that somebody is writing: meshes, pictures and sounds that the film before named too are as they
-// were when they were read for that.
+// Like load_text, for a text that is being edited. Reuses the meshes, pictures and sounds that `before` had already
+// read from the same files.
 Loaded load_text_again(std::string_view text, const std::string& name, const LoadOptions&, const Document& before);
 
-// One logical line of a live author: a command, or a row of the sheet that an earlier one left open.
+// Runs one logical line of a live author: a command, or a row of the sheet that an earlier line left open.
 void read_line(Scene&, Script&, std::string_view line, const std::string& name);
 
-// The names that a line makes, or would have made, had it not been refused, those that nothing had in the scene; and
-// the name that an error of a name is about. Where they are the same, the one follows from the other. "title/" stands
-// for all that `split title` makes.
+// names_made(): the names that a line makes, or would have made if it had not failed. names_missed(): those of its
+// names that the scene lacks. name_missed(): the name that an error of a name is about. If a missed name equals a made
+// one, the error follows from the failed line. "title/" represents all names that `split title` makes.
 std::vector<std::string> names_made(std::string_view line);
 std::vector<std::string> names_missed(const Scene&, std::string_view line);
 std::string_view name_missed(const Error&);
-// "man/arm/hand" is below "man/arm/", "man/arm", "man/" and "man": all of them, itself first.
+// Returns the name and all names above it, itself first. For "man/arm/hand": also "man/arm/", "man/arm", "man/" and
+// "man".
 std::vector<std::string_view> with_those_above(std::string_view name);
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Words that people bring along from elsewhere and that are none here: each is a road to what there is.
+// Words from other tools that this language does not have, each with a pointer to its equivalent here.
 #pragma once
 
 #include <span>
@@ -11,12 +11,12 @@ namespace betwixt {
 
 struct Road {
   std::string_view word;
-  std::string_view leads;  // to what, in words, as a hint says it
-  std::string_view see;    // the words of the language that say more, with blanks between
+  std::string_view leads;  // the equivalent, in the words of a hint
+  std::string_view see;    // the words of the language that explain more, separated by blanks
 };
 
 std::span<const Road> roads();
-// Where the word leads; empty where it is no road.
+// Returns the equivalent of the word, or "" if it has no row.
 std::string_view road(std::string_view word);
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// create NAME scene file="…": the nodes of a file become objects below NAME, its animation tracks of ours.
+// create NAME scene file="…": the nodes of a file become objects below NAME, and its animations become tracks.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,7 +18,7 @@
 namespace betwixt {
 namespace {
 
-// Files keep times as floats: what is the nearest one to a frame's time is meant to be that.
+// Returns the exact time of a frame if the file's time, a float, is the nearest float to it.
 Time at_frames(double seconds, Rate rate) {
   const Time t = from_seconds(seconds), frame = rate.frame(std::round(rate.frame_number(t)));
   const auto f = static_cast<float>(std::abs(seconds));
@@ -26,12 +26,12 @@ Time at_frames(double seconds, Rate rate) {
   return std::abs((t - frame).seconds()) <= half ? frame : t;
 }
 
-constexpr double sun_away = 1e6;  // metres: from there its rays are parallel, whatever its node's place
+constexpr double sun_away = 1e6;  // metres: the rays are practically parallel, wherever the node is
 
-// What stands behind the word `scene`.
+// The arguments of the word `scene`.
 struct Wanted {
   std::string path;
-  std::string animation;  // name or number; empty: the first
+  std::string animation;  // name or number; empty for the first
   Time start;
   Object root;
 };
@@ -45,7 +45,7 @@ bool clip_said(Command& k, std::string& out) {
                                      "as in animation=\"Walk\", animation=2 or animation=none");
 }
 
-// Its own words come first, then what the object that holds all is told.
+// Reads the words of `scene` first, then the values of the root object.
 bool read_wanted(Command& k, Wanted& w, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   for (c.space();; c.space()) {
@@ -70,7 +70,7 @@ std::string clip_names(const SceneFile& file) {
   return fmt::format("{}{}", fmt::join(names, ", "), file.clips.size() > names.size() ? ", …" : "");
 }
 
-// The animation that is wanted; null: there is none, or none is wanted.
+// Finds the animation. Sets `out` to nullptr if the file has none or if `none` is chosen.
 bool find_clip(Command& k, const SceneFile& file, const Wanted& w, std::string_view about, const SceneClip*& out) {
   if (w.animation == "none") return true;
   const auto& clips = file.clips;
@@ -91,7 +91,7 @@ bool find_clip(Command& k, const SceneFile& file, const Wanted& w, std::string_v
   return true;
 }
 
-// The objects that a file becomes, below one of a name.
+// Makes the objects of a file, below a named root.
 class SceneMaker {
  public:
   SceneMaker(const Scene& s, const SceneFile& file, const Wanted& wanted, const SceneClip* clip)
@@ -107,7 +107,7 @@ class SceneMaker {
     }
   }
 
-  // What there will be, in order; the first one is the object itself.
+  // Returns the objects in order; the first one is the root.
   std::vector<Object> objects(const std::string& name) {
     root_ = name;
     all_.assign(1, wanted_.root), parents_.assign(1, -1);
@@ -119,7 +119,7 @@ class SceneMaker {
     if (file_.meshes.empty()) bones();
     return std::move(all_);
   }
-  const std::vector<std::int32_t>& parents() const { return parents_; }  // numbers of objects; -1: that of the first
+  const std::vector<std::int32_t>& parents() const { return parents_; }  // indexes of objects; -1: that of the root
 
  private:
   std::string path_of(const std::string& part) const { return root_ + "/" + part; }
@@ -136,7 +136,7 @@ class SceneMaker {
     o.name = path_of(n.name);
     const bool follows = n.mesh >= 0 && !n.joints.empty();
     const bool lamp = n.light >= 0 && !file_.lights[static_cast<std::size_t>(n.light)].sun;
-    // A mesh with a skin is where its joints are, wherever its node is.
+    // A mesh with a skin follows its joints, not its node.
     const bool mesh = n.mesh >= 0 && (!follows || !used_[i]), camera = !mesh && n.camera >= 0,
                light = !mesh && !camera && lamp;
     if (mesh) show_mesh(n, o, tracks_[i]);
@@ -183,7 +183,7 @@ class SceneMaker {
   static Value turn(const double* n) { return Quat{n[3], n[0], n[1], n[2]}; }
   static Value unit_turn(const double* n) { return normalize(Quat{n[3], n[0], n[1], n[2]}); }
 
-  // `first`: which of the numbers at a time, where it is one of them.
+  // Adds the events of a track. `first`: the index of the number to take, if the function holds one of several.
   void put_events(Slot& slot, const SceneTrack& t, Value (*value)(const double*), std::size_t first = 0) const {
     const std::size_t width = t.width(), per = t.way == SceneTrack::cubic ? 3 : 1;
     Events& events = slot.track.edit().events;
@@ -224,7 +224,7 @@ class SceneMaker {
         std::find_if(tracks.begin(), tracks.end(), [](const auto* t) { return t->path == SceneTrack::weights; });
     for (std::size_t i = 0; i < rig.targets.size(); ++i) {
       const auto f = find_function(s_, Kind::mesh, rig.targets[i].name);
-      if (!f || spec_of(s_, *f).type != Type::scalar) continue;  // that was said
+      if (!f || spec_of(s_, *f).type != Type::scalar) continue;  // already reported
       if (moves != tracks.end())
         put_events(
             o.slot(*f), **moves, [](const double* at) { return Value(*at); }, i);
@@ -255,7 +255,7 @@ class SceneMaker {
     o.slot(fn::position).set = Vec3{0, 0, sun_away};
   }
 
-  // Of a file with nothing to be seen: lines from each joint to those that hang on it.
+  // For a file without anything visible, draws lines from each joint to its children.
   void bones() {
     double size = 0;
     for (const SceneNode& n : file_.nodes) size = std::max(size, length(n.position));
@@ -276,13 +276,13 @@ class SceneMaker {
   const Wanted& wanted_;
   SceneNames names_;
   std::vector<std::vector<const SceneTrack*>> tracks_;  // by node
-  std::vector<bool> used_;                              // by node: something hangs on it, or follows it
+  std::vector<bool> used_;                              // by node: it has children or followers
   std::string root_;
   std::vector<Object> all_;
-  std::vector<std::int32_t> parents_, object_of_;  // of each object; of each node
+  std::vector<std::int32_t> parents_, object_of_;  // by object; by node
 };
 
-// What makes the same again, whatever animation is the first by then.
+// Returns a command that makes the same objects again, even if another animation has become the first.
 std::string command_of(const Wanted& w, const SceneFile& file, const SceneClip* clip) {
   std::string out = "scene file=" + write_text(w.path);
   if (clip)
@@ -293,7 +293,7 @@ std::string command_of(const Wanted& w, const SceneFile& file, const SceneClip* 
   return out;
 }
 
-// The weights of morph targets are display functions, which every object has.
+// Defines the weights of morph targets as display functions, which every object has.
 bool define_weights(Command& k, const SceneFile& file, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   for (const SceneMesh& m : file.meshes)

@@ -13,7 +13,7 @@
 namespace betwixt {
 namespace {
 
-constexpr int most_errors = 1000;  // said; the rest is noise
+constexpr int most_errors = 1000;  // the most that are reported
 
 }  // namespace
 
@@ -36,7 +36,7 @@ Home::Home(const std::string& called) : name(called) {
   if (!name.empty()) file = std::filesystem::weakly_canonical(name, ignored);
 }
 
-// In place of a part of the line: the time of now.
+// Replaces a part of the line by the present time.
 void Script::stamp(const Scene& s, std::string_view place, std::string_view before, std::string_view behind) {
   const auto at = static_cast<std::size_t>(place.data() - source.text.data());
   in_time = true;

@@ -17,11 +17,11 @@
 namespace betwixt {
 namespace {
 
-// Does f(track, type, component, target) for all tracks of all targets, or for none. `along`: what goes on beside it,
-// its velocity, goes along (R-T10).
+// Runs f(track, type, component, target) on all tracks of all targets, or on none. With `along` it also runs on the
+// velocity beside each track.
 using Work = std::function<Result<Changed>(Track&, Type, int component, const Target&)>;
 
-// All tracks of one target; where one of them cannot be changed none is.
+// Changes all tracks of one target. If one track cannot be changed, changes none.
 Status each_track(Scene& s, const Target& t, bool along, const Work& work, Changed& sum) {
   const Slot* const there = s.objects[t.object.index].find(t.function, t.layer);
   if (!there) return Nothing{};
@@ -49,7 +49,7 @@ Status each_track(Scene& s, const Target& t, bool along, const Work& work, Chang
   return Nothing{};
 }
 
-// Those for which it means nothing are left out, unless it means nothing for all.
+// Leaves out the targets for which the command has no meaning. Fails if it has none for any target.
 bool change(Command& k, const Stretch& on, const Work& work, bool along, Changed& sum) {
   if (!finish(k.cursor)) return false;
   Rollback all(k.scene);
@@ -84,10 +84,10 @@ bool operate(Command& k, const Stretch& on, const Work& work, bool along = true)
   return true;
 }
 
-// Types with arithmetic: numbers and points.
+// Returns whether the type has arithmetic: numbers and points.
 bool calculable(Type type) { return has_velocity(type) || type == Type::aim || type == Type::points; }
 
-// Reads TARGET A..B, and the rest once for each such type that the pattern names.
+// Reads TARGET A..B, then the rest of the command once for each such type that the pattern names.
 bool change_values(Command& k, const char* changed, const std::function<bool(Stretch&, Changed&)>& rest) {
   Stretch on;
   if (!on_segment(k, on)) return false;
@@ -103,7 +103,7 @@ bool change_values(Command& k, const char* changed, const std::function<bool(Str
   return true;
 }
 
-// The same, and says what it has made of motions.
+// Does the same, and reports changed durations of motions.
 bool operate_and_say(Command& k, const Stretch& on, const Work& work, bool along = true) {
   const Scene before = k.scene;
   if (!operate(k, on, work, along)) return false;
@@ -111,7 +111,7 @@ bool operate_and_say(Command& k, const Stretch& on, const Work& work, bool along
   return true;
 }
 
-// A number for all components, or one for each. Factors have no unit.
+// Reads one number for all components, or one for each. Factors have no unit.
 bool given_factors(Command& k, const Stretch& on, Value& out) {
   Cursor& c = k.cursor;
   c.space();
@@ -130,7 +130,7 @@ bool given_factors(Command& k, const Stretch& on, Value& out) {
   return true;
 }
 
-// The segment of `notes` or of targets; whether it is that of notes.
+// Reads the segment of `notes` or of targets. Sets `notes` to tell which.
 bool on_notes_or_segment(Command& k, Stretch& on, bool& notes) {
   notes = accept_notes(k, on.word);
   return notes ? k.cursor.segment(on.segment.from, on.segment.to) : on_segment(k, on);
@@ -169,14 +169,15 @@ bool stretch(Command& k) {
       to.push_back(on.segment.from + time_of(static_cast<double>((t - on.segment.from).flicks) * factor));
     });
   return operate(k, on, [&](Track& t, Type, int, const Target& of) -> Result<Changed> {
-    // What takes longer goes slower.
+    // A velocity decreases when its segment becomes longer.
     if (of.velocity)
       if (auto slower = scale_segment(t, on.segment, 1 / factor); !slower) return slower;
     return stretch_segment(t, on.segment, factor);
   });
 }
 
-// In-betweens that follow from events beside the segment, too, and have no tangents that could say the same.
+// Reports segments that cannot keep their shape: they also depend on events beside the reversed segment, and have no
+// tangents that could express it.
 void say_bent(Command& k, const std::vector<std::string>& places, std::string_view about) {
   constexpr std::size_t most = 4;
   if (places.empty()) return;
@@ -241,7 +242,7 @@ bool translate(Command& k) {
   });
 }
 
-// ANGLE AXIS [@ CENTRE]
+// Reads ANGLE AXIS [@ CENTRE]
 bool turn_values(Command& k, Stretch& on, Changed& sum) {
   Cursor& c = k.cursor;
   double angle = 0;
@@ -270,8 +271,8 @@ bool rotate(Command& k) {
   return change_values(k, "rotated", [&](Stretch& on, Changed& sum) { return turn_values(k, on, sum); });
 }
 
-// Whether what a target is at any time may follow from all that came before: where it was let go, how far its velocity
-// has brought it, what a filter remembers, what comes round again.
+// Returns whether the target's value may depend on all earlier events: an object that was let go, a value that velocity
+// has moved, a filter with memory, a track that repeats.
 bool needs_all_before(const Scene& s, const Target& t) {
   const Slot* const slot = s.objects[t.object.index].find(t.function, t.layer);
   if (!slot) return false;
@@ -286,7 +287,7 @@ bool needs_all_before(const Scene& s, const Target& t) {
          any(slot->velocity.components, [&](const Cow<Track>& track) { return !empty(track); });
 }
 
-// Behind `clear TARGET before`.
+// Reads the rest of `clear TARGET before`.
 bool clear_before(Command& k, Stretch& on, bool notes) {
   Time t;
   if (!k.cursor.time(t)) return false;

@@ -40,7 +40,7 @@ bool range(Command& k) {
   c.space();
   const char* start = c.at;
   if (!c.time(from)) return false;
-  if (c.peek() == '.' && c.end - c.at > 1 && c.at[1] == '.') c.at += 2;  // range 1f..72f is a segment too
+  if (c.peek() == '.' && c.end - c.at > 1 && c.at[1] == '.') c.at += 2;  // range 1f..72f is a segment, too
   if (!c.time(to)) return false;
   if (to < from) return c.fail(ErrorCode::range, "the range ends before it begins", c.since(start));
   if (!finish(c)) return false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is seen when, and through which camera.
+// Commands about visibility and the active camera.
 #include <fmt/format.h>
 
 #include <algorithm>

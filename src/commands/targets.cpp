@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Targets: which display functions of which objects a pattern names.
+// Targets: finds the display functions and objects that a pattern names.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace betwixt {
 namespace {
 
-// OBJECT.FUNCTION.COMPONENT, each perhaps a pattern; `velocity` stands before or behind the component.
+// OBJECT.FUNCTION.COMPONENT, each of which may be a pattern; `velocity` may precede or follow the component.
 struct TargetWords {
   std::string_view whole, object, function, component;
   bool velocity = false;
@@ -41,7 +41,7 @@ TargetWords words_of(std::string_view word) {
   return w;
 }
 
-// One pattern as it is looked up.
+// The state of one search for a pattern.
 struct Search {
   Command& k;
   TargetWords words;
@@ -81,7 +81,7 @@ bool no_object(const Search& q) {
                 near_object(s, object));
 }
 
-// What can be asked for only: the world matrix and the like, or where an object is: world.x
+// Finds targets for queries only: the world matrix and the like, or an object's place, as in world.x.
 bool asked_for(const Search& q, const std::vector<ObjectId>& objects, Query asked) {
   const auto& [whole, object, function, component, velocity] = q.words;
   if (q.meant != Meant::asked)
@@ -103,7 +103,7 @@ bool asked_for(const Search& q, const std::vector<ObjectId>& objects, Query aske
                                          : fmt::format("ask for {}", without));
 }
 
-// The components that are meant; -1 for the whole.
+// Finds the named components; -1 represents the whole.
 bool parts_of(const Search& q, const FunctionSpec& spec, std::vector<int>& parts) {
   const std::string_view component = q.words.component;
   if (component.empty()) return parts.push_back(-1), true;
@@ -153,7 +153,7 @@ bool unlike(Command& k, const FunctionSpec& a, const FunctionSpec& b, std::strin
                        about);
 }
 
-// One function of one object is among those that are meant.
+// Adds one function of one object to the result.
 bool take(const Search& q, ObjectId id, FunctionId f, bool many) {
   const FunctionSpec& spec = spec_of(q.scene(), f);
   Selected& out = q.out;
@@ -169,7 +169,7 @@ bool take(const Search& q, ObjectId id, FunctionId f, bool many) {
   return true;
 }
 
-// Objects whose function of that name has values of another type.
+// Reports objects whose function of that name has values of another type.
 void say_of_other_type(Command& k, const std::vector<Target>& those, std::string_view about, std::string why) {
   constexpr std::size_t most = 4;
   std::string names;
@@ -192,7 +192,8 @@ bool no_function(const Search& q, ObjectId id, std::string_view function) {
                 q.words.function, near.empty() ? std::string(road(function)) : near);
 }
 
-// Objects that lack a function are left out; what no kind has is no function.
+// Returns whether any kind of object has the function. If so, objects without it are left out; if not, its name is
+// wrong.
 bool anybody_has(const Scene& s, std::string_view function) {
   return std::any_of(kinds().begin(), kinds().end(),
                      [&](const KindRow& row) { return find_function(s, row.kind, function).has_value(); });
@@ -217,14 +218,14 @@ bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
       }
   }
   if (!q.left_out.empty()) say_of_other_type(q.k, q.left_out, q.words.whole, {});
-  for (std::size_t i = 0; i < wanted.size() && wanted.size() > 1; ++i)  // a word that is wrong among others
+  for (std::size_t i = 0; i < wanted.size() && wanted.size() > 1; ++i)  // finds the wrong word among several
     if (!found[i] && !is_pattern(wanted[i]) && !anybody_has(q.scene(), wanted[i]))
       return no_function(q, objects[0], wanted[i]);
   if (!q.out.targets.empty()) return true;
   return many ? q.names_nothing(q.words.whole) : no_function(q, objects[0], function);
 }
 
-// Those whose values are of one type together, in order of the first of each.
+// Groups the targets by the type of their values, in order of the first of each.
 std::vector<Selected> by_type(const Scene& s, const Selected& all) {
   std::vector<Selected> types;
   for (const Target& t : all.targets) {
@@ -239,7 +240,7 @@ std::vector<Selected> by_type(const Scene& s, const Selected& all) {
   return types;
 }
 
-// Those for which a value could not be read, and why.
+// Targets that failed to read a value, and the error.
 struct Refused {
   std::vector<Target> targets;
   std::optional<Error> error;
@@ -345,7 +346,8 @@ bool targets(Command& k, std::string_view word, Selected& out, Meant meant) {
   const Search q{k, words_of(word), meant, out, left_out};
   const std::string_view object = q.words.object;
   out.velocity = q.words.velocity;
-  if (q.words.component.empty() && !is_pattern(word)) {  // one function of one object: what a million lines say
+  // A fast path for one function of one object, because scripts with a million lines consist of it.
+  if (q.words.component.empty() && !is_pattern(word)) {
     const ObjectId id = s.aliases->contains(object) ? ObjectId{} : s.names.find(object);
     if (const auto f = id ? find_function(s, q.kind(id), q.words.function) : std::nullopt) {
       if (!asking && !own(k, id, word)) return false;
@@ -356,7 +358,7 @@ bool targets(Command& k, std::string_view word, Selected& out, Meant meant) {
     }
   }
   std::vector<ObjectId> objects = named(k, object);
-  if (!asking) {  // patterns name only what can be changed
+  if (!asking) {  // patterns name only targets that can be changed
     if (objects.size() == 1 && !is_pattern(object) && !own(k, objects[0], word)) return false;
     std::erase_if(objects, [&](ObjectId id) { return s.objects[id.index].derived; });
   }

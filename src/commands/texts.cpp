@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// split: a text becomes its letters, words or lines. And what is said where a font has no letters of the wanted look.
+// split: divides a text into letters, words or lines. Also reports fonts without letters of the chosen look.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> part_names{"letters", "words", "lines"};
 
-// What a text's parts stand by. All of it is settled for the whole film, or they would have no places.
+// The settings that place a text's parts. They must be constant through the film, or the parts would have no fixed
+// places.
 struct Setting {
   std::string text, font;
   Letters letters;
@@ -56,7 +57,7 @@ bool setting_of(Command& k, const Object& o, std::string_view about, Setting& ou
   return true;
 }
 
-// With all looks of the whole, but in a place of its own there: where its position counts from.
+// Makes an object with the look of the whole text; its own place becomes the origin of its position.
 Object part_object(const Scene& s, const Object& whole, ObjectId id, const TextPart& part, double size) {
   Object o;
   o.kind = Kind::text;
@@ -138,7 +139,7 @@ void say_missing_style(Command& k, const Object& o, FunctionId f, const Value& v
   const Value font = value("font");
   const Typeface face{std::holds_alternative<Text>(font) ? *std::get<Text>(font) : "", weight_of(value("weight")),
                       is_italic(value("slant"))};
-  if (face.weight == Weight::regular && !face.italic) return;  // as it is where nobody says anything
+  if (face.weight == Weight::regular && !face.italic) return;  // the default look
   if (const Status known = find_style(face); !known)
     k.script.note(Severity::warning, known.error().message, about, known.error().hint);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands that write values, and events with their time.
+// Commands that write values and events.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ bool at(Command& k) {
                 near.empty() ? "as in at 24f ball.position (1 2 3)" : near);
 }
 
-// What is set is seen before the track's first event only.
+// Reports a `set` that is never visible: it applies only before the track's first event.
 void say_unseen(Command& k, const Selected& to, std::string_view about) {
   const Time begins = k.scene.range ? k.scene.range->first : Time{};
   for (const Target& t : to.targets)
@@ -64,7 +64,7 @@ void say_unseen(Command& k, const Selected& to, std::string_view about) {
                              fmt::format("at TIME {} VALUE changes one; clear takes them out", about.substr(0, 60)));
 }
 
-// Whether a component of it can be set by itself, where one is meant.
+// Fails if the target is a component that cannot be set by itself.
 bool has_components(Command& k, const Target& t, std::string_view about) {
   const Slot* slot = k.scene.objects[t.object.index].find(t.function, t.layer);
   if (t.component < 0 || !slot || !slot->set) return true;
@@ -76,7 +76,8 @@ bool has_components(Command& k, const Target& t, std::string_view about) {
   return true;
 }
 
-// What is set is one value, of which code cannot give a part: the component's own track begins with it.
+// Sets a component by code. `set` stores one whole value, of which code cannot give a part, so the component's own
+// track begins with the code.
 bool compute_component(Command& k, const Selected& to, const Value& code) {
   Event e;
   e.time = std::min(k.scene.range ? k.scene.range->first : Time{}, Time{});
@@ -100,7 +101,7 @@ bool set_alike(Command& k, const Selected& to) {
   if (time) return event(k, to, *time);
   Value v;
   c.space();
-  // A live host puts something into an environment as it is now, not as it was before (R-E9).
+  // For a live host, `set` of environments takes effect now, not from the beginning.
   if (script.options.now && to.type() == Type::names) {
     script.stamp(s, {script.verb, static_cast<std::size_t>(w.data() - script.verb)}, "at ", " ");
     c.ticks_read = true;
@@ -137,7 +138,7 @@ bool set(Command& k) {
   return to_each_type(k, w, w.data(), [&](const Selected& to) { return set_alike(k, to); });
 }
 
-// NAME [in=light|srgb], for values of one type.
+// Reads NAME [in=light|srgb] for values of one type.
 bool twerper_of_all(Command& k, const Selected& to, bool none) {
   auto& [s, c, time, layer, script] = k;
   Twerper chosen = Twerper::unset;

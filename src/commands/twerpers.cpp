@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A twerper's word, and what stands in brackets behind it.
+// Reads a twerper's word and the arguments in brackets that follow it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-// Twerpers, and what else may stand behind a value: for near misses.
+// Returns the twerpers and the other words that may follow a value, for suggestions.
 std::vector<std::string_view> twerper_words(const Scene& s) {
   std::vector<std::string_view> words(twerper_names.begin() + 1, twerper_names.end());
   for (const char* w :
@@ -27,7 +27,7 @@ std::vector<std::string_view> twerper_words(const Scene& s) {
   return words;
 }
 
-// A percentage, where one is next; `%` between two numbers is a formula's.
+// Reads a percentage, if one is next. `%` between two numbers belongs to a formula.
 bool percentage(Cursor& c, std::optional<double>& out) {
   const char* const start = (c.space(), c.at);
   if (!starts_like_time(c.peek())) return true;
@@ -45,7 +45,7 @@ bool percentage(Cursor& c, std::optional<double>& out) {
   return true;
 }
 
-// A stop: how far in value, and behind it one place in time or, where it stays for a while, two.
+// Reads a stop: a share of the value, then one place in time or, if the value stays for a while, two.
 bool stop(Cursor& c, std::vector<SaidStop>& all, std::optional<double>& latest) {
   const char* const start = (c.space(), c.at);
   std::optional<double> place;
@@ -73,11 +73,11 @@ bool stop(Cursor& c, std::vector<SaidStop>& all, std::optional<double>& latest) 
     if (i == 1) all.push_back(said);
     latest = all.back().place = place;
   }
-  if (!latest) latest = 0;  // the first one is at the beginning, where nobody says
+  if (!latest) latest = 0;  // the first stop is at the beginning by default
   return true;
 }
 
-// (0 0.25 25% 75% 1)
+// Reads (0 0.25 25% 75% 1)
 bool stops(Cursor& c, std::shared_ptr<const Stops>& out) {
   constexpr std::size_t most = 1000;
   const char* const start = c.at;
@@ -97,7 +97,7 @@ bool stops(Cursor& c, std::shared_ptr<const Stops>& out) {
   return true;
 }
 
-// What stands in brackets behind a twerper.
+// Reads the arguments in brackets after a twerper.
 bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, TwerperArguments& out) {
   const TwerperRow& row = row_of(t);
   c.space();
@@ -141,7 +141,7 @@ bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, TwerperArgum
 
 }  // namespace
 
-// A twerper's word and what stands in brackets behind it.
+// Reads a twerper's word and the arguments in brackets that follow it.
 bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arguments) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = c.next_word();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// All verbs. Their rows stand beside their bodies, a family in a file.
+// All verbs. Their rows are in the files of their bodies, one file for each family.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@
 namespace betwixt {
 
 const std::vector<Verb>& verbs();
-const Verb* find_verb(std::string_view word);                  // null: there is none
-std::vector<std::string_view> verb_words(unsigned flags = 0);  // of those that have these
+const Verb* find_verb(std::string_view word);                  // nullptr if there is none
+std::vector<std::string_view> verb_words(unsigned flags = 0);  // of the verbs that have all these flags
 
-// Words of those around a script (the shell), which a script neither knows nor names anything by.
+// Words of the tools around a script (the shell), which a script can neither use nor take as names.
 std::span<const std::string_view> reserved_words();
 
 }  // namespace betwixt

@@ -16,7 +16,7 @@ namespace betwixt {
 namespace {
 
 constexpr std::size_t most_indices = 3 * 50'000'000;
-constexpr double crease = 60 * pi / 180;  // where a file brings no normals
+constexpr double crease = 60 * pi / 180;  // for files without normals
 constexpr double same_plane = 1e-4;
 
 bool in_reach(const std::array<float, 3>& p) {
@@ -42,7 +42,7 @@ struct VertexHash {
   }
 };
 
-// Vertices that are the same in everything become one; those that nothing uses go.
+// Joins equal vertices, and removes unused ones.
 void join_vertices(Mesh& mesh) {
   Mesh out;
   std::unordered_map<Vertex, std::uint32_t, VertexHash> known;
@@ -67,7 +67,7 @@ void join_vertices(Mesh& mesh) {
   mesh.uvs = std::move(out.uvs);
 }
 
-// Each edge once, however many polygons share it.
+// Keeps each edge once, even if several polygons share it.
 void join_edges(Mesh& mesh) {
   const auto welded = weld(mesh.positions);
   std::map<std::pair<std::uint32_t, std::uint32_t>, bool> seen;
@@ -84,7 +84,7 @@ void add_to(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-// For vertices of which each was another before, or none of them.
+// Reorders an array for new vertices, each of which was another before; keeps an empty array.
 template <class T>
 void follow(std::vector<T>& all, const std::vector<std::uint32_t>& from) {
   if (all.empty()) return;
@@ -98,8 +98,8 @@ void follow(Rig& rig, const std::vector<std::uint32_t>& from) {
   for (Rig::Target& t : rig.targets) follow(t.positions, from), follow(t.normals, from);
 }
 
-// The normals that faces have where a target's weight is 1, as what is added to those at rest.
-// Source: glTF 2.0, section 3.7.2.2: flat normals are worked out for each target, and its own are ignored.
+// Sets the targets' flat normals: the difference to the normals at rest when the weight is 1. Source: glTF 2.0, section
+// 3.7.2.2: flat normals are computed for each target, and the target's own are ignored.
 void flatten_targets(const Mesh& mesh, Rig& rig) {
   for (Rig::Target& t : rig.targets) {
     t.normals.clear();
@@ -172,7 +172,7 @@ Status Assembly::append(Mesh piece, const Mat4& to_scene, MeshPart look, Rig* ri
     if (rig) follow(*rig, from);
     if (rig && missing_ == Normals::flat) flatten_targets(piece, *rig);
   }
-  if (piece.triangles.empty()) return Nothing{};  // none of them had an area
+  if (piece.triangles.empty()) return Nothing{};  // all triangles had no area
   if (!rig) join_vertices(piece);
   if (piece.edges.empty())
     piece.edges = crease_edges(piece);
@@ -193,7 +193,7 @@ Status Assembly::append(Mesh piece, const Mat4& to_scene, MeshPart look, Rig* ri
   look.first = static_cast<std::uint32_t>(mesh_.triangles.size());
   look.count = static_cast<std::uint32_t>(piece.triangles.size());
   add_to(mesh_.triangles, piece.triangles);
-  // Neighbours that look the same are one run: fewer things to draw.
+  // Neighbours of the same look become one run, which needs fewer draw calls.
   if (!mesh_.parts.empty() && mesh_.parts.back().color == look.color && mesh_.parts.back().texture == look.texture)
     mesh_.parts.back().count += look.count;
   else
@@ -201,7 +201,7 @@ Status Assembly::append(Mesh piece, const Mat4& to_scene, MeshPart look, Rig* ri
   return Nothing{};
 }
 
-// Behind what is there; a mesh has the vertices of this piece already.
+// Appends a rig; the mesh already has the vertices of this piece.
 void Assembly::take(Rig rig) {
   const std::size_t before = rig_ ? rig_size_ : 0, now = mesh_.positions.size();
   rig_size_ = now;
@@ -238,12 +238,12 @@ Result<std::shared_ptr<const Mesh>> parse_mesh(const std::string& path, Shelf& s
   if (kind == "gltf" || kind == "glb") return load_gltf(path, shelf);
   if (kind == "ply") return load_ply(path, shelf);
   {
-    const auto bytes = shelf.read(path);  // a missing file is told before an odd ending
+    const auto bytes = shelf.read(path);  // a missing file is reported before a wrong ending
     if (!bytes) return bytes.error();
-    // Pages have as glTF, under its own name, what they could not read.
+    // In a browser, a file converted to glTF keeps its own name.
     if (bytes->starts_with("glTF")) return load_gltf(path, shelf);
   }
-  // Of what assimp reads that which falls over broken files least.
+  // The formats for which assimp is most robust against broken files.
   for (const char* known : {"obj", "stl", "dae", "fbx", "3ds"})
     if (kind == known) return load_by_assimp(path, shelf);
   return fail(ErrorCode::file, fmt::format("{} is not a kind of mesh that can be read", path),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A scene's meshes become one. What is common to all mesh files: checks, normals, edges, joining.
+// Joins a scene's meshes to one. The common steps of all mesh formats: checks, normals, edges, joining.
 #pragma once
 
 #include <memory>
@@ -18,15 +18,15 @@ namespace betwixt {
 
 class Assembly {
  public:
-  // Of a mesh that brings no normals: smooth but for creases, or each face by itself, as glTF demands.
+  // Normals of a mesh that has none: `creased`: smooth except at creases; `flat`: one for each face, as glTF demands.
   enum class Normals : std::uint8_t { creased, flat };
-  // `as`: what the file is read as.
+  // `as`: the expected kind of file, for errors.
   explicit Assembly(std::string path, std::string as = "mesh", Normals missing = Normals::creased)
       : path_(std::move(path)), as_(std::move(as)), missing_(missing) {}
 
-  // A mesh in its own space: positions and triangles; normals and uvs as many as positions, or none; edges as drawn, or
-  // none. Of `look` only the color and the texture count. A piece with a `rig` keeps its vertices; all pieces then have
-  // one, with as many targets. Errors: file.
+  // Adds a mesh in its own space: positions and triangles; one normal and one uv for each position, or none; edges to
+  // draw, or none. Only the color and texture of `look` are used. A piece with a `rig` keeps its vertices; all pieces
+  // must then have a rig with the same number of targets. Errors: file.
   Status add(Mesh piece, const Mat4& to_scene, MeshPart look);
   Status add(Mesh piece, const Mat4& to_scene, MeshPart look, Rig rig);
   Result<std::shared_ptr<const Mesh>> finish() &&;
@@ -41,7 +41,7 @@ class Assembly {
   Normals missing_;
   Mesh mesh_;
   std::optional<Rig> rig_;
-  std::size_t rig_size_ = 0;  // vertices that it speaks of
+  std::size_t rig_size_ = 0;  // the vertices that it covers
 };
 
 Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, Shelf&);

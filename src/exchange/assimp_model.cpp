@@ -33,7 +33,7 @@ class Stream : public Assimp::IOStream {
   size_t Write(const void*, size_t, size_t) override { return 0; }
   aiReturn Seek(size_t offset, aiOrigin origin) override {
     const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : bytes_.size();
-    if (base + offset > bytes_.size()) return aiReturn_FAILURE;  // an offset back wraps around, as it should
+    if (base + offset > bytes_.size()) return aiReturn_FAILURE;  // a negative offset wraps around, as intended
     at_ = base + offset;
     return aiReturn_SUCCESS;
   }
@@ -46,7 +46,7 @@ class Stream : public Assimp::IOStream {
   size_t at_ = 0;
 };
 
-// For reading only.
+// Read-only access to a shelf.
 class Files : public Assimp::IOSystem {
  public:
   explicit Files(Shelf& shelf) : shelf_(shelf) {}
@@ -63,7 +63,7 @@ class Files : public Assimp::IOSystem {
   Shelf& shelf_;
 };
 
-// The sides of polygons as they are in the file, where there are any with more than three corners.
+// Returns the sides of polygons in the file; empty if none has more than three corners.
 std::vector<std::uint32_t> drawn_edges(const aiMesh& mesh) {
   std::vector<std::uint32_t> edges;
   bool polygons = false;
@@ -81,8 +81,8 @@ bool has_empty_face(const aiMesh& mesh) {
   return std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, [](const aiFace& f) { return f.mNumIndices == 0; });
 }
 
-// Whether the Collada text ends, and its lists of indices hold whole numbers only. Of anything else in them the
-// importer makes indices without end.
+// Returns whether the Collada text is complete, with only whole numbers in its lists of indices. Otherwise the importer
+// would create endless indices.
 bool has_proper_indices(std::string_view text) {
   for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1)) {
     const std::size_t end = text.find_first_of("> \t\r\n/", at + 1);
@@ -105,12 +105,12 @@ AssimpModel::AssimpModel(std::string path, Shelf& shelf, std::string as)
 }
 
 Result<std::unique_ptr<AssimpModel>> AssimpModel::open(const std::string& path, Shelf& shelf, const std::string& as) {
-  const auto text = shelf.read(path);  // for a message in our words where there is no such file
+  const auto text = shelf.read(path);  // for our own message if the file is missing
   if (!text) return text.error();
   if (text->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   if (ending(path) == "dae" && !has_proper_indices(*text))
     return Assembly(path, as).error("it is cut off, or its lists of indices hold something else than numbers");
-  // Of pictures inside an FBX of text the importer frees one twice where it is damaged: such files go without.
+  // The importer frees embedded pictures of a damaged text FBX twice, so such files are read without pictures.
   const bool textures = text->starts_with("Kaydara FBX Binary") || text->find("Content:") == std::string::npos;
   try {
     auto out = std::make_unique<AssimpModel>(path, shelf, as);
@@ -121,7 +121,7 @@ Result<std::unique_ptr<AssimpModel>> AssimpModel::open(const std::string& path, 
   }
 }
 
-// `bare`: without meshes too, and with what is animated in one place.
+// `bare`: accepts files without meshes, and keeps a node's animation in one place.
 Status AssimpModel::read(bool textures, bool bare) {
   importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, textures);
   if (bare) {
@@ -132,11 +132,11 @@ Status AssimpModel::read(bool textures, bool bare) {
   if (scene == nullptr) return error(importer_.GetErrorString());
   if (scene->mRootNode == nullptr || (scene->mNumMeshes == 0 && !bare)) return error("it holds no triangles");
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
-    // What follows ends the program where it meets one of these.
+    // The next step would crash on such a face.
     if (has_empty_face(*scene->mMeshes[i])) return error("it has a face without corners");
     edges_.push_back(drawn_edges(*scene->mMeshes[i]));
   }
-  // Only now: edges between the triangles of a polygon are not to be drawn.
+  // Not earlier, because the edges inside a polygon must not be drawn.
   scene_ = scene->mNumMeshes == 0 ? scene : importer_.ApplyPostProcessing(aiProcess_Triangulate);
   if (scene_ == nullptr) return error(importer_.GetErrorString());
   return Nothing{};
@@ -165,7 +165,8 @@ Mesh AssimpModel::piece(unsigned index) const {
   };
   vectors(mesh.mVertices, piece.positions);
   vectors(mesh.mNormals, piece.normals);
-  for (unsigned i = 0; mesh.HasTextureCoords(0) && i < mesh.mNumVertices; ++i)  // here the picture's bottom is 0
+  // In these files v = 0 is the bottom of the picture.
+  for (unsigned i = 0; mesh.HasTextureCoords(0) && i < mesh.mNumVertices; ++i)
     piece.uvs.push_back({mesh.mTextureCoords[0][i].x, 1 - mesh.mTextureCoords[0][i].y});
   for (unsigned f = 0; f < mesh.mNumFaces; ++f)
     if (const aiFace& face = mesh.mFaces[f]; face.mNumIndices == 3)
@@ -188,12 +189,13 @@ MeshPart AssimpModel::look(unsigned index) {
   return part;
 }
 
-// None where it cannot be had: these files often speak of pictures that stayed on their author's machine.
+// Returns nullptr if the picture is unavailable: these files often name pictures on their author's machine.
 std::shared_ptr<const Picture> AssimpModel::texture(const aiString& name) {
   const auto [known, fresh] = pictures_.try_emplace(name.C_Str());
   if (!fresh) return known->second;
   if (const aiTexture* inside = scene_->GetEmbeddedTexture(name.C_Str()); inside != nullptr) {
-    if (inside->mHeight != 0 || inside->pcData == nullptr) return nullptr;  // raw texels: none of our formats has them
+    // Raw texels, which no supported format contains.
+    if (inside->mHeight != 0 || inside->pcData == nullptr) return nullptr;
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(inside->pcData);
     if (auto picture = decode_picture({bytes, inside->mWidth}, name.C_Str())) known->second = *picture;
     return known->second;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A file as assimp reads it, triangulated, with what meshes and scenes both ask of it.
+// A file read by assimp and triangulated, with the queries that meshes and scenes share.
 #pragma once
 
 #include <assimp/scene.h>
@@ -18,7 +18,7 @@ namespace betwixt {
 
 class AssimpModel {
  public:
-  // `as`: what it is wanted as, for errors: file. A scene need not have meshes.
+  // `as`: the expected kind of file, for errors. A scene need not have meshes. Errors: file.
   static Result<std::unique_ptr<AssimpModel>> open(const std::string& path, Shelf&, const std::string& as);
   AssimpModel(std::string path, Shelf&, std::string as);
 
@@ -27,7 +27,7 @@ class AssimpModel {
   const std::string& path() const { return path_; }
 
   static Mat4 matrix(const aiMatrix4x4&);
-  Mat4 upright() const;  // FBX says which way is up and leaves the rest to the reader
+  Mat4 upright() const;  // FBX gives the up axis but leaves the rotation to the reader
   Mesh piece(unsigned mesh) const;
   MeshPart look(unsigned material);
 

@@ -14,14 +14,14 @@
 
 namespace betwixt {
 
-// A flat outline, or a group. It stands at `at` from what it belongs to; its points count from there.
+// A flat outline, or a group. `at` is relative to its group; its points are relative to `at`.
 struct DrawnThing {
   static constexpr std::uint32_t nothing = 0xffffffff;
-  std::string name;               // its own in the drawing; it can be an object's behind a '/'
-  std::uint32_t above = nothing;  // the group that it belongs to, which stands before it
+  std::string name;               // from the drawing; valid as an object's name after a '/'
+  std::uint32_t above = nothing;  // its group, which comes earlier in the list
   bool group = false;
   Vec3 at;
-  std::vector<Vec3> points, holes;  // as those of a polygon
+  std::vector<Vec3> points, holes;  // in the format of a polygon's
   bool fills = true, strokes = false, round = false;
   Color color, stroke;
   double stroke_width = 0, transparency = 0, trim_to = 1;
@@ -29,17 +29,17 @@ struct DrawnThing {
 };
 inline constexpr std::size_t most_drawn_things = 100'000, most_drawn_points = 2'000'000;
 
-// One metre high, about its middle, y up; what is drawn later is in front.
+// A drawing one metre high, centred, y up; later shapes are in front.
 struct DrawingFile {
   double width = 1;
   std::vector<DrawnThing> things;
   std::vector<std::string> left_out;  // sentences
 };
 
-// Errors: file, range.
+// Reads a drawing in a process of its own. Errors: file, range.
 Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read,
                                                         bool any_size = false);
-// The same in this process, whatever the file does to it.
+// Reads it in this process, without protection.
 Result<std::shared_ptr<const DrawingFile>> parse_drawing(const std::string& path, Shelf&);
 Result<std::shared_ptr<const DrawingFile>> read_svg(const std::string& text, const std::string& path);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// OpenEXR: half floats, linear light, the opacity multiplied in.
+// OpenEXR: half floats, linear light, premultiplied alpha.
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
 #include <ImfIO.h>
@@ -21,7 +21,7 @@
 namespace betwixt {
 namespace {
 
-// The library writes and reads memory; files are ours, so that none is ever half written.
+// Stores the file in memory, because our own code writes files atomically.
 class Written final : public Imf::OStream {
  public:
   explicit Written(const std::string& name) : OStream(name.c_str()) {}
@@ -57,7 +57,7 @@ class Read final : public Imf::IStream {
   std::size_t at_ = 0;
 };
 
-// As bright as can be written; what is no number would spread in every blur.
+// Clamps to the largest half. NaN becomes 0, because it would spread in every blur.
 half half_of(float x) { return std::isnan(x) ? 0.0F : std::clamp(x, -65504.0F, 65504.0F); }
 
 }  // namespace

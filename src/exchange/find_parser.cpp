@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* name = "betwixt-parser";
 
-// In an installed tree, seen from bin, lib, lib/MACHINE or lib/python3.11/dist-packages/betwixt.
+// Searches an installed tree, seen from bin, lib, lib/MACHINE or lib/python3.11/dist-packages/betwixt.
 std::string near(const fs::path& folder) {
   for (const char* up : {"..", "../..", "../../../.."})
     if (const fs::path there = folder / up / "libexec/betwixt" / name; can_be_run(there)) return there.string();

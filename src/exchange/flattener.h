@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Curves of outlines become straight lines.
+// Converts the curves of outlines to straight lines.
 #pragma once
 
 #include <algorithm>
@@ -13,20 +13,20 @@
 
 namespace betwixt {
 
-inline constexpr double fineness = 0.0015;  // em: how far a flattened curve may stray
+inline constexpr double fineness = 0.0015;  // em: the largest error of a flattened curve
 
 class Flattener {
  public:
   explicit Flattener(double stray) : stray_(stray) {}
 
-  // One line, of whatever length.
+  // One polyline of any length.
   struct Run {
     Contour points;
     bool closed = false;
   };
 
   void move(Vec3 to) { runs_.push_back({{to}, false}); }
-  // Those that follow need a `move` before them.
+  // Later lines need another `move`.
   void line(Vec3 to) { runs_.back().points.push_back(to); }
   void close() { runs_.back().closed = true; }
   void conic(Vec3 b, Vec3 c) {
@@ -48,7 +48,7 @@ class Flattener {
   bool begun() const { return !runs_.empty(); }
   Vec3 here() const { return runs_.back().points.back(); }
 
-  // All lines, no point twice in a row, and where they are closed each end once.
+  // Returns all lines, without repeated points; a closed line has its common end only once.
   std::vector<Run> take_runs() {
     for (auto& [points, closed] : runs_) {
       points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -56,7 +56,7 @@ class Flattener {
     }
     return std::exchange(runs_, {});
   }
-  // What encloses something, closed or not.
+  // Returns the lines that enclose an area, closed or not.
   std::vector<Contour> take() {
     std::vector<Contour> out;
     for (auto& [points, closed] : take_runs()) {
@@ -67,7 +67,7 @@ class Flattener {
   }
 
  private:
-  // As many as keep the lines near the curve, whose second differences are `bend`.
+  // Returns the number of lines that keep the error small. `bend`: the curve's second differences.
   int steps(double bend) const {
     return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8 * stray_))), 1.0, 128.0));
   }

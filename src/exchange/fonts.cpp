@@ -32,7 +32,7 @@ struct Deleter {
 template <class T>
 using Owned = std::unique_ptr<T, Deleter>;
 
-// An opened font file; used under the one lock of this file.
+// An open font file. This file's only lock protects it.
 struct Face {
   FT_Face face = nullptr;
   Owned<hb_font_t> shaper;
@@ -42,12 +42,12 @@ struct Face {
 struct Machine {
   std::mutex mutex;
   FT_Library library = nullptr;
-  std::map<Typeface, std::shared_ptr<Face>> faces;  // as asked for; null: nothing to draw with
+  std::map<Typeface, std::shared_ptr<Face>> faces;  // by the requested typeface; nullptr: no font is available
   std::map<std::tuple<Typeface, Align, std::uint32_t, std::string>, Outline> outlines;
 };
 
 Machine& machine() {
-  static Machine& m = *new Machine;  // never taken down: other threads may still draw while the program ends
+  static Machine& m = *new Machine;  // never destroyed: other threads may still draw at program exit
   return m;
 }
 
@@ -56,7 +56,7 @@ std::shared_ptr<Face> open_face(Machine& m, const Typeface& typeface) {
   const auto [file, index] = font_file(typeface);
   auto face = std::make_shared<Face>();
   if (file.empty() || FT_New_Face(m.library, file.c_str(), index, &face->face) != 0) return nullptr;
-  // One em is as many units as the design has: nothing is rounded.
+  // One em has the design's number of units, so nothing is rounded.
   FT_Set_Char_Size(face->face, face->face->units_per_EM * 64, 0, 72, 72);
   face->shaper.reset(hb_ft_font_create_referenced(face->face));
   hb_ft_font_set_load_flags(face->shaper.get(), FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP);
@@ -69,7 +69,7 @@ Face* face_for(Machine& m, const Typeface& typeface) {
   return i->second.get();
 }
 
-// Takes a glyph's outline apart.
+// Reads a glyph's outline.
 struct GlyphReader {
   Flattener lines{fineness};
   double unit;  // metres
@@ -96,7 +96,7 @@ const Glyph& glyph_of(Face& face, FT_UInt index) {
   if (!fresh) return i->second;
   if (FT_Load_Glyph(face.face, index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0) return i->second;
   FT_GlyphSlot slot = face.face->glyph;
-  if (slot->format != FT_GLYPH_FORMAT_OUTLINE) return i->second;  // a picture of a letter has no contours
+  if (slot->format != FT_GLYPH_FORMAT_OUTLINE) return i->second;  // bitmap glyphs have no contours
   if (FT_Outline_Get_Orientation(&slot->outline) == FT_ORIENTATION_TRUETYPE) FT_Outline_Reverse(&slot->outline);
   GlyphReader r{.unit = 1 / (64.0 * face.face->units_per_EM)};
   const FT_Outline_Funcs funcs{&GlyphReader::move, &GlyphReader::line, &GlyphReader::conic, &GlyphReader::cubic, 0, 0};
@@ -105,7 +105,7 @@ const Glyph& glyph_of(Face& face, FT_UInt index) {
   return i->second;
 }
 
-// A glyph of a line, and the part of the text that it stands for.
+// A glyph of a line, and the part of the text that it represents.
 struct SetGlyph {
   FT_UInt index = 0;
   Vec3 at;
@@ -113,7 +113,7 @@ struct SetGlyph {
 };
 using SetLine = std::vector<SetGlyph>;  // from left to right
 
-// Where the parts end that begin where the glyphs say.
+// Sets the end of each glyph's part from the begins of all glyphs.
 void find_ends(SetLine& line, std::size_t end) {
   std::vector<SetGlyph*> by_begin;
   for (SetGlyph& g : line) by_begin.push_back(&g);
@@ -124,7 +124,7 @@ void find_ends(SetLine& line, std::size_t end) {
   }
 }
 
-// One line of a text, its baseline at y; it begins at byte `from`.
+// Sets one line of a text with its baseline at y. `from`: the index of its first byte.
 SetLine set_line(Face& face, std::string_view text, std::size_t from, double y, Align align) {
   const Owned<hb_buffer_t> buffer(hb_buffer_create());
   hb_buffer_add_utf8(buffer.get(), text.data(), static_cast<int>(text.size()), 0, static_cast<int>(text.size()));
@@ -147,7 +147,7 @@ SetLine set_line(Face& face, std::string_view text, std::size_t from, double y, 
   return out;
 }
 
-// f(glyphs) for each line.
+// Calls f(glyphs) for each line.
 template <class F>
 void each_line(Face& face, const std::string& all, Align align, const F& f) {
   const std::string_view text = first_characters(all, most_letters);
@@ -159,7 +159,7 @@ void each_line(Face& face, const std::string& all, Align align, const F& f) {
   }
 }
 
-// … without the letters that are not typed yet.
+// Does the same without the letters that are not typed yet.
 template <class F>
 void each_typed_line(Face& face, const std::string& all, const Letters& letters, const F& f) {
   const std::size_t typed = first_characters(all, letters.typed).size();
@@ -183,8 +183,7 @@ void add_outlines(Face& face, const SetLine& line, const std::string& text, Outl
   }
 }
 
-// What is drawn of a line's part, as a text of its own. Letters that look otherwise beside others keep their looks by
-// joiners.
+// Makes a text of a part of a line. Joiners preserve the contextual forms of its letters.
 TextPart part_of(Face& face, const SetLine& whole, std::string_view text) {
   static constexpr std::string_view joiner = "\u200d";
   const auto alike = [](const SetGlyph& a, const SetGlyph& b) { return a.index == b.index; };
@@ -201,9 +200,10 @@ TextPart part_of(Face& face, const SetLine& whole, std::string_view text) {
   return part;
 }
 
-// Where the parts of a line begin and end: runs of letters between which nothing is drawn, or each, or all.
+// Returns the begin and end of each part of a line: runs of letters separated by blank ones, each letter, or the whole
+// line.
 std::vector<std::pair<std::size_t, std::size_t>> part_ends(Face& face, const SetLine& line, SplitInto into) {
-  std::map<std::size_t, std::pair<std::size_t, bool>> letters;  // by their begins: ends, and whether they are seen
+  std::map<std::size_t, std::pair<std::size_t, bool>> letters;  // by begin: the end, and whether it is visible
   for (const SetGlyph& g : line) {
     auto& [end, seen] = letters[g.begin];
     end = g.end, seen = seen || !glyph_of(face, g.index).empty();
@@ -230,7 +230,7 @@ Outline text_outline(const std::string& text, const std::string& family, const L
   Outline out;
   if (Face* face = face_for(m, typeface))
     each_typed_line(*face, text, letters, [&](const SetLine& line) { add_outlines(*face, line, text, out); });
-  if (m.outlines.size() >= 256) m.outlines.clear();  // texts that change all the time are not worth keeping
+  if (m.outlines.size() >= 256) m.outlines.clear();  // outlines of texts that always change are not worth caching
   return m.outlines[key] = out;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text as closed contours, through FreeType and HarfBuzz.
+// Converts text to closed contours, through FreeType and HarfBuzz.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace betwixt {
 
-// `text` (UTF-8, lines end with \n) at 1 m an em, the first baseline at y = 0. A family that the machine lacks is
-// replaced by DejaVu Sans, or any other it has.
+// Returns the outline of `text` (UTF-8, lines end with \n) at 1 m an em, with the first baseline at y = 0. Uses DejaVu
+// Sans, or any other font, if the machine lacks the family.
 Outline text_outline(const std::string& text, const std::string& family, const Letters& = {});
 
-// The same, each glyph that occurs once, and where they stand.
+// The same text as distinct glyphs and their places.
 struct SetText {
   struct Glyph {
-    std::uint32_t number = 0;  // of the font's
+    std::uint32_t number = 0;  // in the font
     Outline outline;           // without letters
   };
   struct Place {
@@ -32,12 +32,11 @@ struct SetText {
 };
 SetText set_text(const std::string& text, const std::string& family, const Letters& = {});
 
-// What a text can be taken apart into, each a text of its own, in the order in which they are read; what draws nothing
-// is left out.
+// The parts into which a text is split, each a text of its own, in reading order. Parts that draw nothing are left out.
 enum class SplitInto : std::uint8_t { letters, words, lines };
 struct TextPart {
   std::string text;
-  Vec3 at;  // where it stands, set by itself and centred, as it stood in the whole
+  Vec3 at;  // the position at which the part, centred, coincides with its place in the whole text
 };
 std::vector<TextPart> text_parts(const std::string& text, const std::string& family, const Letters&, SplitInto);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files of others, read in a process of their own where that can be.
+// Reads untrusted files, in a separate process if possible.
 #include <fmt/format.h>
 
 #include "betwixt/picture.h"

@@ -24,7 +24,7 @@ std::size_t mixed(std::size_t h, std::size_t with) { return (h ^ with) * 0x9e377
 std::size_t mixed(std::size_t h, double with) { return mixed(h, std::hash<double>{}(with)); }
 std::size_t mixed(std::size_t h, Vec3 with) { return mixed(mixed(mixed(h, with.x), with.y), with.z); }
 
-// What a mesh is made from.
+// The input of a mesh.
 struct Key {
   Shape shape;
   Detail detail;
@@ -47,7 +47,7 @@ struct KeyHash {
   }
 };
 
-// Meshes that somebody holds. Forgets the others whenever it has doubled.
+// A cache of meshes that someone holds. Removes expired entries whenever its size has doubled.
 class Held {
  public:
   template <class Make>
@@ -57,7 +57,7 @@ class Held {
       if (const auto i = meshes_.find(key); i != meshes_.end())
         if (auto mesh = i->second.lock()) return mesh;
     }
-    auto made = std::make_shared<const Mesh>(make());  // outside the lock: it may take long
+    auto made = std::make_shared<const Mesh>(make());  // outside the lock, because it may take long
     const std::lock_guard lock(mutex_);
     auto& place = meshes_[key];
     if (auto mesh = place.lock()) return mesh;  // another thread was faster
@@ -75,7 +75,7 @@ class Held {
   std::size_t limit_ = 64;
 };
 
-// A scaling that can be undone: what is flat is given a thickness nobody sees, so that normals keep a direction.
+// Returns an invertible scale: a flat shape gets an invisible thickness, so that its normals have a direction.
 std::optional<Mat4> stretch(Vec3 s) {
   const double most = std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z)});
   if (!sane(s) || !(most > 0)) return {};
@@ -83,7 +83,7 @@ std::optional<Mat4> stretch(Vec3 s) {
   return scaling(s);
 }
 
-// Filled glyphs, at 1 m an em, for all texts.
+// Filled glyphs at 1 m an em, shared by all texts.
 class FilledGlyphs {
  public:
   std::shared_ptr<const Mesh> get(const Typeface& face, const SetText::Glyph& glyph, double depth) {
@@ -131,7 +131,7 @@ Mesh made(const KindRow& row, const Shape& s, const Detail& detail) {
   if (!by_contours(s)) return row.mesh(s, detail);
   const Pen pen = pen_of(s);
   if (!row.contours && !s.formula && pen.fills && !(pen.width > 0)) return text_mesh(s);
-  // A contour that crosses itself is filled wherever it goes round; holes are cut out of whatever is there.
+  // A contour that crosses itself is filled wherever it encloses something. Holes are always cut out.
   return drawn(outline_of(s), pen, sane(s.depth) ? s.depth : 0,
                s.holes->empty() ? Winding::nonzero : Winding::positive);
 }
@@ -173,9 +173,9 @@ Geometry realise(const Shape& shape, const Detail& detail) {
     const auto local = stretch(m);
     if (!local) return {empty, {}};
     g.local = *local;
-    key.shape = {};  // all of the kind share a mesh
+    key.shape = {};  // all shapes of the kind share a mesh
     key.shape.kind = shape.kind;
-    // They are round about y.
+    // The circles of these kinds are about y.
     if (row.detailed && !detail.even) key.detail.around = detail.around_thin(m.x / std::max({m.x, m.y / 2, m.z}));
   }
   g.mesh = held.get(key, [&] { return made(row, key.shape, key.detail); });

@@ -19,7 +19,7 @@ namespace gltf = tinygltf;
 
 constexpr std::size_t most_elements = 50'000'000;
 
-// ---- what the parser asks for while it reads
+// ---- callbacks of the parser
 
 bool file_exists(const std::string& path, void* shelf) { return static_cast<Shelf*>(shelf)->has(path); }
 std::string same_path(const std::string& path, void*) { return path; }
@@ -32,8 +32,8 @@ bool read_file(std::vector<unsigned char>* out, std::string* error, const std::s
   return static_cast<bool>(bytes);
 }
 bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
-// Pictures are decoded when a part needs them. Those in the file's own buffers are looked for then: what the file says
-// of where they are has not been checked here.
+// Pictures are decoded when a part needs them. Those in the file's buffers are located then, because their offsets have
+// not been checked here.
 bool keep_encoded(gltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
                   void*) {
   if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
@@ -62,7 +62,7 @@ double number(const unsigned char* bytes, int type, bool normalized) {
   }
 }
 
-// The parser's first complaint, on one line.
+// Returns the parser's first message, on one line.
 std::string first_line(std::string text) {
   if (text.empty()) return "it is not glTF 2.0";
   text.erase(std::min(text.find('\n'), text.size()));
@@ -89,7 +89,7 @@ Result<std::unique_ptr<GltfModel>> GltfModel::open(const std::string& path, Shel
     const bool read =
         binary ? parser.LoadBinaryFromMemory(&out->model_, &error, &warning, as_bytes(*bytes).data(), length, folder)
                : parser.LoadASCIIFromString(&out->model_, &error, &warning, bytes->data(), length, folder);
-    if (!read && bytes->find("KHR_draco_mesh_compression") != std::string::npos)  // the parser would not say so
+    if (!read && bytes->find("KHR_draco_mesh_compression") != std::string::npos)  // the parser would not report it
       return out->error("it is compressed by Draco, which is not known here");
     if (out->model_.asset.version.starts_with("1")) return out->of_another_version(out->model_.asset.version);
     if (!read) return out->error(first_line(error));
@@ -116,7 +116,7 @@ Status GltfModel::known() const {
 std::vector<int> GltfModel::roots() const {
   const gltf::Scene* scene = gltf_at(model_.scenes, std::max(model_.defaultScene, 0));
   if (scene != nullptr && !scene->nodes.empty()) return scene->nodes;
-  // Without a scene: every node that hangs on no other.
+  // Without a scene, takes every node without a parent.
   std::vector<bool> child(model_.nodes.size());
   for (const auto& n : model_.nodes)
     for (const int c : n.children)
@@ -140,7 +140,7 @@ Mat4 GltfModel::transform(const gltf::Node& n) {
   return m;
 }
 
-// Depth first with a stack of its own: a chain of nodes may be as long as the file.
+// Depth first with an explicit stack, because a chain of nodes may be as long as the file.
 Status GltfModel::each_node(const std::function<Status(int, int)>& use) const {
   std::vector<bool> visited(model_.nodes.size());
   const std::vector<int> first = roots();
@@ -193,7 +193,7 @@ Result<Mesh> GltfModel::triangles(const gltf::Primitive& primitive, const std::s
   return piece;
 }
 
-// `count` elements of `size` bytes in a buffer view; checked to lie within it.
+// Returns `count` elements of `size` bytes in a buffer view, after checking the bounds.
 Result<GltfModel::Elements> GltfModel::elements(int view_index, std::size_t offset, std::size_t stride,
                                                 std::size_t size, std::size_t count) const {
   const auto* view = gltf_at(model_.bufferViews, view_index);
@@ -234,7 +234,7 @@ Result<GltfNumbers> GltfModel::accessor(int i, std::size_t width) const {
   return out;
 }
 
-// Elements that a sparse accessor gives by themselves.
+// Replaces the elements that a sparse accessor lists.
 Status GltfModel::replace(const gltf::Accessor& a, std::size_t part, GltfNumbers& out) const {
   const auto& sparse = a.sparse;
   const int index_bytes = gltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(sparse.indices.componentType));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A file of glTF 2, with every index of it checked: what meshes and scenes are made of.
+// A glTF 2 file with all indices checked, from which meshes and scenes are made.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -16,10 +16,10 @@
 
 namespace betwixt {
 
-// Numbers of an accessor, one element after the other.
+// The numbers of an accessor, element by element.
 struct GltfNumbers {
   std::vector<double> values;
-  std::size_t width = 1;  // numbers an element
+  std::size_t width = 1;  // numbers for each element
   std::size_t count() const { return values.size() / width; }
 };
 
@@ -30,7 +30,7 @@ const T* gltf_at(const std::vector<T>& all, int i) {
 
 class GltfModel {
  public:
-  // Reads the file; `as` what it is wanted as, for errors: file.
+  // Reads the file. `as`: the expected kind of file, for errors. Errors: file.
   static Result<std::unique_ptr<GltfModel>> open(const std::string& path, Shelf&, const std::string& as);
   GltfModel(std::string path, std::string as) : path_(std::move(path)), as_(std::move(as)) {}
 
@@ -39,17 +39,17 @@ class GltfModel {
   Error error(const std::string& what) const { return Assembly(path_, as_).error(what); }
 
   std::vector<int> roots() const;
-  // use(node, node that it hangs on or -1) for all that the scene has, parents first. An error of `use` ends it.
+  // Calls use(node, its parent or -1) for all nodes of the scene, parents first. Stops at an error of `use`.
   Status each_node(const std::function<Status(int node, int parent)>& use) const;
   static Mat4 transform(const tinygltf::Node&);
 
-  // What a primitive has of triangles; none: points or lines.
+  // Returns the triangles of a primitive; an empty mesh for points or lines.
   Result<Mesh> triangles(const tinygltf::Primitive&, const std::string& uv_set) const;
-  // Colour and texture of a material, and the set of texture coordinates that it wants.
+  // Reads the colour and texture of a material, and the set of texture coordinates that it uses.
   Status look(int material, MeshPart& look, std::string& uv_set);
 
   Result<GltfNumbers> accessor(int i, std::size_t width) const;
-  // An attribute, into positions, normals or texture coordinates; nothing where the file has none.
+  // Reads an attribute into positions, normals or texture coordinates. Leaves `out` empty if the file lacks it.
   template <std::size_t N>
   Status vectors(const std::map<std::string, int>& attributes, const std::string& name,
                  std::vector<std::array<float, N>>& out) const;

@@ -18,11 +18,11 @@
 namespace betwixt {
 namespace {
 
-// A head, then blocks, each with its length before it.
+// A header, then blocks, each preceded by its length.
 enum class Holds : std::uint32_t { mesh = 1, picture = 2, error = 3, scene = 4, drawing = 5 };
 struct Head {
   std::uint32_t holds = 0;
-  std::uint32_t detail = 0;  // of an error its code
+  std::uint32_t detail = 0;  // the code of an error
 };
 constexpr std::uint32_t no_picture = ~std::uint32_t{0};
 struct FlatMesh {
@@ -38,9 +38,9 @@ struct FlatDrawing {
   std::uint64_t sentences = 0;
 };
 struct FlatThing {
-  std::uint32_t above = 0, flags = 0;  // a bit each
+  std::uint32_t above = 0, flags = 0;  // one bit each
   double at[3]{}, color[3]{}, stroke[3]{}, stroke_width = 0, transparency = 0, trim_to = 1, dash[2]{};
-  std::uint64_t points = 0, holes = 0;  // how many of them follow
+  std::uint64_t points = 0, holes = 0;  // the numbers of points and holes that follow
 };
 enum : std::uint32_t { is_group = 1, is_filled = 2, is_stroked = 4, is_round = 8 };
 struct FlatSize {
@@ -167,7 +167,7 @@ class Giver {
   int memory_, reason_ = 0;
 };
 
-// Copies out, never looks at what is shared twice: the other process may still be writing.
+// Copies everything out and reads no shared byte twice, because the other process may still be writing.
 class Taker {
  public:
   Taker(int memory, std::uint64_t size) : memory_(memory), left_(size) {}
@@ -220,7 +220,7 @@ bool sound(const Mesh& m) {
          below(m.edges, 2, count);
 }
 
-// They cover the triangles, one behind the other.
+// The parts must cover the triangles in order.
 bool take_parts(const std::vector<FlatPart>& flat, const std::vector<std::shared_ptr<const Picture>>& pictures,
                 Mesh& m) {
   std::uint64_t covered = 0;
@@ -243,7 +243,7 @@ std::shared_ptr<const Picture> take_picture(Taker& from) {
   return from.block(picture->rgba) && picture->rgba.size() == bytes ? picture : nullptr;
 }
 
-// Words that a terminal may be shown.
+// Accepts only text that is safe to print on a terminal.
 bool take_words(Taker& from, std::string& words) {
   if (!from.block(words) || words.size() > longest_words) return false;
   std::replace_if(
@@ -349,7 +349,7 @@ std::shared_ptr<const SceneFile> take_scene(Taker& from) {
   return sound(*s) ? s : nullptr;
 }
 
-// Its names are names, groups stand before what is in them, and all that can be drawn is somewhere.
+// Returns whether names are valid, groups precede their members, and all coordinates are finite.
 bool sound(const DrawingFile& d) {
   std::set<std::string_view> names;
   const auto near = [](Vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= 1e9; };
@@ -463,9 +463,9 @@ int hand_over(const Parsed& parsed, int memory) {
 int take_over(int memory, Parsed& out) {
   struct stat about {};
   if (::fstat(memory, &about) != 0) return errno;
-  // Memory that it claims it must have had.
+  // Its size must be backed by allocated memory.
   const auto size = static_cast<std::uint64_t>(about.st_size);
-#ifndef __EMSCRIPTEN__  // where files are memory
+#ifndef __EMSCRIPTEN__  // there, files are always in memory
   if (static_cast<std::uint64_t>(about.st_blocks) * 512 < size) return EBADMSG;
 #endif
   if (!S_ISREG(about.st_mode)) return EBADMSG;

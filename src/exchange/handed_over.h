@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a parser's process has read lies flat in memory that two processes have. Who takes it over believes none of it.
+// The serialized result of a parser process, in memory shared with this process. The receiver validates all of it.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ namespace betwixt {
 using Parsed = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error,
                             std::shared_ptr<const SceneFile>, std::shared_ptr<const DrawingFile>>;
 
-// Both return the system's reason (0: none). EBADMSG: what lies there is nothing of these.
+// Both return 0 or the system's error number. EBADMSG: the memory holds no valid result.
 int hand_over(const Parsed&, int memory);
 int take_over(int memory, Parsed&);
 

@@ -25,10 +25,10 @@ constexpr std::uint32_t this_machine = AUDIT_ARCH_AARCH64;
 #else
 constexpr std::uint32_t this_machine = 0;
 #endif
-constexpr std::uint32_t other_numbering = 0x40000000;  // calls of x32 on x86-64
+constexpr std::uint32_t other_numbering = 0x40000000;  // x32 calls on x86-64
 
 constexpr auto head = BPF_LD | BPF_W | BPF_ABS, compare = BPF_JMP | BPF_JEQ | BPF_K, answer = BPF_RET | BPF_K;
-constexpr std::size_t first_argument = offsetof(seccomp_data, args);  // its lower half, where bytes begin with the low
+constexpr std::size_t first_argument = offsetof(seccomp_data, args);  // its lower half on a little-endian machine
 
 }  // namespace
 
@@ -44,7 +44,7 @@ constexpr std::uint64_t reading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS
 
 Folders::Folders() {
   landlock_ruleset_attr all{};
-  all.handled_access_fs = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;  // whatever the first version knows
+  all.handled_access_fs = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;  // all rights of Landlock's first version
   rules_ = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &all, sizeof all, 0));
 }
 Folders::~Folders() {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What jails are built of: ceilings of the system, Landlock's rules for files, and the kernel's filter of calls. Where
-// the kernel lacks one of them, it does nothing.
+// The parts of a jail: the system's resource limits, Landlock's rules for files, and seccomp's filter of system calls.
+// Each has no effect if the kernel lacks it.
 #pragma once
 
 #include <sys/resource.h>
@@ -16,26 +16,26 @@ struct sock_filter;
 
 namespace betwixt {
 
-// Both the soft and the hard one. It uses the number that the system's header has for it (RLIMIT_…).
+// Sets both the soft and the hard limit. `what`: RLIMIT_… of the system's header.
 void set_ceiling(int what, std::uint64_t most);
 
-// Files that may be opened afterwards; all others may not.
+// The files that may be opened afterwards. All others are closed off.
 class Folders {
  public:
   Folders();
   ~Folders();
   Folders(const Folders&) = delete;
   Folders& operator=(const Folders&) = delete;
-  // A file, or a folder and all below it, may be read and run. A path that does not exist is skipped.
+  // Allows reading and running a file, or a folder and everything below it. Ignores a missing path.
   void may_read(const std::string& path) const;
-  // From now on, for this process and all that it starts.
+  // Applies the rules to this process, and to all that it starts.
   void close_others() const;
 
  private:
   int rules_ = -1;
 };
 
-// A program of the kernel's that looks at each call of the system. Refused calls fail with an error.
+// A seccomp program that checks each system call. Refused calls fail with an error.
 class CallFilter {
  public:
   CallFilter();
@@ -44,11 +44,11 @@ class CallFilter {
   CallFilter& operator=(const CallFilter&) = delete;
   void allow(std::span<const int> calls);
   void refuse(std::span<const int> calls, int error);
-  // The call if its first argument is another number.
+  // Refuses the call unless its first argument is this number.
   void refuse_unless_first_is(int call, std::uint32_t number);
-  // The call if its first argument lacks this bit.
+  // Refuses the call unless its first argument has this bit.
   void refuse_without_bit(int call, std::uint32_t bit);
-  // From now on, for this process and all that it starts. Calls without a rule are allowed or refused.
+  // Applies the filter to this process, and to all that it starts. `others_allowed` decides about all other calls.
   void begin(bool others_allowed);
 
  private:

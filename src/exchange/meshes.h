@@ -13,9 +13,10 @@
 
 namespace betwixt {
 
-// All of the file's scene as one mesh, node transforms applied, y up, in the file's units. Errors: file.
+// Reads the file's whole scene as one mesh, in a process of its own: node transforms applied, y up, in the file's
+// units. Errors: file.
 Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read, bool any_size = false);
-// The same in this process, whatever the file does to it.
+// Reads it in this process, without protection.
 Result<std::shared_ptr<const Mesh>> parse_mesh(const std::string& path, Shelf&);
 
 }  // namespace betwixt

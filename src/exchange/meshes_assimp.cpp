@@ -4,7 +4,7 @@
 
 namespace betwixt {
 
-// All of its nodes as one mesh.
+// Reads all nodes as one mesh.
 Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, Shelf& shelf) {
   auto opened = AssimpModel::open(path, shelf, "mesh");
   if (!opened) return opened.error();

@@ -6,7 +6,7 @@
 
 namespace betwixt {
 
-// All of its scene as one mesh.
+// Reads the whole scene as one mesh.
 Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, Shelf& shelf) {
   auto opened = GltfModel::open(path, shelf, "mesh");
   if (!opened) return opened.error();

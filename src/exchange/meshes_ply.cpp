@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// PLY by hand: the library that reads the others never comes back from a PLY file that was cut off.
+// A PLY reader of our own, because assimp never returns from a truncated PLY file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::optional<Number> number_type(std::string_view word) {
 struct Property {
   std::string name;
   Number type;
-  std::optional<Number> length;  // a list's
+  std::optional<Number> length;  // for a list
 };
 struct Element {
   std::string name;
@@ -89,7 +89,8 @@ class Ply {
       const auto words = line();
       if (words.empty()) continue;
       if (words[0] == "end_header") return header;
-      const bool known = words[0] == "format" || words[0] == "element" || words[0] == "property";  // the rest is talk
+      // All other lines are comments.
+      const bool known = words[0] == "format" || words[0] == "element" || words[0] == "property";
       if (known && !take(words, header))
         return assembly_.error(
             fmt::format("its header has an odd line that begins with \"{}\"", words[0].substr(0, 40)));
@@ -147,7 +148,7 @@ class Ply {
     return (this->*read[static_cast<std::size_t>(type)])(out);
   }
 
-  // The property's numbers, into values_.
+  // Reads the property's numbers into values_.
   bool numbers(const Property& p) {
     double count = 1;
     if (p.length && !number(*p.length, count)) return false;
@@ -156,7 +157,7 @@ class Ply {
     return std::all_of(values_.begin(), values_.end(), [&](double& v) { return number(p.type, v); });
   }
 
-  // What takes no bytes at all could be claimed any number of times.
+  // Fails for elements of zero bytes, whose number would be unlimited.
   bool skip(const Element& e) {
     return !e.properties.empty() &&
            std::all_of(e.properties.begin(), e.properties.end(), [&](const auto& p) { return numbers(p); });

@@ -16,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-// ---- shapes of one kind: by their measures
+// ---- shapes of one kind: interpolates their measures
 
 bool same_but_measures(const Shape& a, const Shape& b) {
   return !by_contours(a) && !by_contours(b) && row_of(a.kind).fill != Fill::file && one_topology(a, b);
@@ -28,12 +28,12 @@ Shape between(const Shape& a, const Shape& b, double s) {
 
 // ---- meshes: vertex by vertex
 
-// The geometry in object space.
+// Returns the geometry's share in object space.
 MeshShare share(const Geometry& g, double weight) {
   return {g.mesh.get(), weight, {g.local(0, 0), g.local(1, 1), g.local(2, 2)}};
 }
 
-// Why the meshes cannot be blended vertex by vertex; empty where they can.
+// Returns why the meshes cannot be blended vertex by vertex, or "" if they can.
 std::string obstacle(const Shape& a, const Shape& b, const Mesh& from, const Mesh& to) {
   if (from.positions.size() != to.positions.size())
     return a.kind == b.kind && row_of(a.kind).fill != Fill::file
@@ -55,7 +55,7 @@ Geometry realise_blend(const Shape& a, const Shape& b, double s, const Detail& d
     if (s <= 0 || s >= 1) return realise(s < 1 ? a : b, detail);
     return {std::make_shared<const Mesh>(outline_between(a, b, s)), {}};
   }
-  const Geometry from = realise(a), to = realise(b);  // all of their vertices
+  const Geometry from = realise(a), to = realise(b);  // at full detail, with all vertices
   if (!obstacle(a, b, *from.mesh, *to.mesh).empty()) return realise(s < 1 ? a : b, detail);
   return {std::make_shared<const Mesh>(sum_of(std::array{share(from, 1 - s), share(to, s)})), {}};
 }

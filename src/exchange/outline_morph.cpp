@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Filled outlines on their way to others: letter by letter, contour by contour.
+// Filled outlines between two others: letter by letter, contour by contour.
 #include "exchange/outline_morph.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Box bounds(const Contour& c, Box b = {}) {
 }
 Vec3 middle(const Contour& c) { return bounds(c).middle(); }
 
-// Where in `to` is what `p` is in `from`.
+// Maps a point of the box `from` to the box `to`.
 Vec3 carried(Vec3 p, const Box& from, const Box& to) {
   for (int i = 0; i < 3; ++i) {
     const double span = from.high[i] - from.low[i];
@@ -33,7 +33,7 @@ Vec3 carried(Vec3 p, const Box& from, const Box& to) {
   return p;
 }
 
-// What is paired as one; its islands, the largest first.
+// A unit of pairing. Its islands are sorted by decreasing size.
 struct DrawnGlyph {
   std::string text;
   std::vector<Island> islands;
@@ -43,7 +43,7 @@ struct DrawnGlyph {
 DrawnGlyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, bool single) {
   DrawnGlyph made{std::move(text), {}, {}};
   std::vector<std::pair<double, Contour*>> sorted;
-  // The first contour of a shape is no hole; those that go round the other way are.
+  // The first contour of a polygon is never a hole; contours of the opposite direction are.
   const bool turned = single && !contours.empty() && turn(contours.front(), toward) < 0;
   for (Contour& c : contours) {
     if (turned) std::reverse(c.begin(), c.end());
@@ -76,12 +76,12 @@ std::vector<DrawnGlyph> glyphs(const Outline& outline, bool single) {
   return all;
 }
 
-// Two contours with as many points, each on its way to the other's.
+// Two contours with the same number of points, which are interpolated point by point.
 struct Pair {
   Contour from, to;
 };
 
-// How far along the contour each point is, 0 to 1; one more entry for the way back to the first.
+// Returns the arc length at each point, from 0 to 1, with one more entry for the return to the first point.
 std::vector<double> arc(const Contour& c) {
   std::vector<double> at{0};
   for (std::size_t i = 0; i < c.size(); ++i) at.push_back(at.back() + length(c[(i + 1) % c.size()] - c[i]));
@@ -99,7 +99,7 @@ Vec3 point_at(const Contour& c, const std::vector<double>& arc, double u) {
   return lerp(c[i], c[(i + 1) % c.size()], span > 0 ? std::clamp((u - arc[i]) / span, 0.0, 1.0) : 0);
 }
 
-// Begins `c` where it lets `with` travel least, at a corner or between two.
+// Rotates the start of `c`, to a corner or between two, so that its points travel least from `with`.
 Contour aligned(const Contour& with, const Contour& c) {
   constexpr std::size_t samples = 64;
   const auto arc_with = arc(with), arc_c = arc(c);
@@ -126,7 +126,7 @@ Contour aligned(const Contour& with, const Contour& c) {
   return turned;
 }
 
-// Each gets the other's corners as well, so that at either end nothing but a straight side has been divided.
+// Adds the other's corners to each contour. At both ends this divides only straight sides.
 Pair paired(const Contour& a, const Contour& b) {
   const Contour c = aligned(a, b);
   const auto arc_a = arc(a), arc_c = arc(c);
@@ -134,7 +134,7 @@ Pair paired(const Contour& a, const Contour& b) {
   at.insert(at.end(), arc_c.begin(), arc_c.end());
   std::sort(at.begin(), at.end());
   at.erase(std::unique(at.begin(), at.end(), [](double p, double q) { return q - p < 1e-9; }), at.end());
-  if (at.size() > 1) at.pop_back();  // 1 is 0 again
+  if (at.size() > 1) at.pop_back();  // 1 equals 0
   Pair pair;
   for (const double u : at) {
     pair.from.push_back(point_at(a, arc_a, u));
@@ -143,14 +143,14 @@ Pair paired(const Contour& a, const Contour& b) {
   return pair;
 }
 
-// Everything about a morph that does not depend on how far it is.
+// The part of a morph that does not depend on its progress.
 struct Morph {
   Shape a, b;
   std::vector<Pair> pairs;
   Winding winding = Winding::positive;
 };
 
-// What has no partner shrinks to a point, or grows out of one.
+// A contour without a partner shrinks to a point, or grows out of one.
 enum class Way : std::uint8_t { shrink, grow };
 void lone(const Contour& c, Vec3 point, Way way, std::vector<Pair>& out) {
   Contour still(c.size(), point);
@@ -163,8 +163,8 @@ void lone(const Island& island, Vec3 point, Way way, std::vector<Pair>& out) {
 
 Vec3 middle(const Island& island) { return middle(island.outer); }
 
-// Pairs the parts of one place with those of another, the largest first, each with the nearest that is still free; what
-// is left over comes from, or goes to, where it would be in the other place.
+// Pairs the parts of two places: the largest first, each with the nearest free one. A part left over shrinks to, or
+// grows from, the corresponding point of the other place.
 template <class Part, class F>
 void pair_parts(const std::vector<Part>& a, const std::vector<Part>& b, const Box& place_a, const Box& place_b, F both,
                 std::vector<Pair>& out) {
@@ -194,17 +194,17 @@ void pair_glyphs(const DrawnGlyph& a, const DrawnGlyph& b, std::vector<Pair>& ou
   pair_parts(a.islands, b.islands, a.place, b.place, outers, out);
 }
 
-// Which letter becomes which.
+// Indexes of letters that become each other.
 using Partners = std::vector<std::pair<std::size_t, std::size_t>>;
 
-// By least cost: nothing for a letter that stays, 1 for another in its place, a little over 1/2 for one that comes or
-// goes. Among equals those at a like place in their texts are preferred.
+// Pairs letters at the least cost: 0 for a letter that stays, 1 for a replacement, a little over 1/2 for one that
+// appears or disappears. Among equal costs it prefers letters at similar places in their texts.
 Partners partners(const std::vector<DrawnGlyph>& a, const std::vector<DrawnGlyph>& b) {
   constexpr std::size_t most_cells = 1'000'000;
   constexpr double other = 1, missing = 0.55;
   const std::size_t n = a.size(), m = b.size(), row = m + 1;
   Partners found;
-  if (n >= most_cells / row) {  // too long to weigh: in order
+  if (n >= most_cells / row) {  // too long for the table: in order
     for (std::size_t i = 0; i < std::min(n, m); ++i) found.emplace_back(i, i);
     return found;
   }
@@ -215,7 +215,7 @@ Partners partners(const std::vector<DrawnGlyph>& a, const std::vector<DrawnGlyph
     return 0.04 / static_cast<double>(std::max(n, m)) * std::abs(place(i, n) - place(j, m));
   };
   const auto change = [&](std::size_t i, std::size_t j) { return (a[i].text == b[j].text ? 0 : other) + apart(i, j); };
-  std::vector<double> cost((n + 1) * row);  // of what lies before letter i and letter j
+  std::vector<double> cost((n + 1) * row);  // of everything before letter i and letter j
   const auto at = [&](std::size_t i, std::size_t j) -> double& { return cost[i * row + j]; };
   for (std::size_t i = 0; i <= n; ++i)
     for (std::size_t j = 0; j <= m; ++j) {
@@ -237,7 +237,7 @@ Partners partners(const std::vector<DrawnGlyph>& a, const std::vector<DrawnGlyph
   return found;
 }
 
-// The point between two letters that follow each other; where one lacks or begins another line, beside the other.
+// Returns the point between two successive letters, or beside the only one if the other is missing or in another line.
 Vec3 gap(const Box* before, const Box* after) {
   const auto beside = [](const Box& b, double x) { return Vec3{x, b.middle().y, b.middle().z}; };
   if (before == nullptr) return beside(*after, after->low.x);
@@ -246,8 +246,8 @@ Vec3 gap(const Box* before, const Box* after) {
   return 0.5 * (left + beside(*after, after->low.x));
 }
 
-// Letters `first` up to `last` of `all` have no partner; `before` and `after` are the places of their neighbours'
-// partners.
+// Adds the letters from `first` up to `last`, which have no partner. `before` and `after` are the places of their
+// neighbours' partners.
 void lone_glyphs(const std::vector<DrawnGlyph>& all, std::size_t first, std::size_t last, const Box* before,
                  const Box* after, Way way, std::vector<Pair>& out) {
   for (std::size_t i = first; i < last; ++i) {
@@ -261,7 +261,7 @@ Morph prepare(const Shape& a, const Shape& b) {
   const bool text = has_letters(a) && has_letters(b);
   if (!text) morph.winding = Winding::nonzero;  // a polygon may cross itself
   const auto from = glyphs(outline_of(a), !has_letters(a)), to = glyphs(outline_of(b), !has_letters(b));
-  std::size_t i = 0, j = 0;  // the letters that come next
+  std::size_t i = 0, j = 0;  // the next letters
   const auto up_to = [&](std::size_t next_i, std::size_t next_j) {
     const auto before = [](const auto& all, std::size_t k) { return k > 0 ? &all[k - 1].place : nullptr; };
     const auto after = [](const auto& all, std::size_t k) { return k < all.size() ? &all[k].place : nullptr; };
@@ -277,7 +277,7 @@ Morph prepare(const Shape& a, const Shape& b) {
   return morph;
 }
 
-// The last few are kept: a film asks for the same one frame after frame.
+// Caches the last few, because a film uses the same one in successive frames.
 std::shared_ptr<const Morph> morph_of(const Shape& a, const Shape& b) {
   static std::mutex mutex;
   static std::deque<std::shared_ptr<const Morph>> recent;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Filled outlines on their way to others.
+// Filled outlines between two others.
 #pragma once
 
 #include "betwixt/frame.h"
@@ -13,7 +13,8 @@ inline double lerp(double a, double b, double s) { return (1 - s) * a + s * b; }
 inline Vec3 lerp(Vec3 a, Vec3 b, double s) { return (1 - s) * a + s * b; }
 
 bool has_outline(const Shape&);
-// Of two that have outlines, at s from 0 to 1. As many contours with as many points at each s.
+// Return the outline between two shapes that have outlines, at s from 0 to 1. The numbers of contours and of points are
+// the same at each s.
 Outline contours_between(const Shape& a, const Shape& b, double s);
 Mesh outline_between(const Shape& a, const Shape& b, double s);
 

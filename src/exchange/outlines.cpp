@@ -17,9 +17,9 @@ namespace {
 
 using Index = std::uint32_t;
 
-// Flat triangles over shared points, or the borders of what they would fill, which then is on their left.
+// Flat triangles with shared points, or the borders of the filled area, which is on their left.
 struct Filling {
-  std::deque<Vec3> points;  // a deque: the tessellator keeps pointers into it
+  std::deque<Vec3> points;  // a deque, because the tessellator stores pointers into it
   std::vector<Index> triangles;
   Contours loops;
   bool failed = false;
@@ -35,7 +35,7 @@ void* handle(Index i) { return reinterpret_cast<void*>(static_cast<std::uintptr_
 void on_begin(GLenum what, void* out) {
   if (what == GL_LINE_LOOP) static_cast<Filling*>(out)->loops.emplace_back();
 }
-void on_edge(GLboolean) {}  // its presence asks for plain triangles
+void on_edge(GLboolean) {}  // registering it makes the tessellator emit plain triangles
 void on_vertex(void* vertex, void* to) {
   Filling& out = *static_cast<Filling*>(to);
   const auto i = static_cast<Index>(reinterpret_cast<std::uintptr_t>(vertex));
@@ -84,7 +84,7 @@ Filling tessellate(const Contours& contours, Vec3 normal, Winding winding, bool 
   return out;
 }
 
-// Border sides of the filling, from where to where, with the inside on the left.
+// Returns the border sides of the filling, each from point to point with the inside on the left.
 std::multimap<Index, Index> border(const std::vector<Index>& triangles) {
   std::map<std::pair<Index, Index>, int> uses;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -112,7 +112,7 @@ void flat_side(Mesh& mesh, const Filling& filling, Vec3 normal, Vec3 shift, bool
 
 void walls(Mesh& mesh, const Filling& filling, Vec3 facing, Vec3 shift) {
   const auto sides = border(filling.triangles);
-  std::map<Index, Vec3> entering;  // the wall that ends at a point: its normal
+  std::map<Index, Vec3> entering;  // by end point: the normal of the wall that ends there
   std::map<Index, int> ends;
   const auto wall = [&](Index a, Index b) { return normalize(cross(filling.points[b] - filling.points[a], facing)); };
   for (const auto& [a, b] : sides) {
@@ -120,7 +120,7 @@ void walls(Mesh& mesh, const Filling& filling, Vec3 facing, Vec3 shift) {
     ++ends[b];
   }
   const double smooth = std::cos(30 * pi / 180);
-  // Between two walls that meet alone and nearly straight the normal is shared.
+  // Two walls that meet nearly straight, and without others, share their normal there.
   const auto joined = [&](Index at, Vec3 own, Vec3 neighbour) {
     return ends[at] == 1 && sides.count(at) == 1 && dot(own, neighbour) > smooth ? normalize(own + neighbour) : own;
   };
@@ -180,7 +180,8 @@ std::vector<Island> islands(const Contours& contours, Winding winding) {
     if (const double area = turn(loop, up); area > 0) out.push_back({loop, {}}), areas.push_back(area);
   for (const Contour& loop : loops) {
     if (!(turn(loop, up) < 0)) continue;
-    const Vec3 on_it = 0.5 * (loop[0] + loop[1]);  // corners may be those of its surroundings too
+    // The middle of a side, because corners may also belong to contours around it.
+    const Vec3 on_it = 0.5 * (loop[0] + loop[1]);
     std::size_t around = out.size();
     for (std::size_t i = 0; i < out.size(); ++i)
       if ((around == out.size() || areas[i] < areas[around]) && contains(out[i].outer, on_it)) around = i;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Closed contours become triangles here.
+// Converts closed contours to triangles.
 #pragma once
 
 #include "betwixt/mesh.h"
@@ -10,13 +10,13 @@
 
 namespace betwixt {
 
-// What counts as inside: what the contours go round at all, only what they go round counter-clockwise, or what they go
-// round an odd number of times.
+// The filling rule: inside are the points that the contours enclose at all (nonzero), counter-clockwise (positive), or
+// an odd number of times (odd).
 enum class Winding : std::uint8_t { nonzero, positive, odd };
 
-// Twice the area as seen from `facing`; positive counter-clockwise.
+// Returns twice the signed area seen from `facing`; positive for counter-clockwise.
 double turn(const Contour&, Vec3 facing);
-// Whether a point lies in it, in the plane.
+// Returns whether the point is inside the contour, in the plane.
 bool contains(const Contour&, Vec3);
 
 // An outer contour with its holes.
@@ -24,12 +24,13 @@ struct Island {
   Contour outer;
   Contours holes;
 };
-// What contours in the plane fill, in pieces that lie apart, their borders without crossings.
+// Returns the separate pieces that the contours fill in the plane. Their borders do not cross.
 std::vector<Island> islands(const Contours&, Winding);
 
-// Filled. With a depth, a closed body about the outline's plane: front, back and walls, smooth where the outline is.
+// Returns the filled outline. With a depth, a closed body about the outline's plane: front, back and walls, smooth
+// where the outline is smooth.
 Mesh fill(const Outline&, double depth = 0, Winding = Winding::nonzero);
-// As a pen draws it. A stroke has a part of its own, and what is filled ends where it begins.
+// Returns the outline as drawn by a pen. A stroke is a separate part, and the filling ends where the stroke begins.
 Mesh drawn(const Outline&, const Pen&, double depth, Winding);
 
 }  // namespace betwixt

@@ -22,7 +22,7 @@ namespace betwixt {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool watched = true;  // takes terabytes of addresses
+constexpr bool watched = true;  // sanitizers reserve terabytes of addresses
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
 constexpr bool watched = true;
@@ -33,7 +33,7 @@ constexpr bool watched = false;
 constexpr bool watched = false;
 #endif
 
-// The end of all its time comes as a signal that nobody can put off.
+// Kills the process at the end of its time, by a signal that it cannot block.
 void end_after(std::uint64_t seconds) {
   sigevent event{};
   event.sigev_notify = SIGEV_SIGNAL;
@@ -44,7 +44,7 @@ void end_after(std::uint64_t seconds) {
   if (::timer_create(CLOCK_MONOTONIC, &event, &timer) == 0) ::timer_settime(timer, 0, &when, nullptr);
 }
 
-// Memory, time, and what is open already.
+// Memory, time, and open files.
 constexpr int allowed_calls[] = {
     SYS_read,          SYS_write,        SYS_readv,        SYS_writev,          SYS_pread64,      SYS_pwrite64,
     SYS_lseek,         SYS_close,        SYS_fstat,        SYS_ftruncate,       SYS_sendmsg,      SYS_recvmsg,
@@ -53,8 +53,8 @@ constexpr int allowed_calls[] = {
     SYS_clock_gettime, SYS_gettimeofday, SYS_nanosleep,    SYS_clock_nanosleep, SYS_getrandom,    SYS_getpid,
     SYS_gettid,        SYS_exit,         SYS_exit_group,   SYS_restart_syscall};
 
-// What a program that reads one file has no use for: the network, other processes, the machine's settings, and changes
-// to files that Landlock does not know of.
+// Calls that a reader of one file does not need: the network, other processes, the machine's settings, and changes to
+// files that Landlock does not cover.
 constexpr int refused_calls[] = {
     SYS_socket,
     SYS_socketpair,
@@ -118,7 +118,7 @@ constexpr int refused_calls[] = {
     SYS_lremovexattr,
     SYS_fremovexattr,
     SYS_utimensat,
-#ifdef SYS_fork  // on x86-64, beside newer ones
+#ifdef SYS_fork  // old calls of x86-64
     SYS_fork,
     SYS_vfork,
     SYS_chmod,
@@ -154,7 +154,7 @@ constexpr int refused_calls[] = {
 #endif
 };
 
-// Where programs and their libraries lie, and what the loader and the C library look up.
+// The folders of programs and libraries, and the files that the loader and the C library read.
 constexpr const char* of_all_programs[] = {"/usr",
                                            "/bin",
                                            "/lib",
@@ -169,7 +169,7 @@ constexpr const char* of_all_programs[] = {"/usr",
                                            "/dev/urandom",
                                            "/sys/devices/system/cpu"};
 
-// The program itself, and its libraries where they lie beside its folder or where the environment says.
+// Allows the program itself and its libraries, which may be beside its folder or where the environment points.
 void may_run(const Folders& folders, const std::string& program) {
   std::error_code ignored;
   const auto itself = std::filesystem::canonical(program, ignored);
@@ -197,11 +197,11 @@ void give_up_all_but_reading(const ParserCeilings& most) {
   set_ceiling(RLIMIT_CORE, 0);
   set_ceiling(RLIMIT_CPU, most.seconds);
   if (!watched) set_ceiling(RLIMIT_AS, most.memory);
-  set_ceiling(RLIMIT_FSIZE, most.memory);  // what is handed over; there is nothing else to write to
+  set_ceiling(RLIMIT_FSIZE, most.memory);  // the result; the process can write to nothing else
   set_ceiling(RLIMIT_NOFILE, 64);
   set_ceiling(RLIMIT_NPROC, 0);
   if (!give_up_rights()) return;
-  Folders().close_others();  // no rule: nothing may be opened
+  Folders().close_others();  // without a rule nothing can be opened
   CallFilter calls;
   calls.allow(allowed_calls);
   calls.begin(false);
@@ -210,7 +210,7 @@ void give_up_all_but_reading(const ParserCeilings& most) {
 void give_up_all_but_one_file(const std::string& file, const std::string& program, const ParserCeilings& most) {
   set_ceiling(RLIMIT_CORE, 0);
   set_ceiling(RLIMIT_CPU, most.seconds);
-  set_ceiling(RLIMIT_FSIZE, 0);  // pipes are no files
+  set_ceiling(RLIMIT_FSIZE, 0);  // does not affect pipes
   set_ceiling(RLIMIT_NOFILE, 64);
   if (!give_up_rights()) return;
   {
@@ -226,11 +226,11 @@ void give_up_all_but_one_file(const std::string& file, const std::string& progra
   calls.refuse_unless_first_is(SYS_prlimit64, 0);
   calls.refuse_without_bit(SYS_clone, CLONE_THREAD);
 #ifdef SYS_clone3
-  constexpr int in_memory[] = {SYS_clone3};  // its flags cannot be seen; the C library then takes clone
+  constexpr int in_memory[] = {SYS_clone3};  // its flags cannot be inspected; the C library then uses clone
   calls.refuse(in_memory, ENOSYS);
 #endif
   calls.begin(true);
-  set_ceiling(RLIMIT_AS, most.memory);  // last: this process may have more, and the program begins anew
+  set_ceiling(RLIMIT_AS, most.memory);  // last, because this process may use more than the program after exec
 }
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a process gives up for good before it looks at a file of somebody else's.
+// Permanently drops the rights of a process before it reads an untrusted file.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace betwixt {
 
-// Ceilings of memory, work and time; no core, no larger files, no way to open anything, no other processes, no network:
-// by the kernel's filter of calls and by Landlock, each where the kernel has it. A process that breaks a ceiling is
-// killed, or gets no more.
+// Limits memory, work and time. Forbids core files, larger files, opening anything, starting processes, and the
+// network, by seccomp and by Landlock as far as the kernel has them. A process that exceeds a limit is killed, or its
+// request fails.
 void give_up_all_but_reading(const ParserCeilings&);
 
-// For a program of another author that this process becomes afterwards: it may read `file`, and the programs and
-// libraries of the machine. It writes to what is open already and to no file, starts threads and no processes, and has
-// no network. `most.wall` is for whoever waits for it.
+// Prepares this process for becoming another author's program. That program may read `file` and the machine's programs
+// and libraries. It may write only to files that are already open, and may start threads but no processes. It has no
+// network. The caller enforces `most.wall`.
 void give_up_all_but_one_file(const std::string& file, const std::string& program, const ParserCeilings& most);
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a program and its parsers' process say to each other, over sockets that keep messages apart.
+// Messages between a program and its parser process, over sockets that preserve message boundaries.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace betwixt {
 
-// The program's to the process that waits for work: this, then the path; with a socket to talk over, memory for what is
-// read, and the file.
+// A request to the process that waits for work: the task, then the path. With it come a socket for the conversation,
+// memory for the result, and the file.
 enum class ParserTask : std::uint32_t { mesh, picture, scene, drawing };
 struct ParserCeilings {
   std::uint64_t memory = 0;             // bytes
@@ -24,26 +24,27 @@ struct ParserCeilings {
 };
 struct ParserRequest {
   ParserTask task = ParserTask::mesh;
-  std::uint32_t any_size = 0;  // whatever it unpacks to (unpacking.h)
+  std::uint32_t any_size = 0;  // no limit on the unpacked size (unpacking.h)
   ParserCeilings most;
 };
-constexpr char parser_version[] = "5";  // of all this; its first argument
-constexpr char parser_runs[] = "run";   // its second one: it becomes another program, in a jail (parser_program.cpp)
+constexpr char parser_version[] = "5";  // of this protocol; the program's first argument
+constexpr char parser_runs[] = "run";   // its second one: become another program, in a jail (parser_program.cpp)
 constexpr int parser_of_another_version = 3, parser_started_nothing = 126;  // its exit codes
-constexpr int parser_control = 3;                                           // the socket that requests come by
+constexpr int parser_control = 3;                                           // the socket for requests
 
-// The first letter of what is said over a job's socket. A path is said behind `has` and `read`.
+// The first letter of each message over a job's socket. `has` and `read` are followed by a path.
 constexpr char says_begun = 'b', says_done = 'd', asks_has = 'h', asks_read = 'r';
-constexpr char answers_yes = 'y', answers_no = 'n';  // behind it of a read the code and the words of an error
+constexpr char answers_yes = 'y', answers_no = 'n';  // after a failed read the code and the words of an error follow
 constexpr std::size_t longest_message = 1 << 15;
 
 struct ParserMessage {
   std::string text;
   std::vector<OpenFile> files;
 };
-// Of all that is sent at once. False where nobody listens.
+// Sends everything in one message. Returns false if the other end is closed.
 bool say(int socket, std::string_view text, std::span<const int> files = {});
-// None where nobody will say anything any more; with `wait` (milliseconds) also where nothing came in time.
+// Returns the next message, or nullopt if the other end is closed. With `wait` (milliseconds), also nullopt if no
+// message comes in time.
 std::optional<ParserMessage> hear(int socket, int wait = -1);
 
 }  // namespace betwixt

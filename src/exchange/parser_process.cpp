@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t gigabyte = std::uint64_t{1} << 30, megabyte = std::uint64_t{1} << 20;
 constexpr int most_asked = 10'000;  // files that one file names
 
-// The two ends of a conversation.
+// A pair of connected sockets.
 struct Line {
   std::array<int, 2> ends{-1, -1};
   Line() {
@@ -49,7 +49,8 @@ int spawn(const std::string& program, int control, pid_t& pid) {
   posix_spawnattr_t ways;
   posix_spawn_file_actions_init(&files);
   posix_spawnattr_init(&ways);
-  posix_spawn_file_actions_adddup2(&files, control, parser_control);  // first: it may be one of these
+  // First, because one of the other files may have this number.
+  posix_spawn_file_actions_adddup2(&files, control, parser_control);
   for (const int fd : {0, 1, 2}) posix_spawn_file_actions_addopen(&files, fd, "/dev/null", O_RDWR, 0);
   sigset_t none, all;
   sigemptyset(&none);
@@ -64,13 +65,13 @@ int spawn(const std::string& program, int control, pid_t& pid) {
   return failed;
 }
 
-// The process that waits for work; one for this program, started when there is some.
+// The process that waits for work. Started at the first request, once for each program.
 class Waiting {
  public:
-  // 0, ENOENT (there is no such program, or it is of another version), or the system's reason.
+  // Returns 0, ENOENT (the program is missing or of another version), or the system's error number.
   int send(const std::string& request, std::span<const int> files) {
     const std::lock_guard lock(mutex_);
-    // It may have been ended from outside since.
+    // The process may have been killed.
     for (int tries = 0; tries < 2; ++tries) {
       if (control_ < 0)
         if (const int reason = start()) return reason;
@@ -90,7 +91,7 @@ class Waiting {
     if (line.ends[0] < 0) return errno;
     pid_t pid = -1;
     if (const int reason = spawn(program, line.ends[1], pid)) return reason;
-    // It goes on in a child of its own; where signals of children are ignored, nobody knows how it ended.
+    // The process continues in a child of its own. If signals of children are ignored, the exit status is unknown.
     int status = 0;
     pid_t ended = 0;
     while ((ended = ::waitpid(pid, &status, 0)) < 0 && errno == EINTR) {
@@ -108,17 +109,17 @@ class Waiting {
 };
 
 Waiting& waiting() {
-  static Waiting& one = *new Waiting;  // never taken down: other threads may still read while the program ends
+  static Waiting& one = *new Waiting;  // never destroyed: other threads may still read at program exit
   return one;
 }
 
-// Answers what a parser asks until it is done. What it says is not believed.
+// Answers a parser's requests until it is done. Trusts none of them.
 class Conversation {
  public:
   Conversation(int job, const std::string& path, const MayRead& may_read)
       : job_(job), path_(path), may_read_(may_read), shelf_(may_read) {}
 
-  // What went wrong, if it did.
+  // Returns the error, if there was one.
   Status listen(const ParserCeilings& most) {
     const auto begun = Clock::now();
     const auto gone = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
@@ -169,9 +170,10 @@ Error machine_error(const std::string& path, int reason) {
 
 ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size, bool any_size) {
   const std::uint64_t seconds = 20 + size / megabyte;
-  const bool alone = ending(path) != "gltf" && ending(path) != "obj";  // else what is large may be in other files
+  // gltf and obj files may keep their large data in other files.
+  const bool alone = ending(path) != "gltf" && ending(path) != "obj";
   const std::uint64_t plenty = (alone ? 3 : 6) * gigabyte + 32 * size;
-  const std::uint64_t becomes = gigabyte + 200 * std::min(size, gigabyte);  // with what it is made from
+  const std::uint64_t becomes = gigabyte + 200 * std::min(size, gigabyte);  // twice: also for the data it is made from
   return {any_size || !alone ? plenty : std::min(plenty, becomes), seconds, 3 * seconds};
 }
 

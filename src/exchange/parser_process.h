@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Other people's files are read in a process of its own: what they do to the libraries that read them, they do there.
+// Reads untrusted files in a separate process, so that an attack on a parsing library stays in that process.
 //
-// A program, betwixt-parser, is started when the first file is read. It copies itself for each file; the copy gives up
-// all but what it was handed (parser_jail.h), asks for the files that the file names, and hands over what it has read
-// in memory (handed_over.h).
+// The first file starts a program, betwixt-parser, which forks for each file. The child drops all rights except to its
+// open files (parser_jail.h), requests the files that the file names, and returns its result in shared memory
+// (handed_over.h).
 #pragma once
 
 #include <optional>
@@ -17,18 +17,19 @@
 
 namespace betwixt {
 
-// So much that no good file of this size comes near it. Unless any size is allowed, memory is what a file may unpack to
-// (unpacking.h), twice, and a gigabyte to read it with.
+// Returns limits far above the needs of any valid file of this size. Memory: twice the permitted unpacked size
+// (unpacking.h), unless any size is allowed, and a gigabyte for the parser.
 ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size, bool any_size);
-// None: there is no such program on this machine. Errors: what the file is; machine. Ceilings of its own for tests.
+// Returns nullopt if this machine has no such program. Errors: those of the kind of file; machine. Tests pass limits of
+// their own.
 std::optional<Parsed> parse_apart(ParserTask, const std::string& path, const MayRead&, bool any_size = false,
                                   std::optional<ParserCeilings> = {});
 
-// The same in this process, whatever the file does to it.
+// Reads it in this process, without protection.
 Parsed parse_here(ParserTask, const std::string& path, Shelf&, bool any_size = false);
 
-// Where the program is: $BETWIXT_PARSER; beside the program that runs, in libexec/betwixt beside its folder or that of
-// the library, or beside a folder of $PATH. Empty: nowhere.
+// Returns the program's path: $BETWIXT_PARSER; beside the running program; in libexec/betwixt beside its folder or the
+// library's; or beside a folder of $PATH. Returns "" if it is in none of these.
 std::string find_parser();
 
 }  // namespace betwixt

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// betwixt-parser: waits for work, and does each piece of it in a process of its own that can do nothing else. It has
-// one thread and is never the author's own program, so that it can be copied at any time, at once.
+// betwixt-parser: waits for work, and forks a process without other rights for each job. It has one thread and is never
+// the author's own program, so that it can fork at any time, and quickly.
 //   betwixt-parser VERSION                                            waits for work on file 3
 //   betwixt-parser VERSION run MEMORY SECONDS FILE PROGRAM WORD…      becomes a program that can read that file only
 #include <fmt/format.h>
@@ -23,7 +23,7 @@
 namespace betwixt {
 namespace {
 
-// What is not here is asked for.
+// Requests missing files from the program.
 class AskingShelf final : public Shelf {
  public:
   AskingShelf(int job, std::string path, int file) : job_(job), path_(std::move(path)), file_(file) {}
@@ -69,7 +69,7 @@ void work(const ParserMessage& message) {
 }
 
 int wait_for_work() {
-  ::signal(SIGCHLD, SIG_IGN);  // nobody waits for those who work
+  ::signal(SIGCHLD, SIG_IGN);  // children are not awaited
   while (const auto message = hear(parser_control)) {
     if (::fork() != 0) continue;
     ::close(parser_control);
@@ -79,7 +79,7 @@ int wait_for_work() {
   return 0;
 }
 
-// Returns only if the program cannot be started. What is open but standard input, output and error is closed.
+// Returns only if the program cannot be started. Closes all files except standard input, output and error.
 int run_in_jail(char** words) {
   const std::string file = words[2], program = words[3];
   ::close_range(parser_control, ~0U, 0);
@@ -98,9 +98,10 @@ int main(int count, char** words) {
   if (count > 6 && std::strcmp(words[2], parser_runs) == 0) return run_in_jail(words + 3);
   if (count != 2) return parser_of_another_version;
   ::close_range(parser_control + 1, ~0U, 0);
-  // Nobody's child and in nobody's terminal: who uses the library need not know of it, and Ctrl-C is not for it.
+  // Detaches from parent and terminal: a user of the library need not know of this process, and Ctrl-C does not stop
+  // it.
   if (const pid_t waits = ::fork(); waits != 0) ::_exit(waits < 0 ? 1 : 0);
   ::setsid();
-  [[maybe_unused]] const int root = ::chdir("/");  // where it was started may go
+  [[maybe_unused]] const int root = ::chdir("/");  // the present folder may be removed
   ::_exit(wait_for_work());
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures, in this process, whatever they do to it.
+// Reads pictures in this process, without protection.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,19 @@
 
 namespace betwixt {
 
-// `name` for messages and, where the bytes do not say it, for its ending.
+// `name` is for messages; its ending tells the format if the bytes do not.
 Result<std::shared_ptr<const Picture>> decode_picture(std::span<const std::uint8_t> bytes, const std::string& name);
-// Reads a picture of a script. Errors: as those of read_picture; range (unpacking.h; not with `any_size`).
+// Reads a picture of a script. Errors: those of read_picture; range (unpacking.h; not with `any_size`).
 Result<std::shared_ptr<const Picture>> load_picture(const std::string& path, bool any_size);
-// As read_picture().
+// Like read_picture().
 Result<std::shared_ptr<const Picture>> parse_picture(const std::string& path, Shelf&);
 
 inline constexpr std::string_view exr_begins = "\x76\x2f\x31\x01";
-// As read_deep_picture().
+// Like read_deep_picture().
 Result<DeepPicture> decode_exr(std::string_view bytes, const std::string& name);
 
-// Whether it can be read; whether these are all channels of a picture that can be written. Errors: range.
+// check_size(): whether the picture can be read. check_picture(): whether these are all channels of a picture that can
+// be written. Errors: range.
 Status check_size(const std::string& name, std::int64_t width, std::int64_t height);
 Status check_picture(int width, int height, std::size_t channels);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A scene of BVH, FBX or Collada, as assimp gives it: nodes, meshes with skins, cameras, lights, and keys between which
-// all goes straight.
+// Reads a scene of BVH, FBX or Collada from assimp: nodes, meshes with skins, cameras, lights, and keys with linear
+// interpolation.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -83,7 +83,7 @@ class AssimpScene {
     return Nothing{};
   }
 
-  // Bones of all parts, one behind the other.
+  // Returns the bones of all parts, part by part.
   std::vector<std::uint32_t> joints_of(const std::vector<unsigned>& parts) const {
     std::vector<std::uint32_t> out;
     for (const unsigned m : parts)
@@ -133,7 +133,7 @@ class AssimpScene {
     return Nothing{};
   }
 
-  // The four joints that a vertex follows most. One that follows none follows the first.
+  // Keeps the four strongest joints of each vertex. A vertex without joints follows the first one.
   Rig rig_of(const aiMesh& mesh, std::size_t first) {
     std::vector<std::vector<std::pair<float, std::uint16_t>>> all(mesh.mNumVertices);
     for (unsigned b = 0; b < mesh.mNumBones; ++b)
@@ -161,7 +161,7 @@ class AssimpScene {
       to.transparency = 1 - static_cast<double>(number);
   }
 
-  // ---- cameras and lights: on a node of their own, that looks where they do
+  // ---- cameras and lights: each on a node of its own, with its direction
 
   bool stand(const char* on, const char* what, Vec3 at, Vec3 direction, SceneNode& out) {
     const auto node = known_.find(on);

@@ -108,7 +108,7 @@ Result<std::shared_ptr<const SceneFile>> parse_scene(const std::string& path, Sh
   if (kind == "gltf" || kind == "glb") return load_gltf_scene(path, shelf);
   for (const char* known : {"bvh", "dae", "fbx"})
     if (kind == known) return load_scene_by_assimp(path, shelf);
-  const auto bytes = shelf.read(path);  // a missing file is told before an odd ending
+  const auto bytes = shelf.read(path);  // a missing file is reported before a wrong ending
   if (!bytes) return bytes.error();
   return fail(ErrorCode::file, fmt::format("{} is not a kind of scene that can be read", path),
               "glTF (.gltf .glb), .bvh .dae .fbx and drawings (.svg) can be");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A scene of glTF 2: nodes, meshes with skins and morph targets, cameras, lights, animation.
+// Reads a scene of glTF 2: nodes, meshes with skins and morph targets, cameras, lights, animation.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ class GltfScene {
     if (n.scale.size() == 3) to.scale = vector(n.scale);
   }
 
-  // ---- what is seen of them
+  // ---- meshes, cameras and lights
 
   Status seen() {
     for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
@@ -118,7 +118,7 @@ class GltfScene {
     return Nothing{};
   }
 
-  // Without a mesh: there are no triangles in it.
+  // Returns a SceneMesh without a mesh if it has no triangles.
   Result<SceneMesh> read_mesh(const gltf::Mesh& mesh, int skin) {
     SceneMesh out;
     Assembly all(file_.path(), "scene", Assembly::Normals::flat);
@@ -163,7 +163,7 @@ class GltfScene {
     return out;
   }
 
-  // Names of display functions, which no function of ours has.
+  // Returns names for display functions that differ from ours.
   static std::vector<std::string> target_names(const gltf::Mesh& mesh) {
     SceneNames names;
     for (const char* ours : {"world", "velocity"}) names.take(ours);
@@ -234,7 +234,7 @@ class GltfScene {
     return Nothing{};
   }
 
-  // Metal or not, how it shines, what is seen through it, whether it shines by itself.
+  // Reads the surface: metallic or not, gloss, transmission, emission.
   void surface_of(const gltf::Material& m, SceneMesh& to, MeshPart& look) {
     const auto& pbr = m.pbrMetallicRoughness;
     const auto share = [](double x, double otherwise) {
@@ -296,7 +296,8 @@ class GltfScene {
     made.sun = l->type == "directional";
     if (l->color.size() == 3) made.color = {l->color[0], l->color[1], l->color[2]};
     const double intensity = std::isfinite(l->intensity) ? std::clamp(l->intensity, 0.0, 1e6) : 1;
-    // A surface in full light: pi lux. A lamp is as bright near by, and reaches as far as a twentieth of that is left.
+    // A fully lit surface has pi lux. A lamp is equally bright near by; its range ends where a twentieth of the light
+    // is left.
     made.intensity = made.sun ? intensity / pi : 1;
     made.range = l->range > 0 ? std::min(l->range, 1e6) : std::max(std::sqrt(20 * intensity / pi), 1e-3);
     if (l->type == "spot") leave_out("a spotlight shines in all directions");
@@ -327,7 +328,7 @@ class GltfScene {
     return Nothing{};
   }
 
-  // Without times: what it moves is none of ours.
+  // Returns a track without times if we have no equivalent of its target.
   Result<SceneTrack> track(const gltf::Animation& a, const gltf::AnimationChannel& c) {
     SceneTrack out;
     static const std::map<std::string, SceneTrack::Path> paths{{"translation", SceneTrack::position},
@@ -337,7 +338,7 @@ class GltfScene {
     const auto path = paths.find(c.target_path);
     if (path == paths.end())
       return leave_out(fmt::format("animation of '{}' is left out", c.target_path.substr(0, 40))), out;
-    if (c.target_node < 0) return out;  // of no node: nothing is to be done, says glTF
+    if (c.target_node < 0) return out;  // glTF says to ignore a channel without a node
     if (gltf_at(model_.nodes, c.target_node) == nullptr)
       return file_.error(fmt::format("an animation moves node {}, which is not there", c.target_node));
     if (number_[static_cast<std::size_t>(c.target_node)] < 0) return out;
@@ -363,7 +364,7 @@ class GltfScene {
     return out;
   }
 
-  // Whether a key's numbers and those of the next stand for turns by more than half a turn.
+  // Returns whether two successive keys differ by more than half a turn as they are numbered.
   static bool goes_round(const SceneTrack& t) {
     for (std::size_t i = 16; i + 8 <= t.values.size(); i += 12) {
       double same = 0;
@@ -382,8 +383,8 @@ class GltfScene {
   const gltf::Model& model_;
   SceneFile out_;
   SceneNames names_, mesh_names_;
-  std::vector<std::int32_t> number_;                    // of the file's nodes; -1: they are not in its scene
-  std::map<std::pair<int, int>, std::int32_t> meshes_;  // by mesh and skin; -1: nothing is seen of it
+  std::vector<std::int32_t> number_;                    // by the file's nodes; -1: not in its scene
+  std::map<std::pair<int, int>, std::int32_t> meshes_;  // by mesh and skin; -1: nothing visible
   std::set<std::string> said_;
 };
 

@@ -7,7 +7,8 @@
 
 namespace betwixt {
 
-// The contours of a text or polygon in object space; none for other kinds, and where a measure is absurd.
+// Returns the contours of a text or polygon in object space. They are empty for other kinds, and if a measure is
+// absurd.
 Outline outline_of(const Shape&);
 
 }  // namespace betwixt

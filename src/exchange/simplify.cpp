@@ -15,7 +15,7 @@
 namespace betwixt {
 namespace {
 
-// Whether a mesh that reaches `radius` pixels from its middle has more triangles than it can cover pixels, by far.
+// Returns whether a mesh with a radius of `radius` pixels has far more triangles than it can cover pixels.
 bool crowded(const Mesh& m, double radius) { return static_cast<double>(m.triangles.size()) / 3 > 8 * radius * radius; }
 
 using Corners = std::vector<std::uint32_t>;
@@ -25,7 +25,7 @@ bool sound(const Mesh& m) {
          std::all_of(m.triangles.begin(), m.triangles.end(), [&](std::uint32_t i) { return i < m.positions.size(); });
 }
 
-// A part by itself: its vertices, and its corners as numbers of these.
+// One part: its vertices, and its corners as indexes into them.
 struct Part {
   Corners vertices, corners;
   std::vector<std::array<float, 3>> positions;
@@ -44,7 +44,7 @@ struct Part {
       corners.push_back(place[v]);
     }
   }
-  // The corners, of all vertices that differ by their normals alone the first.
+  // Returns the corners, with the first of all vertices that differ only by their normals.
   Corners welded() const {
     Corners out(corners.size());
     const meshopt_Stream streams[] = {{positions.data(), sizeof positions[0], sizeof positions[0]},
@@ -59,8 +59,8 @@ float size_of(const std::vector<std::array<float, 3>>& positions) {
   return meshopt_simplifyScale(positions.front().data(), positions.size(), sizeof positions[0]);
 }
 
-// The triangles of a part, off by up to a pixel, in numbers of the mesh's vertices: corners within a pixel become one,
-// then edges go that nobody misses.
+// Returns fewer triangles of a part, off by up to a pixel, as indexes into the mesh's vertices. Corners within a pixel
+// merge; then edges collapse without visible change.
 Corners fewer(const Mesh& m, const MeshPart& of, float pixel) {
   const Part part(m, of);
   if (part.corners.empty()) return {};
@@ -78,7 +78,7 @@ Corners fewer(const Mesh& m, const MeshPart& of, float pixel) {
   return out;
 }
 
-// Without the vertices that no triangle has.
+// Removes the unused vertices.
 void compact(Mesh& m) {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   Corners place(m.positions.size(), unused);
@@ -94,7 +94,7 @@ void compact(Mesh& m) {
   }
 }
 
-// For where a pixel is so large.
+// Returns a simpler mesh for a pixel of this size.
 Mesh simpler(const Mesh& from, float pixel) {
   Mesh m = from;
   m.edges.clear(), m.triangles.clear();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Meshes with fewer triangles, for things that are small on the picture.
+// Meshes with fewer triangles, for objects that are small in the picture.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace betwixt {
 
-// Where a mesh has far more triangles than it can cover pixels: fewer of them, off by no more than a pixel, without
-// edges. Else the mesh itself, and where all of it has been asked for. Remembered as long as somebody holds it. Safe
-// from any thread.
+// Returns a mesh with fewer triangles if it has far more of them than it can cover pixels. The result is off by at most
+// a pixel and has no edges. Otherwise, or if `detail` asks for everything, returns the mesh itself. Results are shared
+// while someone holds them. Safe from any thread.
 std::shared_ptr<const Mesh> simplified(const std::shared_ptr<const Mesh>&, const Detail&);
 
 }  // namespace betwixt

@@ -25,11 +25,11 @@
 namespace betwixt {
 namespace {
 
-constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;  // of the program's own
+constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;  // of ffmpeg itself
 constexpr std::size_t samples_at_once = 1 << 15;
-constexpr std::size_t most_words = 4096;  // of what it says
+constexpr std::size_t most_words = 4096;  // of its messages
 
-// What holds samples and speaks of no other files, as playlists do.
+// Formats that contain samples and, unlike playlists, do not refer to other files.
 constexpr const char* kinds_of_files = "wav,w64,aiff,au,caf,flac,ogg,mp3,aac,mov,mp4,m4a,matroska,webm,avi,ac3,amr,wv";
 
 Error no_sound(const std::string& path, std::string why) {
@@ -65,17 +65,17 @@ std::vector<std::string> ffmpeg_call(const std::string& program, const std::stri
           "pipe:1"};
 }
 
-// Five minutes, and a second more for every 100 bytes: speech takes 700 bytes a second where it is packed best.
+// Five minutes, and a second for every 100 bytes: the best compressed speech takes 700 bytes a second.
 double longest_of(std::uint64_t size, bool any_size) {
   return any_size ? longest_sound : std::min(longest_sound, 300 + static_cast<double>(size) / 100);
 }
-// Ten times what a slow machine takes.
+// Ten times the needs of a slow machine.
 ParserCeilings ceilings_of(std::uint64_t size, double longest) {
   const auto seconds = 5 + size / (std::uint64_t{1} << 20) + static_cast<std::uint64_t>(longest / 100);
   return {most_memory, seconds, 3 * seconds};
 }
 
-// The program, and our ends of its output and of its standard error.
+// The ffmpeg process, and our ends of its output and of its standard error.
 class Decoder {
  public:
   Decoder() = default;
@@ -111,7 +111,7 @@ class Decoder {
     return Nothing{};
   }
 
-  // Some more of what it gives; 0: that was all, or it took too long. Only what it takes itself counts.
+  // Reads more of its output. Returns 0 at the end, or if it took too long. Counts only the time spent waiting for it.
   std::size_t read(std::span<char> into) {
     for (;;) {
       std::array<pollfd, 2> both{pollfd{out_, POLLIN, 0}, pollfd{err_, POLLIN, 0}};
@@ -145,7 +145,7 @@ class Decoder {
   static std::int64_t to_ms(Clock::duration d) {
     return std::max<std::int64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(d).count(), 1);
   }
-  // What can be done where there is no betwixt-parser.
+  // Sets the limits that work without betwixt-parser.
   void limit() const {
     const rlimit memory{most_.memory, most_.memory}, work{most_.seconds, most_.seconds};
     ::prlimit(pid_, RLIMIT_AS, &memory, nullptr);
@@ -169,8 +169,8 @@ class Decoder {
   std::string said_;
 };
 
-// What is heard every hundredth of a second, and where there is much more of it than just before. Loudness is felt in
-// ratios, so that its logarithm counts; what is 60 dB below a full sine is no sound.
+// Finds sudden rises of loudness, in steps of a hundredth of a second. Loudness is perceived in ratios, so its
+// logarithm counts; 60 dB below a full sine counts as silence.
 std::vector<double> find_onsets(const std::vector<double>& energy) {
   constexpr std::size_t hop = 10, before = 10, least_apart = 5;  // in milliseconds; the others in hops
   constexpr double floor = 1e-6, rise = 1.0;                     // of the logarithm: by a factor e of energy
@@ -180,11 +180,11 @@ std::vector<double> find_onsets(const std::vector<double>& energy) {
   std::vector<double> onsets;
   std::size_t last = 0;
   for (std::size_t i = 0; i < level.size(); ++i) {
-    double most = std::log(floor);  // lately
+    double most = std::log(floor);  // of the last hops
     for (std::size_t k = i > before ? i - before : 0; k < i; ++k) most = std::max(most, level[k]);
     if (level[i] < most + rise || (!onsets.empty() && i < last + least_apart)) continue;
     last = i;
-    // To the millisecond: where the steepest part of the rise begins.
+    // Refines the time to a millisecond: the steepest point of the rise.
     std::size_t at = i * hop;
     for (std::size_t ms = i * hop; ms < (i + 1) * hop; ++ms)
       if (energy[ms + 1] - energy[ms] > energy[at + 1] - energy[at]) at = ms;
@@ -193,7 +193,7 @@ std::vector<double> find_onsets(const std::vector<double>& energy) {
   return onsets;
 }
 
-// Errors in our own words, where it is none that can be read.
+// Returns an error in our own words if the file cannot be read.
 Result<std::uint64_t> size_of(const std::string& path) {
   const auto there = open_whole(path);
   if (!there) return there.error();

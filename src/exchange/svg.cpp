@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// SVG: what it draws, as flat outlines one behind the other.
+// Reads the shapes of an SVG as flat outlines, from back to front.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ namespace {
 
 using pugi::xml_node;
 
-constexpr double svg_stray = 1e-4;           // how far a flattened curve may be off, of the drawing's height
-constexpr std::size_t deepest_in_svg = 128;  // elements in each other, `use` counted
+constexpr double svg_stray = 1e-4;           // the largest error of a flattened curve, relative to the drawing's height
+constexpr std::size_t deepest_in_svg = 128;  // nested elements, including `use`
 constexpr std::size_t most_elements = 500'000, most_named = 5;
 constexpr double farthest_drawn = 1e6;  // in heights of the drawing
 
@@ -40,13 +40,13 @@ bool any_of_these(std::string_view word, std::initializer_list<std::string_view>
   return std::find(all.begin(), all.end(), word) != all.end();
 }
 
-// How many user units a percentage is of.
+// The reference sizes of percentages, in user units.
 struct Viewport {
   double width = 300, height = 150;
   double diagonal() const { return std::sqrt((width * width + height * height) / 2); }
 };
 
-// What an element has from those around it.
+// The state that an element inherits.
 struct Around {
   Affine to;
   SvgStyle style;
@@ -101,10 +101,10 @@ class SvgReader {
     return false;
   }
 
-  // ---- What is known of all of it before anything is drawn
+  // ---- Collects ids and styles before anything is drawn
 
   bool prepare(xml_node root) {
-    // Without recursion: an attacker's file is as deep as it likes.
+    // Not recursive, because an attacker may nest a file as deep as he likes.
     for (xml_node n = root; n;) {
       if (const std::string_view id = said_in(n, "id"); !id.empty()) ids_.try_emplace(id, n);
       if (local_name(n) == "style")
@@ -136,7 +136,7 @@ class SvgReader {
 
   // ---- From element to element
 
-  // Where the inner space of an element with a viewBox lies in its viewport.
+  // Returns the transform from the space of an element's viewBox to its viewport.
   static Affine fitted(xml_node node, Viewport& inner, double width, double height) {
     PathNumbers n(said_in(node, "viewBox"));
     std::array<double, 4> box{};
@@ -161,7 +161,7 @@ class SvgReader {
 
   bool walk_root(xml_node root) {
     Viewport whole;
-    fitted(root, whole, whole.width, whole.height);  // its viewBox is its size where nothing else is
+    fitted(root, whole, whole.width, whole.height);  // without a size of its own, its viewBox is its size
     const double width = svg_length(said_in(root, "width"), whole.width).value_or(whole.width);
     const double height = svg_length(said_in(root, "height"), whole.height).value_or(whole.height);
     if (!(width > 0) || !(height > 0)) return refuse(broken("its size is nothing"));
@@ -183,7 +183,7 @@ class SvgReader {
     return true;
   }
 
-  // Takes over what the element says of itself; `shown` false: nothing of it is drawn.
+  // Applies the element's own style. Sets `shown` to false if nothing of it is drawn.
   bool style_of(xml_node node, Around& around, bool* shown = nullptr) {
     SvgStyle style = around.style.inherited();
     for (const pugi::xml_attribute a : node.attributes()) style.set(a.name(), a.value());
@@ -210,7 +210,7 @@ class SvgReader {
 
   bool walk(xml_node node, Around around) {
     const std::string_view tag = local_name(node);
-    if (tag.find(':') != std::string_view::npos) return true;  // another program's own
+    if (tag.find(':') != std::string_view::npos) return true;  // an element of another program
     if (any_of_these(tag, {"defs", "symbol", "style", "title", "desc", "metadata", "linearGradient", "radialGradient",
                            "clipPath", "mask", "filter", "pattern", "marker", "view"}))
       return true;
@@ -237,13 +237,13 @@ class SvgReader {
   }
 
   bool group(xml_node node, Around& around) {
-    // One without a name is nobody's: what is in it belongs to what is around it.
+    // A group without a name is not kept: its contents belong to the group around it.
     const bool named = !said_in(node, "id").empty();
     const auto own = static_cast<std::uint32_t>(out_.things.size());
     if (named) add_group(node, around);
     const std::size_t before = drawn_;
     if (!walk_inside(node, around)) return false;
-    if (named && out_.things.size() == own + 1) out_.things.pop_back();  // nothing is in it
+    if (named && out_.things.size() == own + 1) out_.things.pop_back();  // the group is empty
     if (around.style[Property::opacity].empty() || drawn_ < before + 2) return true;
     if (svg_opacity(around.style[Property::opacity]) < 1)
       left_out("what lies behind each other in a transparent group is seen through it", name_in_file(node));
@@ -259,7 +259,7 @@ class SvgReader {
     out_.things.push_back(std::move(thing));
   }
 
-  // An svg or a symbol inside; `wanted` is the size that a use says.
+  // Draws an inner svg or a symbol. `wanted`: the size from `use`.
   bool nested(xml_node node, Around& around, std::array<std::string_view, 2> wanted) {
     const auto side = [&](std::string_view said, const char* own, double whole) {
       const auto size = svg_length(said.empty() ? said_in(node, own) : said, whole);
@@ -307,7 +307,7 @@ class SvgReader {
 
   // ---- Shapes
 
-  // What a path would say; none: it is no shape.
+  // Returns the equivalent path, or nullopt if the element is no shape.
   std::optional<std::string> path_of(xml_node node, std::string_view tag, const Viewport& v) const {
     const auto length = [&](const char* name, double whole) { return svg_length(said_in(node, name), whole); };
     const auto x = [&](const char* name) { return length(name, v.width).value_or(0); };
@@ -365,7 +365,7 @@ class SvgReader {
   }
 
   std::optional<SvgColor> middle_of_gradient(std::string_view id) const {
-    for (int steps = 0; steps < 16; ++steps) {  // one may take its stops from another
+    for (int steps = 0; steps < 16; ++steps) {  // a gradient may take its stops from another
       const auto found = ids_.find(id);
       if (found == ids_.end()) return std::nullopt;
       const xml_node node = found->second;
@@ -416,7 +416,7 @@ class SvgReader {
     look.fill = paint_of(Property::fill, "black", Property::fill_opacity, around, node);
     look.stroke = paint_of(Property::stroke, "none", Property::stroke_opacity, around, node);
     look.even_odd = said(Property::fill_rule, "evenodd");
-    // One width everywhere: what the area is stretched by, on the average.
+    // A stroke has a single width, so take the average scale.
     const Affine& m = around.to;
     const double stretch = std::sqrt(std::abs(m.a * m.d - m.b * m.c));
     const double across = std::hypot(m.a, m.b), up = std::hypot(m.c, m.d);
@@ -491,7 +491,7 @@ class SvgReader {
     return thing;
   }
 
-  // Outlines of what a path fills and strokes. Where both can be said of one, it is one.
+  // Returns the outlines that a path fills and strokes. If one outline can express both, returns that one.
   std::vector<DrawnThing> outlined(const std::vector<Flattener::Run>& runs, const Look& look) const {
     std::vector<DrawnThing> out;
     Contours closed;
@@ -503,7 +503,7 @@ class SvgReader {
     }
     if (!look.fill.there) return stroked(runs, look);
     const std::vector<Island> all = islands(closed, look.even_odd ? Winding::odd : Winding::nonzero);
-    std::size_t left = 0;  // of the points: all, where no lines cross
+    std::size_t left = 0;  // of the points: all of them, if no lines cross
     for (const Island& island : all) {
       left += island.outer.size();
       for (const Contour& hole : island.holes) left += hole.size();
@@ -518,7 +518,7 @@ class SvgReader {
       if (both) thing = with_stroke(std::move(thing), look);
       out.push_back(std::move(thing));
     }
-    if (one) {  // it begins where the path does, and is drawn on as that
+    if (one) {  // keeps the start of the path, where its drawing begins
       out[0].points = runs[0].points;
       if (both && !runs[0].closed) out[0].trim_to = share_of_open(runs[0].points);
     }
@@ -527,7 +527,7 @@ class SvgReader {
     return out;
   }
 
-  // Of the length with the way back to the first point.
+  // Returns the path's share in the length that includes the way back to the first point.
   static double share_of_open(const Contour& points) {
     double length_open = 0;
     for (std::size_t i = 1; i < points.size(); ++i) length_open += length(points[i] - points[i - 1]);
@@ -535,13 +535,13 @@ class SvgReader {
     return length_open > 0 ? length_open / (length_open + back) : 1;
   }
 
-  // Those that are closed are one thing, as they are one area; so are those that are open. These go there and back, and
-  // are trimmed to the way there.
+  // All closed strokes become one object, because they are one area, and all open ones another. An open stroke goes
+  // there and back, and is trimmed to the first half.
   std::vector<DrawnThing> stroked(const std::vector<Flattener::Run>& runs, const Look& look) const {
     std::vector<DrawnThing> out;
     if (!look.stroke.there) return out;
     DrawnThing closed = with_stroke({}, look);
-    closed.fills = closed.strokes = false;  // its own colour is the stroke's
+    closed.fills = closed.strokes = false;  // its fill has the stroke's colour
     closed.color = look.stroke.color;
     closed.transparency = 1 - look.stroke.opacity;
     DrawnThing open = closed;
@@ -591,7 +591,8 @@ class SvgReader {
 
   // ---- Names and places
 
-  // Each stands in the middle of what it draws, and so turns about it; each is a little in front of those before it.
+  // Puts each object's origin into the middle of its shapes, so that it turns about it, and each a little in front of
+  // the earlier ones.
   void place_all() {
     auto& all = out_.things;
     const double thick = std::min(1e-3, 0.1 / static_cast<double>(all.size()));

@@ -44,7 +44,7 @@ bool Affine::sane() const {
 
 namespace {
 
-// One function of a list, with so many numbers.
+// Returns one function of a list, with `count` numbers.
 std::optional<Affine> transform_of(std::string_view name, std::size_t count, const std::array<double, 6>& v) {
   constexpr double degree = pi / 180;
   if (name == "matrix" && count == 6) return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
@@ -118,12 +118,12 @@ bool PathReader::read(std::string_view d) {
     from_ = relative ? at_ : Vec3{};
     draw(upper);
     before_ = upper;
-    if (upper == 'M') command = relative ? 'l' : 'L';  // as what follows without a letter is read
+    if (upper == 'M') command = relative ? 'l' : 'L';  // numbers without a letter continue as lines
   }
   return true;
 }
 
-// The last curve's control point, mirrored, where that was one of these.
+// Returns the last control point, mirrored, if the last command was one of these two.
 Vec3 PathReader::smooth(char one, char other) const {
   return before_ == one || before_ == other ? 2 * at_ - control_ : at_;
 }
@@ -155,8 +155,8 @@ void PathReader::conic(Vec3 b, Vec3 c) {
   control_ = b, at_ = c;
 }
 
-// From its ends to its middle, as the appendix on arcs in SVG's specification says; then cubics of an eighth of a turn,
-// which are within 5e-6 of the radius.
+// Converts the end points of an arc to its centre, as in the appendix on arcs of SVG's specification, then draws cubics
+// of an eighth of a turn, which are within 5e-6 of the radius.
 void PathReader::arc(double rx, double ry, double turn, bool large, bool forward, Vec3 end) {
   const Vec3 begin = at_;
   if (begin == end) return;

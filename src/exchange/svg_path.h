@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What SVG writes in the words of its own: numbers, transforms, the commands of paths.
+// SVG's own notations: numbers, transforms, and the commands of paths.
 #pragma once
 
 #include <array>
@@ -12,24 +12,24 @@
 
 namespace betwixt {
 
-inline constexpr double farthest_in_svg = 1e6;  // a number that is larger is none
+inline constexpr double farthest_in_svg = 1e6;  // larger numbers are errors
 
-// Numbers one behind the other, between blanks and commas or nothing at all: "M.5-1.2,3".
+// Successive numbers, with or without blanks or commas between them: "M.5-1.2,3".
 class PathNumbers {
  public:
   explicit PathNumbers(std::string_view text) : rest_(text) {}
 
   bool done();
-  bool letter();  // what comes next is one
+  bool letter();  // whether a letter is next
   char take();
   std::optional<double> number();
-  std::optional<double> flag();  // of arcs: 0 or 1, which need nothing between them
+  std::optional<double> flag();  // of arcs: 0 or 1, without separators
 
  private:
   std::string_view rest_;
 };
 
-// As SVG's matrix(a b c d e f).
+// SVG's matrix(a b c d e f).
 struct Affine {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
   Vec3 operator()(Vec3 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f, 0}; }
@@ -40,14 +40,14 @@ struct Affine {
   bool sane() const;
 };
 
-// "translate(3 4) rotate(30)": a list of any of the six functions. None: it is something else.
+// Reads "translate(3 4) rotate(30)": a list of any of the six functions. Returns nullopt for anything else.
 std::optional<Affine> transform_in(std::string_view);
 
-// The commands of a path's `d`, carried out.
+// Runs the commands of a path's `d`.
 class PathReader {
  public:
   PathReader(const Affine& to, Flattener& into) : to_(to), into_(into) {}
-  // False where something is no command; what stands before it is drawn.
+  // Returns false at an invalid command; the commands before it remain drawn.
   bool read(std::string_view d);
 
  private:

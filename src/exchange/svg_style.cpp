@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, property_count> property_names{"fill",
                                                                       "stop-color",
                                                                       "stop-opacity"};
 
-// Takes off what stands before `end`, and that too.
+// Removes and returns the text before `end`; removes `end`, too.
 std::string_view take_until(std::string_view& rest, char end) {
   const auto at = rest.find(end);
   const std::string_view taken = rest.substr(0, at);
@@ -100,7 +100,7 @@ void SvgRules::read(std::string_view sheet) {
       sheet.remove_prefix(end == std::string_view::npos ? sheet.size() : end + 2);
       continue;
     }
-    if (sheet.starts_with("@")) {  // all that is in its brackets is of another kind
+    if (sheet.starts_with("@")) {  // everything in its braces is unsupported
       passed_over_ = true;
       int depth = 0;
       std::size_t i = 0;
@@ -174,13 +174,13 @@ namespace {
 
 double in_unit(double v) { return std::clamp(v, 0.0, 1.0); }
 
-// A number, and whether it is of hundredths.
+// A number, and whether it is a percentage.
 struct CssNumber {
   double value = 0;
   bool percent = false;
   double of(double whole) const { return percent ? value / 100 : value / whole; }
 };
-// "255, 0 0 / 50%" up to four of them.
+// Reads up to four numbers: "255, 0 0 / 50%".
 std::vector<CssNumber> css_numbers_in(std::string_view text) {
   std::vector<CssNumber> out;
   while (out.size() < 4) {
@@ -211,7 +211,7 @@ std::optional<SvgColor> hexadecimal(std::string_view digits) {
   std::uint32_t v = 0;
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), v, 16);
   if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) return std::nullopt;
-  if (digits.size() == 3 || digits.size() == 4) {  // each stands for two
+  if (digits.size() == 3 || digits.size() == 4) {  // each digit represents two
     std::uint32_t wide = 0;
     for (std::size_t i = digits.size(); i-- > 0;) wide = wide << 8 | (v >> (4 * i) & 15) * 17;
     v = wide;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How SVG says what things look like: attributes, style="…", and rules of <style> with a tag, classes and an id.
+// SVG styles: attributes, style="…", and rules of <style> with a tag, classes and an id.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace betwixt {
 
-// Those before `opacity` go down to what is inside.
+// Children inherit the properties before `opacity`.
 enum class Property : std::uint8_t {
   fill,
   fill_rule,
@@ -45,7 +45,7 @@ enum class Property : std::uint8_t {
 inline constexpr std::size_t property_count = static_cast<std::size_t>(Property::count);
 std::string_view name_of(Property);
 
-// What was said of each, in the file's words; empty: nothing.
+// The value of each property in the file's words; "" if unset.
 class SvgStyle {
  public:
   std::string_view operator[](Property p) const { return said_[static_cast<std::size_t>(p)]; }
@@ -57,16 +57,16 @@ class SvgStyle {
   std::array<std::string_view, property_count> said_{};
 };
 
-// What rules can ask of an element.
+// The features of an element that rules can select.
 struct SvgElement {
   std::string_view tag, id, classes;
 };
 
 class SvgRules {
  public:
-  void read(std::string_view sheet);  // which must stay where it is
+  void read(std::string_view sheet);  // stores views of `sheet`, which must stay in place
   void apply(const SvgElement&, SvgStyle&) const;
-  bool passed_over() const { return passed_over_; }  // some were of another kind
+  bool passed_over() const { return passed_over_; }  // whether there are rules of unsupported kinds
 
  private:
   struct Rule {
@@ -79,21 +79,21 @@ class SvgRules {
   void add(std::string_view selector, std::string_view declarations);
 
   std::vector<Rule> rules_;
-  std::multimap<std::string_view, std::size_t> by_word_;  // of an id, a class or a tag that it asks for
+  std::multimap<std::string_view, std::size_t> by_word_;  // by an id, a class or a tag that the rule requires
   bool passed_over_ = false;
 };
 
-// "red", "#f00", "rgb(255, 0, 0)", "hsl(0 100% 50%)"; currentColor is `current`. With how opaque it is.
+// Reads "red", "#f00", "rgb(255, 0, 0)", "hsl(0 100% 50%)" and its opacity. `current` is the value of currentColor.
 struct SvgColor {
   Color color;
   double opacity = 1;
 };
 std::optional<SvgColor> svg_color(std::string_view text, std::string_view current);
-// A number, also with a unit: of a percentage the part of `whole`. In user units (px).
+// Reads a number, also with a unit, in user units (px). A percentage is of `whole`.
 std::optional<double> svg_length(std::string_view text, double whole);
-// 0 to 1, also as a percentage.
+// Returns the opacity from 0 to 1; also reads a percentage.
 double svg_opacity(std::string_view text);
-// X of url(#X); empty: it is something else.
+// Returns X of url(#X), or "" for anything else.
 std::string_view svg_reference(std::string_view text);
 std::string_view trimmed(std::string_view text);
 

@@ -25,7 +25,7 @@ constexpr std::size_t most_characters = 10'000;
 constexpr std::uint64_t most_drawn = std::uint64_t{1} << 20;  // bytes
 constexpr const char* packages = "sudo apt-get install texlive-latex-base dvisvgm";
 
-// Nobody else's, and gone with this.
+// A private folder, removed at the end.
 class WorkFolder {
  public:
   WorkFolder() {
@@ -53,7 +53,8 @@ void limit_child(pid_t pid) {
   ::prlimit(pid, RLIMIT_FSIZE, &file, nullptr);
 }
 
-// Whether it ended well. It reads and writes in the folder only: TeX asks for that in its environment.
+// Runs a program and returns whether it succeeded. Environment variables restrict TeX's reading and writing to the
+// folder.
 Result<bool> run_in(const fs::path& folder, const std::vector<std::string>& call, std::chrono::milliseconds most) {
   std::vector<std::string> words{"env", "--chdir=" + folder.string(), "openin_any=p", "openout_any=p",
                                  "TEXMFOUTPUT=" + folder.string()};
@@ -69,11 +70,11 @@ Result<bool> run_in(const fs::path& folder, const std::vector<std::string>& call
   const auto status = wait_for_child(pid, most);
   if (!status || (WIFSIGNALED(*status) && WTERMSIG(*status) == SIGXCPU))
     return fail(ErrorCode::machine, fmt::format("the formula takes {} too long", call[0]));
-  if (WIFEXITED(*status) && WEXITSTATUS(*status) == 127) return missing;  // what env says
+  if (WIFEXITED(*status) && WEXITSTATUS(*status) == 127) return missing;  // the exit code of env
   return WIFEXITED(*status) && WEXITSTATUS(*status) == 0;
 }
 
-// The end or the beginning of what TeX said, as far as it can be shown.
+// Returns the printable characters of the end, or the beginning, of TeX's output.
 std::string shown(std::string_view said, std::size_t most, bool end) {
   std::string out(end && said.size() > most ? said.substr(said.size() - most) : said.substr(0, most));
   for (char& c : out)
@@ -82,7 +83,7 @@ std::string shown(std::string_view said, std::size_t most, bool end) {
   return out;
 }
 
-// TeX's complaint: "! Undefined control sequence." and, somewhere below, "l.7 \fracc", up to which it had read.
+// Returns TeX's error: "! Undefined control sequence." and, further below, "l.7 \fracc", up to which it had read.
 Error complaint(const fs::path& log) {
   std::ifstream in(log);
   std::string what;
@@ -96,7 +97,7 @@ Error complaint(const fs::path& log) {
   return fail(ErrorCode::syntax, fmt::format("the formula is wrong: {}", what));
 }
 
-// The square tells where the baseline is.
+// The square marks the baseline.
 std::string text_for_tex(const std::string& formula) {
   return fmt::format(
       "\\documentclass{{article}}\n\\usepackage{{amsmath,amssymb}}\n\\pagestyle{{empty}}\n\\parindent0pt\n"
@@ -119,7 +120,7 @@ Result<std::shared_ptr<const Outline>> set_by_tex(const std::string& formula, st
       run_in(at, {"latex", "-no-shell-escape", "-halt-on-error", "-interaction=nonstopmode", "formula.tex"}, most);
   if (!set) return set.error();
   if (!*set) return complaint(at / "formula.log");
-  // What TeX passes on to others ("specials") could be programs of another language: it is dropped.
+  // TeX's "specials" could contain programs in other languages, so they are dropped.
   const auto drawn = run_in(
       at,
       {"dvisvgm", "--no-fonts", "--exact-bbox", "--no-specials", "--cache=none", "-o", "formula.svg", "formula.dvi"},

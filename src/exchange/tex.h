@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Formulas as TeX sets them, through the programs latex and dvisvgm. They get a folder of their own, and limits.
+// Formulas set by TeX, through the programs latex and dvisvgm. They run in a temporary folder, and with limits.
 #pragma once
 
 #include <chrono>
@@ -14,13 +14,13 @@
 
 namespace betwixt {
 
-// In display style at 1 m an em (10pt of TeX's), the baseline at y = 0; each glyph and each bar is a letter. Neither
-// program takes longer than `most`. Errors: syntax (TeX's own words), range (a formula too long, too much drawn),
-// machine (a program is missing, fails, takes too long).
+// Sets a formula in display style at 1 m an em (TeX's 10pt), with the baseline at y = 0; each glyph and each bar is a
+// letter. Neither program may take longer than `most`. Errors: syntax (TeX's own message), range (too long a formula or
+// drawing), machine (a program is missing, fails, or takes too long).
 Result<std::shared_ptr<const Outline>> set_by_tex(const std::string& formula,
                                                   std::chrono::milliseconds most = std::chrono::seconds(30));
 
-// The same of what `dvisvgm --no-fonts` wrote. In front of the formula, on its baseline, stands a square of one inch.
+// Reads the output of `dvisvgm --no-fonts`. A square of one inch precedes the formula, on its baseline.
 Result<Outline> read_tex_drawing(std::string_view svg);
 
 }  // namespace betwixt

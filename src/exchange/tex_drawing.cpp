@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A reader of the little SVG that dvisvgm writes without fonts: paths, uses of them, and rectangles.
+// Reads the small part of SVG that dvisvgm writes without fonts: paths, uses of them, and rectangles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct Tag {
     const auto found = attributes.find(a);
     return found == attributes.end() ? std::string_view() : found->second;
   }
-  // What is not said is 0.
+  // Returns 0 for a missing attribute.
   std::optional<double> number(std::string_view a) const { return attributes.contains(a) ? number_in(get(a)) : 0; }
 };
 
@@ -53,7 +53,7 @@ bool skip(std::string_view& rest, std::string_view begin, std::string_view end) 
   return true;
 }
 
-// Takes the next one off. Nothing: that was all; false: what is there is none.
+// Takes the next tag. Returns nullopt at the end, and false for an invalid tag.
 std::optional<bool> next_tag(std::string_view& rest, Tag& tag) {
   constexpr std::string_view blanks = " \t\r\n";
   for (;;) {
@@ -172,7 +172,7 @@ class DrawingReader {
     return Nothing{};
   }
 
-  // From 1/72 in downwards to em upwards; the outer contours of each letter go counter-clockwise.
+  // Converts 1/72 in downwards to em upwards; the outer contours of each letter become counter-clockwise.
   void finish() {
     for (Contour& contour : out_.contours)
       for (Vec3& p : contour) p = {(p.x - baseline_->x) / em, (baseline_->y - p.y) / em, 0};
@@ -191,8 +191,8 @@ class DrawingReader {
   }
 
   std::vector<Open> open_;
-  std::map<std::string_view, std::string_view> glyphs_;  // what is drawn, by name
-  std::optional<Vec3> baseline_;                         // where the formula begins on it
+  std::map<std::string_view, std::string_view> glyphs_;  // paths by name
+  std::optional<Vec3> baseline_;                         // its start on the baseline
   Outline out_;
   std::size_t points_ = 0;
 };

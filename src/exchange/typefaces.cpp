@@ -26,13 +26,13 @@ struct FontsDeleter {
 template <class T>
 using OwnedByUs = std::unique_ptr<T, FontsDeleter>;
 
-// Fontconfig's numbers for the weights.
+// Fontconfig's numbers of the weights.
 constexpr std::array<int, weight_names.size()> weight_numbers{
     FC_WEIGHT_THIN,     FC_WEIGHT_EXTRALIGHT, FC_WEIGHT_LIGHT,     FC_WEIGHT_REGULAR, FC_WEIGHT_MEDIUM,
     FC_WEIGHT_DEMIBOLD, FC_WEIGHT_BOLD,       FC_WEIGHT_EXTRABOLD, FC_WEIGHT_BLACK};
 
 std::mutex& fonts_mutex() {
-  static std::mutex& m = *new std::mutex;  // never taken down: other threads may still draw while the program ends
+  static std::mutex& m = *new std::mutex;  // never destroyed: other threads may still draw at program exit
   return m;
 }
 
@@ -43,7 +43,7 @@ std::string lowered(std::string s) {
   return s;
 }
 
-// Sorted, without doubles.
+// Sorted, without duplicates.
 const std::vector<std::string>& families() {
   static std::vector<std::string>& all = *new std::vector<std::string>;
   if (!all.empty()) return all;
@@ -65,7 +65,7 @@ bool has_family(const std::string& family) {
   return std::any_of(all.begin(), all.end(), [&](const auto& f) { return lowered(f) == lowered(family); });
 }
 
-// How many letters to change, add or leave out.
+// Returns the number of letters to change, add or leave out.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -92,7 +92,7 @@ std::size_t nearest_weight(double number) {
   return best;
 }
 
-// Whether italic, then the weight: what a family has. Narrow and wide ones do not count.
+// The styles of a family: whether italic, then the weight. Ignores narrow and wide fonts.
 using Styles = std::set<std::pair<bool, std::size_t>>;
 Styles styles_of(const std::string& family) {
   const OwnedByUs<FcPattern> pattern(FcPatternCreate());
@@ -109,7 +109,7 @@ Styles styles_of(const std::string& family) {
     int slant = FC_SLANT_ROMAN;
     FcPatternGetInteger(font, FC_SLANT, 0, &slant);
     double weight = FC_WEIGHT_REGULAR;
-    FcRange* range = nullptr;  // of a font that can be of any weight in it
+    FcRange* range = nullptr;  // of a font with variable weight
     double low = 0, high = 0;
     if (FcPatternGetDouble(font, FC_WEIGHT, 0, &weight) == FcResultMatch) {
       all.emplace(slant != FC_SLANT_ROMAN, nearest_weight(weight));

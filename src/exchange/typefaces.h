@@ -12,7 +12,7 @@
 
 namespace betwixt {
 
-// One of a family.
+// One font of a family.
 struct Typeface {
   std::string family;
   Weight weight = Weight::regular;
@@ -23,14 +23,13 @@ struct Typeface {
   }
 };
 
-// Whether the machine has a font of this family name; a near miss goes into the error's hint.
+// Fails if the machine has no font of this family; the error's hint suggests similar names.
 Status find_font(const std::string& family);
-// Whether the family has one like this; the error's hint says which there are. Nothing is said of families that are not
-// there.
+// Fails if the family has no such style; the error's hint lists its styles. Succeeds for a missing family.
 Status find_style(const Typeface&);
 
-// The file, and the face's number in it, of what comes nearest: of a family that the machine lacks, of DejaVu Sans, or
-// any other it has. Empty where there are no fonts at all.
+// The best match: its file, and the face's index in the file. For a missing family, DejaVu Sans or any other font.
+// Empty if the machine has no fonts.
 struct FontFile {
   std::string path;
   int index = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much a file of somebody else's may become in memory. A picture of 260 kB can have 268 million pixels, and a mesh
+// Limits the memory that an untrusted file may unpack to. A picture of 260 kB can have 268 million pixels, and a mesh
 // of 400 bytes as many points: both would take gigabytes.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace betwixt {
 
-// Counts what one file, and the files that it names, become. The innermost one of a thread is asked.
+// Counts the unpacked size of one file and of the files that it names. Each thread uses its innermost counter.
 class Unpacking {
  public:
   explicit Unpacking(bool any_size);
@@ -22,8 +22,8 @@ class Unpacking {
   Unpacking& operator=(const Unpacking&) = delete;
 
   void read(std::uint64_t bytes) { read_ += bytes; }
-  // Before so many bytes are allocated for what is called `name`. Errors: range (more than 100 times what was read and
-  // 64 MiB, or more than 1 GiB in all).
+  // Called before `bytes` are allocated for the file `name`. Errors: range (more than 100 times the bytes read plus 64
+  // MiB, or more than 1 GiB in all).
   Status take(std::uint64_t bytes, const std::string& name);
 
  private:
@@ -32,10 +32,10 @@ class Unpacking {
   Unpacking* const outer_;
 };
 
-// Where nobody counts, everything fits.
+// Always succeeds if the thread has no counter.
 Status unpack(std::uint64_t bytes, const std::string& name);
 
-// A shelf whose files are counted as read.
+// A shelf that counts the files read from it.
 class CountedShelf final : public Shelf {
  public:
   CountedShelf(Shelf& shelf, Unpacking& unpacking) : shelf_(shelf), unpacking_(unpacking) {}

@@ -15,12 +15,12 @@ namespace {
 bool code_name_begins(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool code_name_goes_on(char c) { return code_name_begins(c) || (c >= '0' && c <= '9'); }
 
-// Goes through Lua by its words, without what stands in texts and comments.
+// Iterates over the words of Lua code, skipping texts and comments.
 class Words {
  public:
   explicit Words(std::string_view code) : rest_(code) {}
 
-  // A name, or one other character; empty at the end.
+  // Returns the next name or single character, or "" at the end.
   std::string_view next() {
     while (!rest_.empty()) {
       const char c = rest_[0];
@@ -56,7 +56,7 @@ class Words {
     while (at < rest_.size() && rest_[at] != rest_[0]) at += rest_[at] == '\\' ? 2 : 1;
     return std::min(at + 1, rest_.size());
   }
-  // [[…]] and [=[…]=]; 0 where none begins.
+  // Returns the length of [[…]] or [=[…]=], or 0 if none begins here.
   std::size_t long_text() const {
     if (rest_.empty() || rest_[0] != '[') return 0;
     const std::size_t second = rest_.find_first_not_of('=', 1);

@@ -22,7 +22,7 @@ constexpr auto word_ends = [] {
   return ends;
 }();
 bool ends_word(char c) { return word_ends[static_cast<unsigned char>(c)]; }
-// What the author sees of a token in a message.
+// Quotes a token for a message, shortened if it is long.
 std::string quoted(std::string_view s) {
   return s.size() > 40 ? fmt::format("'{}…'", s.substr(0, 36)) : fmt::format("'{}'", s);
 }
@@ -152,7 +152,7 @@ bool Cursor::literal(double& out) {
   }
   const auto r = fast_float::from_chars(plus ? p : at, end, out);
   at = r.ptr;
-  // "1..24": the second dot is not the number's, nor is the first.
+  // "1..24": neither dot belongs to the number.
   if (at < end && at[-1] == '.' && *at == '.') --at;
   if (r.ec != std::errc{} && r.ec != std::errc::result_out_of_range)
     return fail_here(ErrorCode::syntax, "this is not a number");
@@ -189,8 +189,7 @@ bool Cursor::text(std::string& out) {
     if (close == std::string_view::npos)
       return fail(ErrorCode::syntax, "this text is never closed by \"\"\"", {start, 3});
     out = rest.substr(0, close);
-    for (std::size_t cr; (cr = out.find("\r\n")) != std::string::npos;)
-      out.erase(cr, 1);  // a line ends alike everywhere
+    for (std::size_t cr; (cr = out.find("\r\n")) != std::string::npos;) out.erase(cr, 1);  // all lines end alike
     at += 3 + close + 3;
     return true;
   }
@@ -233,7 +232,7 @@ bool Cursor::store(Time& out, long double seconds, const char* start) {
   return true;
 }
 
-// hours:minutes:seconds or minutes:seconds
+// Reads hours:minutes:seconds or minutes:seconds.
 bool Cursor::clock(Time& out, const char* start, bool negative) {
   long double seconds = 0;
   for (int part = 0;; ++part) {
@@ -248,7 +247,7 @@ bool Cursor::clock(Time& out, const char* start, bool negative) {
   return store(out, negative ? -seconds : seconds, start);
 }
 
-// Frames of a point in time count from frame 1.
+// As a point in time, frames count from frame 1.
 bool Cursor::from_formula(const Quantity& q, bool length, Time& out, const char* start) {
   if (q.of != Quantity::Of::time)
     return fail(ErrorCode::type,
@@ -291,7 +290,7 @@ bool Cursor::time_or_length(Time& out, bool length) {
     at = digits;
     return clock(out, start, negative);
   }
-  // Whole frames, by far the most usual, without going through a double.
+  // The fast path for whole frames, the most common case. Does not use a double.
   const auto over = [&](const char* q) { return q == end || ends_word(*q) || *q == '.' || *q == '#'; };
   if (p > digits && p < end && *p == 'f' && over(p + 1)) {
     at = p + 1;
@@ -399,7 +398,7 @@ bool Cursor::per_second(Rate& out, const char* what) {
     ++at;
     if (!literal(den)) return false;
   }
-  // 23.976 means 23976/1000: whole numbers stay whole.
+  // 23.976 means 23976/1000: scaling keeps the numbers whole.
   while ((num != std::floor(num) || den != std::floor(den)) && den < 1e6) num *= 10, den *= 10;
   if (!(num >= 1 && den >= 1 && num <= 1e9 && den <= 1e7 && num / den <= 1e5 && num / den >= 1e-4) ||
       num != std::floor(num) || den != std::floor(den))

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reading the small things of the language: white space, words, numbers, times, texts. A reading function that fails
-// says why (once, at the place where it failed) and returns false; its caller returns false in turn.
+// Reads the basic elements of the language: white space, words, numbers, times, texts. A function that fails reports
+// one error, at the place of the failure, and returns false; its caller then returns false, too.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace betwixt {
 
-// The next new line at or behind `from`, or `end`.
+// Returns the first new line at or after `from`, or `end`.
 inline const char* line_end(const char* from, const char* end) { return std::find(from, end, '\n'); }
 
 class Cursor {
@@ -26,24 +26,24 @@ class Cursor {
 
   const char* at;
   const char* end;
-  int depth = 0;                          // brackets open: a new line is white space inside them
+  int depth = 0;                          // open brackets; inside them a new line is white space
   std::array<const char*, 8> brackets{};  // where they were opened
-  Rate rate, ticks{30, 1};                // what f and t mean
+  Rate rate, ticks{30, 1};                // the meaning of f and t
   bool frames_read = false;               // a time has been given in frames
   bool ticks_read = false;
-  const Lets* lets = nullptr;  // what names in formulas stand for
+  const Lets* lets = nullptr;  // the values of names in formulas
   PatternPlace place;
 
-  // The first failure since the last clear; `where` is the text it is about.
+  // The first failure since the last clear. `where`: the text that it is about.
   std::optional<Error> error;
   std::string_view where;
   bool fail(ErrorCode code, std::string message, std::string_view about, std::string hint = {});
   bool fail_here(ErrorCode code, std::string message, std::string hint = {});
 
-  void space();        // blanks, commas, comments; inside brackets new lines too
-  bool at_line_end();  // after space(): the logical line is over
+  void space();        // skips blanks, commas, comments; inside brackets also new lines
+  bool at_line_end();  // after space(): whether the logical line ends here
   char peek() const { return at < end ? *at : '\n'; }
-  // A run of characters that belong together: names, patterns, targets, verbs. Braces hold commas together.
+  // Takes a name, a pattern, a target or a verb. Commas inside braces belong to the word.
   std::string_view word();
   std::string_view next_word() { return space(), word(); }
   std::string_view since(const char* start) const { return {start, static_cast<std::size_t>(at - start)}; }
@@ -53,23 +53,23 @@ class Cursor {
   bool open();                           // (
   bool close();                          // )
 
-  // A number as it stands, without a formula.
+  // Reads a plain number, without a formula.
   bool literal(double& out);
-  // A number, or a formula whose value is one.
+  // Reads a number, or a formula whose value is one.
   bool number(double& out);
-  // … or is of something else: then `formula` is what, and no unit follows.
+  // The same, but a formula may have another type: then sets `formula`, and no unit follows.
   bool number(double& out, std::optional<Quantity>& formula);
   bool whole_number(long low, long high, const char* what, long& out);
-  // Letters that stand directly behind a number.
+  // Takes the letters directly after a number.
   std::string_view unit();
   bool text(std::string& out);  // "…" or """…"""
   bool time(Time& out) { return time_or_length(out, false); }
   bool length(Time& out) { return time_or_length(out, true); }
   bool segment(Time& from, Time& to);  // A..B
   bool angle(double& radians);
-  bool number_or_angle(double& out, bool& is_angle);  // an angle is in radians
-  bool opening(double& seconds);                 // of a shutter: an angle, of which a turn is a frame, a length, or off
-  bool per_second(Rate& out, const char* what);  // 24, 23.976, 30000/1001 …
+  bool number_or_angle(double& out, bool& is_angle);  // angles in radians
+  bool opening(double& seconds);                      // of a shutter: an angle (a turn is a frame), a length, or off
+  bool per_second(Rate& out, const char* what);       // 24, 23.976, 30000/1001 …
 
  private:
   bool time_or_length(Time& out, bool length);
@@ -78,7 +78,7 @@ class Cursor {
   bool clock(Time& out, const char* start, bool negative);
 };
 
-// Whether the word stands in the text, and not as a part of another.
+// Returns whether the text contains the word, not as a part of another word.
 bool stands_in(std::string_view text, std::string_view word);
 
 }  // namespace betwixt

@@ -31,7 +31,7 @@ std::string_view name_at(const char* at, const char* end) {
   return {at, static_cast<std::size_t>(p - at)};
 }
 
-// What a name stands for, unless that is a list.
+// Sets `out` to the value of the name. Returns false if it is a list.
 bool single(const Let& let, LetItem& out) {
   if (const auto* q = std::get_if<Quantity>(&let)) return out = *q, true;
   if (const auto* v = std::get_if<Vec3>(&let)) return out = *v, true;
@@ -48,7 +48,7 @@ class Reader {
     if (!sum(out)) return false;
     return finite(out);
   }
-  // [3] behind the name of a list of so many: its place from 0 on.
+  // Reads the index after the name of a list, such as [3]. `out` counts from 0.
   bool index(std::string_view name, std::size_t count, std::size_t& out) {
     const char* const open = c_.at++;
     const Deeper deeper(*this);
@@ -79,7 +79,8 @@ class Reader {
     if (std::isfinite(q.value) && std::isfinite(q.frames)) return true;
     return c_.fail(ErrorCode::range, "this formula has no finite value", about());
   }
-  // Inside brackets blanks may stand on both sides of an operator, or on neither: (1 - 2), (1-2), but (1 -2) are two.
+  // Inside brackets, an operator has blanks on both sides or on neither: (1 - 2) and (1-2) are one formula, (1 -2)
+  // are two numbers.
   bool next_operator(std::string_view any, char& out) {
     const char* const before = c_.at;
     if (inside_ > 0) c_.space();
@@ -306,7 +307,7 @@ class Reader {
     return true;
   }
   bool divide(Quantity& a, Quantity b, char op) {
-    if (b.of == Of::time) {  // only seconds can be compared
+    if (b.of == Of::time) {  // times can only be compared in seconds
       if (a.of == Of::time && a.value == 0 && b.value == 0)
         a.value = a.frames, b.value = b.frames, a.frames = b.frames = 0;  // both in frames
       else
@@ -319,7 +320,7 @@ class Reader {
     const bool share = b.of != Of::number;
     if (op == '%') {
       if (a.of == Of::time && !share) a = in_seconds(a);
-      a.value = std::fmod(a.value, b.value);  // as Lua does, to the last bit
+      a.value = std::fmod(a.value, b.value);  // like Lua, to the last bit
       if (a.value * b.value < 0) a.value += b.value;
       return true;
     }
@@ -346,13 +347,13 @@ class Reader {
   int inside_ = 0, depth_ = 0;
 };
 
-// A body of braces that is one formula: {i}, {n-i+1}; others list what they stand for.
+// Returns whether the body of braces is one formula, such as {i} or {n-i+1}, and not a list.
 bool formula_in_braces(std::string_view body) {
   return body.find(',') == body.npos && body.find("..") == body.npos &&
          speaks_of_place(body.data(), body.data() + body.size());
 }
 
-// A word as far as its braces go, and whether a dot stands outside of them, as in a target.
+// A word including its braces, and whether it has a dot outside them, like a target.
 struct BraceWord {
   std::string_view text;
   bool braces = false, dotted = false;
@@ -384,7 +385,7 @@ std::optional<LetItem> let_here(Cursor& c) {
   if (ahead.peek() == '[') {
     const auto* list = std::get_if<LetList>(&known->second);
     std::size_t at = 0;
-    if (!list) return std::nullopt;  // of a vector it is a number
+    if (!list) return std::nullopt;  // an index into a vector gives a number
     if (!Reader(ahead).index(name, list->size(), at)) {
       c.error = ahead.error, c.where = ahead.where;
       return std::nullopt;
@@ -402,7 +403,7 @@ std::optional<LetItem> let_here(Cursor& c) {
 bool one_name(Cursor& c, std::string_view word, std::string& out) {
   out = word;
   if (word.find('{') == word.npos) return true;
-  // Formulas first: rocket{i}-{1..3} is written out then.
+  // Formulas are replaced first, and then the lists are written out: rocket{i}-{1..3}.
   for (std::size_t open = 0; (open = out.find('{', open)) != out.npos;) {
     const std::size_t close = out.find('}', open);
     const std::string_view body = std::string_view(out).substr(open + 1, close == out.npos ? close : close - open - 1);
@@ -499,7 +500,7 @@ bool speaks_of_place(const char* at, const char* end) {
     if (length > 2 || (*word != 'i' && *word != 'n')) continue;
     if (length == 2 && (*word != 'i' || word[1] < '1' || word[1] > '4')) continue;
     const char before = word > from ? word[-1] : ' ', behind = at + 1 < end ? at[1] : ' ';
-    // Two dots are a segment's, one is between an object and its function.
+    // Two dots belong to a segment; a single one separates an object from its function.
     const bool one_before = before == '.' && !(word - from > 1 && word[-2] == '.');
     const bool one_behind = behind == '.' && !(end - at > 2 && at[2] == '.');
     if (!one_before && !one_behind && std::string_view(" \t,=([{+-*/%^.").find(before) != std::string_view::npos &&

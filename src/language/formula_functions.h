@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The functions and constants of formulas, a row each; src/language/formula.cpp alone reads this.
+// The functions and constants of formulas, a row each. Included only by src/language/formula.cpp.
 #pragma once
 
 #include <algorithm>
@@ -25,11 +25,12 @@ inline double radians(const Quantity& q) { return q.of == Of::angle ? q.value * 
 inline Quantity number(double v) { return {Of::number, v, 0, false}; }
 inline Quantity degrees(double radians) { return {Of::angle, radians * (180 / pi), 0, false}; }
 
-// A function of numbers: what it takes, and of what its answer is.
+// A function of numbers, with the types of its arguments and of its result.
 struct FunctionRow {
   std::string_view name;
   std::size_t least, most;
-  enum Takes { numbers, turns, alike } takes;  // turns: an angle, or radians; alike: all of one kind, as its answer is
+  // `turns`: angles, or radians; `alike`: all of one type, which the result has, too.
+  enum Takes { numbers, turns, alike } takes;
   Quantity (*of)(const Quantity* a, std::size_t n);
 };
 inline Quantity with(Quantity like, double value) { return like.value = value, like; }

@@ -14,12 +14,12 @@
 namespace betwixt {
 namespace {
 
-constexpr std::ptrdiff_t longest_logical_line = 1 << 24;  // further, and a bracket counts as never closed
+constexpr std::ptrdiff_t longest_logical_line = 1 << 24;  // a longer line counts as one whose bracket is never closed
 constexpr int deepest_bracket = 200;
 
 int characters(const char* from, const char* to) { return static_cast<int>(count_characters(between(from, to))); }
 
-// The part of a line around a place in it: long ones are cut.
+// Returns the part of a line around a place in it. Long lines are cut.
 std::pair<const char*, const char*> around(const char* start, const char* stop, const char* spot) {
   const char *from = start, *to = stop;
   if (spot - from > 100) {
@@ -41,7 +41,7 @@ LogicalLine logical_line(std::string_view text) {
   while (c.at < c.end && c.at - text.data() < longest_logical_line) {
     c.space();
     if (c.at == c.end) break;
-    if (*c.at == '\n') return {c.at};  // never seen inside brackets
+    if (*c.at == '\n') return {c.at};  // space() skips new lines inside brackets
     if (*c.at == '"') {
       const bool block = c.since(text.data()).size() + 3 <= text.size() && std::string_view(c.at, 3) == "\"\"\"";
       std::string ignored;
@@ -90,7 +90,8 @@ std::optional<Unsound> unsound(std::string_view text) {
   const auto bad = [&](std::size_t i, const char* what) {
     return Unsound{i, fail(ErrorCode::file, fmt::format("this is not a text: {} (byte 0x{:02x})", what, p[i]))};
   };
-  // Eight plain characters at once: none above 0x7f, and none below 0x20 (a subtraction borrows into its top bit).
+  // Tests eight plain characters at once: none above 0x7f, and none below 0x20 (a subtraction borrows into its top
+  // bit).
   const auto plain = [&](std::size_t i) {
     std::uint64_t w;
     std::memcpy(&w, p + i, 8);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Texts by their lines: where a logical line ends, whether a text can be read at all, and what there is to say about a
-// place in it.
+// The lines of a text: the ends of logical lines, invalid characters, and diagnostics with a place.
 #pragma once
 
 #include <optional>
@@ -17,11 +16,11 @@ inline std::string_view between(const char* from, const char* to) {
   return {from, static_cast<std::size_t>(to - from)};
 }
 
-// From a line's beginning on: brackets and texts in """ hold lines together.
+// A logical line from its beginning. Brackets and texts in """ join several lines.
 struct LogicalLine {
-  const char* end;    // at the new line behind it, or at the end of the text
-  bool open = false;  // a bracket or a """ is open where the text ends: it goes on
-  int depth = 0;      // brackets that are open there; then `end` is that of the first line
+  const char* end;    // its new line, or the end of the text
+  bool open = false;  // a bracket or a """ is still open at the end of the text
+  int depth = 0;      // the number of brackets open at the end; then `end` is the end of the first line
   const char* next(const char* text_end) const { return end == text_end ? end : end + 1; }
 };
 LogicalLine logical_line(std::string_view text);
@@ -35,7 +34,7 @@ class Source {
   std::string_view text;
   std::string name;
 
-  // With the place of `about`, a part of the text, and the line around it.
+  // Returns a diagnostic with the place of `about`, a part of the text, and the line around it.
   Diagnostic diagnose(Severity, Error, std::string_view about);
 
  private:
@@ -43,7 +42,7 @@ class Source {
   int lines_ = 1;
 };
 
-// Where a text holds what no text holds. Errors: file.
+// Finds a byte that no text may contain. Returns nullopt if there is none. Errors: file.
 struct Unsound {
   std::size_t at;  // byte
   Error why;

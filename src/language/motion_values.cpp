@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motions in text: T(6.28 0) R(-1turn @ wheel).
+// Reads motions: T(6.28 0) R(-1turn @ wheel).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 bool a_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// The factors from here on: one-letter words, each with what stands in its brackets.
+// Returns the factors that begin here: one-letter words, each with its brackets.
 std::string_view factors_from(const char* from, const char* end) {
   const char* last = from;
   for (const char* p = from; p < end;) {
@@ -32,7 +32,7 @@ std::string_view factors_from(const char* from, const char* end) {
       depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
       if (depth == 0) break;
     }
-    if (at == end || *at != ')') {  // whatever it is: the one who reads motions says what is wrong with it
+    if (at == end || *at != ')') {  // anything else; the reader of motions reports the error
       last = line_end(p, end);
       break;
     }
@@ -41,17 +41,17 @@ std::string_view factors_from(const char* from, const char* end) {
   return {from, static_cast<std::size_t>(last - from)};
 }
 
-// The text of a motion with what its formulas come to in their places, and where each of its characters stood before.
+// The text of a motion with its formulas replaced by their values, and the source of each character.
 class Spelled {
  public:
   std::string text;
 
-  // As it stands.
+  // Without any replacement.
   explicit Spelled(std::string_view source) : text(source) {
     for (const char& at : source) from_.push_back(&at);
     from_.push_back(source.data() + source.size());
   }
-  // Reads `source`, which `c` stands behind.
+  // Reads `source`, which ends at the cursor `c`.
   Spelled(Cursor& c, const Scene& scene, std::string_view source) : end_(source.data() + source.size()) {
     int depth = 0;
     for (const char* at = source.data(); at < end_ && !c.error;) {
@@ -68,7 +68,7 @@ class Spelled {
     from_.push_back(end_);
   }
 
-  // What stood there of which this many characters of the text were made, from a column on that counts from 1.
+  // Returns the source of a part of the text, given by a column that counts from 1 and a number of characters.
   std::string_view source(int column, int characters) const {
     const std::string_view all = text;
     const std::size_t begin = first_characters(all, static_cast<std::size_t>(std::max(0, column - 1))).size();
@@ -81,7 +81,8 @@ class Spelled {
  private:
   static bool blank(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\n'; }
   static bool begins_word(const char* at) { return !blank(*at) && (blank(at[-1]) || at[-1] == '(' || at[-1] == '@'); }
-  // A formula's end, where one begins that is more than a number; what it comes to is written then.
+  // If a formula that is more than a number begins here, writes its value and returns its end. Otherwise returns
+  // nullptr.
   const char* behind_formula(Cursor& c, const Scene& scene, const char* at) {
     Cursor ahead = c;
     ahead.at = at, ahead.end = end_;
@@ -109,7 +110,7 @@ class Spelled {
     from_.insert(from_.end(), came_to.size(), at);
     return ahead.at;
   }
-  // What a factor says besides numbers.
+  // Returns whether the word is one that a factor may contain besides numbers.
   static bool a_word(std::string_view w) {
     static constexpr std::string_view words[] = {"T", "R", "S", "axis", "linear", "x", "y", "z"};
     return std::find(std::begin(words), std::end(words), w) != std::end(words);
@@ -117,7 +118,7 @@ class Spelled {
 
   std::vector<const char*> from_;
   const char* end_ = nullptr;
-  char before_ = ' ';  // the last one that is no blank
+  char before_ = ' ';  // the last character that is no blank
 };
 
 }  // namespace
@@ -144,7 +145,7 @@ bool ValueReader::motion(Moves& out) {
   std::size_t sign = 0;
   for (const Factor& f : read->factors) {
     if (f.about.empty()) continue;
-    const auto named = [&] {  // behind the next '@' that has a name behind it
+    const auto named = [&] {  // moves after the next '@' that has a name after it
       sign = text.find('@', sign) + 1;
       return text.find_first_not_of(" \t\r\n,", sign);
     };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lists of points, and lists of these.
+// Reads lists of points, and lists of such lists.
 #include "base/may_make.h"
 #include "base/still_wanted.h"
 #include "language/values.h"
@@ -9,7 +9,7 @@
 namespace betwixt {
 namespace {
 
-// What stands in brackets, one after the other.
+// Reads the elements in brackets, one after the other.
 template <class Read>
 bool list_of(Cursor& c, const Read& read_one) {
   if (!c.open()) return false;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The canonical form of a script: one space between words, numbers in their shortest form, rows of a sheet sorted by
-// time and in columns. Comments and commands stay what and where they are; a comment above a row goes with it.
+// Writes a script in its canonical form: one space between words, the shortest form of numbers, and the rows of a sheet
+// sorted by time and in columns. Comments and commands keep their order; a comment above a row moves with it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,16 +21,16 @@ namespace {
 struct Token {
   std::string text;
   bool comment = false, fresh_line = false;  // fresh_line: inside brackets, the author began a new line before it
-  bool close = false;                        // nothing stood between it and the one before
+  bool close = false;                        // no blank separates it from the previous one
 };
 
 struct Line {
   std::vector<std::string> lead;  // blank lines and comments above it
-  std::vector<Token> tokens;      // none: only a comment
-  std::string comment;            // behind it
+  std::vector<Token> tokens;      // empty if there is only a comment
+  std::string comment;            // after it
   bool indented = false;
   Time time;              // of a row
-  bool dateless = false;  // its time is a formula with names: it may be any
+  bool dateless = false;  // its time is a formula with names, so that its value is unknown
 };
 
 bool looks_like_number(std::string_view w) {
@@ -39,7 +39,8 @@ bool looks_like_number(std::string_view w) {
          ((w[i] >= '0' && w[i] <= '9') || (w[i] == '.' && i + 1 < w.size() && w[i + 1] >= '0' && w[i + 1] <= '9'));
 }
 
-// "4.0" is 4, "24.50f" is 24.5f, each half of "1.0f..24f" too; anything else stays.
+// Returns the shortest form of a number: "4.0" is 4, "24.50f" is 24.5f, also in each half of "1.0f..24f". Returns any
+// other word unchanged.
 std::string shortest(std::string_view w) {
   if (!looks_like_number(w) || w.find(':') != std::string_view::npos || w.find('/') != std::string_view::npos)
     return std::string(w);
@@ -81,7 +82,7 @@ class Tidier {
       if (line.indented && in_sheet_) {
         if (!date(line)) return false;
         if (line.tokens[0].text[0] == '+')
-          line.time = rows_.empty() ? Time{} : rows_.back().time;  // it stays behind that
+          line.time = rows_.empty() ? Time{} : rows_.back().time;  // it keeps its place after that row
         one_time(line.tokens);
         rows_.push_back(std::move(line));
         continue;
@@ -92,7 +93,7 @@ class Tidier {
       in_list_ =
           line.tokens.size() == verb + 2 && (line.tokens[verb].text == "make" || line.tokens[verb].text == "edit");
       depth_ = 1;
-      // TARGET, or on LAYER TARGET
+      // Either TARGET, or on LAYER TARGET.
       const bool target = line.tokens.size() == 1 || (line.tokens.size() == 3 && line.tokens[0].text == "on");
       const std::string& last = line.tokens.back().text;
       in_sheet_ = target && last.find('.') != std::string::npos && last[0] != '"' && !looks_like_number(last);
@@ -107,13 +108,13 @@ class Tidier {
   }
 
  private:
-  // One logical line; its comment is kept apart. An empty line has neither tokens nor comment.
+  // Reads one logical line. Stores its comment separately. An empty line has neither tokens nor comment.
   bool next(Line& line) {
     line = {};
     const char* start = c_.at;
     c_.depth = 0;
     bool fresh = false;
-    const char* before = nullptr;  // where the token before ended
+    const char* before = nullptr;  // the end of the previous token
     for (;;) {
       while (c_.at < c_.end &&
              (*c_.at == ' ' || *c_.at == '\t' || *c_.at == '\r' || *c_.at == ',' || (*c_.at == '\n' && c_.depth > 0))) {
@@ -150,16 +151,16 @@ class Tidier {
       } else if (c_.word().empty()) {
         ++c_.at;
       }
-      if (c_.at - from == 1 && ch == '#') return false;  // no colour, and with a space behind it a comment
+      if (c_.at - from == 1 && ch == '#') return false;  // not a colour; with a space after it, a comment
       line.tokens.push_back(
           {shortest({from, static_cast<std::size_t>(c_.at - from)}), false, fresh && c_.depth > 0, from == before});
       fresh = false, before = c_.at;
     }
   }
 
-  // f and t mean what the last `rate` and `ticks` said; rows are sorted by it.
+  // Follows `rate` and `ticks`, which determine f and t, to sort the rows.
   void settings(const Line& line) {
-    if (line.tokens[0].text == "use") rates_known_ = false;  // that file may have changed them
+    if (line.tokens[0].text == "use") rates_known_ = false;  // that file may have changed the rates
     if (line.tokens.size() != 2 || (line.tokens[0].text != "rate" && line.tokens[0].text != "ticks")) return;
     Cursor c(line.tokens[1].text);
     if (Rate said; c.per_second(said, "") && c.at_line_end()) (line.tokens[0].text == "rate" ? rate_ : ticks_) = said;
@@ -193,13 +194,15 @@ class Tidier {
     }
     return out;
   }
-  // alias NAME = …, a target or a time and its procedure: there the sign stands by itself; behind a key it does not.
+  // Returns whether '=' has spaces around it: in alias NAME = …, and between a target or a time and its procedure.
+  // After a key it has none.
   static bool spaced_equals(const std::vector<Token>& tokens, std::size_t i) {
     if (i == 0 || tokens[0].text == "alias" || tokens[0].text == "define" || tokens[0].text == "let") return true;
     const auto& left = tokens[i - 1].text;
     return left.find('.') != std::string::npos || std::isdigit(static_cast<unsigned char>(left[0]));
   }
-  // rgb(…), euler(…), shape(…): no space before the bracket. Verbs and keys are words too, so the names are listed.
+  // Returns whether the bracket belongs to a function, without a space: rgb(…), euler(…), shape(…). Lists the
+  // functions, because verbs and keys are words, too.
   static bool function(const std::vector<Token>& tokens, std::size_t i) {
     static constexpr std::string_view names[] = {"rgb",    "hsv",   "euler",  "axis", "quat", "shape", "translate",
                                                  "rotate", "scale", "matrix", "T",    "R",    "S"};
@@ -209,7 +212,7 @@ class Tidier {
            (twerper && (takes_arguments(*twerper) || row_of(*twerper).stops));
   }
 
-  // Within a formula brackets stand close: cos(i), -(1+2)*3, (1+2)^2.
+  // Inside a formula brackets have no spaces: cos(i), -(1+2)*3, (1+2)^2.
   static bool in_formula(const std::vector<Token>& tokens, std::size_t i) {
     constexpr std::string_view operators = "+-*/%^";
     if (i == 0 || i >= tokens.size() || !tokens[i].close) return false;
@@ -221,7 +224,7 @@ class Tidier {
     return is_formula_word(std::string_view(left).substr(name == std::string::npos ? 0 : name + 1));
   }
 
-  // A row's time is one token, brackets and all.
+  // Joins a row's time, with its brackets, to one token.
   static void one_time(std::vector<Token>& tokens) {
     while (in_formula(tokens, 1)) {
       std::size_t end = 2;
@@ -243,7 +246,7 @@ class Tidier {
     }
   }
 
-  // A row's value ends where its options begin.
+  // Returns the index after a row's value, where its options begin.
   static std::size_t end_of_value(const std::vector<Token>& tokens) {
     int depth = 0;
     for (std::size_t i = 1; i < tokens.size(); ++i) {
@@ -253,12 +256,12 @@ class Tidier {
           (i + 1 < tokens.size() && tokens[i + 1].text == "(" && function(tokens, i + 1)))
         continue;
       const bool goes_on = i + 2 < tokens.size() && tokens[i + 2].text == "(" && tokens[i + 1].text.size() == 1;
-      if (!goes_on) return i + 1;  // a motion has factors: T(…) R(…)
+      if (!goes_on) return i + 1;  // a motion has several factors: T(…) R(…)
     }
     return tokens.size();
   }
 
-  // Rows of a display list stay in their order; what is between a begin and its end stands further in.
+  // The rows of a display list keep their order. Rows between a `begin` and its `end` are indented further.
   void display_row(const Line& row) {
     const std::string& word = row.tokens[0].text;
     if ((word == "end" || word == "pop") && depth_ > 1) --depth_;
@@ -269,8 +272,8 @@ class Tidier {
   }
 
   void flush_rows() {
-    // Frames and seconds side by side can only be sorted where the rates are known, and formulas where they have no
-    // names: of two rows at one time the last one counts.
+    // Sorts frames and seconds together only if the rates are known, and formulas only if they have no names: of two
+    // rows at the same time the last one is used.
     const auto unit = [](const Line& row) { return row.tokens[0].text.back(); };
     const bool dated = std::none_of(rows_.begin(), rows_.end(), [](const Line& r) { return r.dateless; });
     if (dated && (rates_known_ ||
@@ -285,7 +288,7 @@ class Tidier {
       time_width = std::max(time_width, count_characters(cells.back()[0]));
       if (count_characters(cells.back()[1]) <= 60)
         value_width =
-            std::max(value_width, count_characters(cells.back()[1]));  // one long value does not push all options away
+            std::max(value_width, count_characters(cells.back()[1]));  // a long value does not widen the column
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       put_lead(rows_[i].lead, "  ");

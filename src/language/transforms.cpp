@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Transforms in text, and lists of names.
+// Reads transforms and lists of names.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,10 +24,10 @@ constexpr std::string_view example(std::string_view factor) {
                                : "matrix(…), 16 numbers row by row";
 }
 
-// What `m` does, done about a point.
+// Returns `m` applied about a centre.
 Mat4 about(const Mat4& m, Vec3 centre) { return translation(centre) * m * translation(-centre); }
 
-// Reads one factor's brackets: what it multiplies by, and the centre behind '@', in brackets of its own or not.
+// Reads the brackets of one factor: the operand, and the centre after '@', with or without its own brackets.
 struct FactorReader {
   ValueReader& values;
   std::string_view word;
@@ -126,7 +126,7 @@ struct FactorReader {
 bool ValueReader::transform(Mat4& out, std::string_view* noticed) {
   Mat4 product;
   int count = 0;
-  std::string_view alone;  // the word of a matrix
+  std::string_view alone;  // the word of a matrix that is the only factor
   for (;; ++count) {
     c.space();
     if (count > 0 && c.accept('*')) c.space();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a value of each type is read: a row each, as in track/types.
+// Reads a value of each type: one row for each, as in track/types.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace betwixt {
 namespace {
 
-// What is wanted, and from where on it is read.
+// The requested type, and the beginning of the value.
 struct TypedReader {
   ValueReader& values;
   const FunctionSpec& spec;
@@ -80,7 +80,7 @@ struct TypedReader {
     out = id;
     return c.close();
   }
-  // A distance is held as the point that is so far before the camera, in its own space.
+  // A distance is stored as a point at that distance before the camera, in the camera's space.
   bool focus(Value& out) {
     double far = 0;
     if (c.peek() == '(') return c.fail_here(ErrorCode::type, "a distance or the name of an object is wanted here");
@@ -114,7 +114,7 @@ struct TypedReader {
       double number = 0;  // its digits
       if (!values.scalar(number)) return false;
       s = write_number(number);
-    } else if (spec.words.empty() || c.peek() == '"') {  // quotes are welcome round a word too
+    } else if (spec.words.empty() || c.peek() == '"') {  // a word may also be in quotes
       if (!c.text(s)) return false;
     } else {
       s = c.word();
@@ -148,7 +148,7 @@ struct TypedReader {
     Mat4 m;
     return values.transform(m) && (out = Matrix(m), true);
   }
-  // Of a type that has a reader of its own.
+  // Reads a type that has a reader of its own.
   template <class T, bool (ValueReader::*read)(T&)>
   bool plainly(Value& out) {
     T v;

@@ -66,13 +66,13 @@ bool ValueReader::scalar(double& out, Unit unit) {
                   unit == Unit::none ? fmt::format("a plain number is wanted here, without '{}'", u)
                                      : fmt::format("'{}' is not a unit of length", u),
                   since(start, c), unit == Unit::none ? "" : "units are m, cm and mm");
-  // 35 mm are 35/1000 m: dividing keeps the number that is written.
+  // 35 mm are 35/1000 m: division, not multiplication by 0.001, gives the written number.
   if (unit == Unit::metres) out = u == "mm" ? out / 1000 : u == "cm" ? out / 100 : out;
   if (unit == Unit::millimetres) out = u == "m" ? out * 1000 : u == "cm" ? out * 10 : out;
   return true;
 }
 
-// What a formula gives, in the unit that is wanted; plain numbers are in it already.
+// Converts the value of a formula to the requested unit. A plain number is already in it.
 bool ValueReader::in_unit(const Quantity& q, Unit unit, double& out, std::string_view about) {
   const bool length = q.of == Quantity::Of::length && unit != Unit::none;
   if (q.of == Quantity::Of::angle && translates() && unit == Unit::none) return out = q.value, true;
@@ -82,7 +82,7 @@ bool ValueReader::in_unit(const Quantity& q, Unit unit, double& out, std::string
   return true;
 }
 
-// Whether brackets hold several numbers, and not one formula.
+// Returns whether the brackets hold several numbers, and not one formula.
 bool ValueReader::is_vector() {
   Cursor ahead = c;
   double first = 0;
@@ -95,7 +95,7 @@ bool ValueReader::is_vector() {
             ahead.at + 1 < ahead.end && ahead.at[1] == ' '));
 }
 
-// A vector for a number is its length, on and off are 1 and 0.
+// Translates a vector to its length, and on and off to 1 and 0.
 bool ValueReader::meant_as_number(const char* start, double& out) {
   if (c.peek() == '(' && is_vector()) {
     Vec3 v;
@@ -112,7 +112,7 @@ bool ValueReader::meant_as_number(const char* start, double& out) {
   return true;
 }
 
-// Translated, a number without a unit is in degrees.
+// When values may be translated, a number without a unit is in degrees.
 bool ValueReader::angle(double& radians) {
   c.space();
   const char* start = c.at;
@@ -147,7 +147,7 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
       return c.fail_here(ErrorCode::type, fmt::format("a vector (x y{}) is wanted here", numbers == 3 ? " z" : ""));
     if (!scalar(d, unit)) return false;
     if (!translates()) {
-      // Three numbers without brackets, or one for all.
+      // Three numbers without brackets, or one number for all components.
       const std::string_view about = since(start, c);
       Vec3 all{d, d, d};
       const char* end = c.at;
@@ -165,7 +165,7 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
   }
   if (!c.open()) return false;
   out = {};
-  int given = 0;  // translated, a pair is a vector in the plane, and a vector a pair without its third
+  int given = 0;  // when translated, a pair is a vector in the plane, and a vector without its third number is a pair
   for (int i = 0; i < (translates() ? 3 : numbers); ++i) {
     c.space();
     if (c.peek() == ')') {
@@ -276,7 +276,7 @@ bool ValueReader::axis(Vec3& out) {
 bool ValueReader::orientation(Value& out, bool angles) {
   c.space();
   const char* start = c.at;
-  if (translates() && looks_like_number()) {  // a number for a rotation: each of its angles
+  if (translates() && looks_like_number()) {  // one number for all angles of a rotation
     double each = 0;
     if (!angle(each)) return false;
     out = angles ? Value(Angles{{each, each, each}}) : Value(from_angles({each, each, each}));
@@ -327,7 +327,7 @@ bool ValueReader::orientation(Value& out, bool angles) {
     const double l = std::sqrt(dot(q, q));
     if (!(l > 1e-9) || !std::isfinite(l))
       return c.fail(ErrorCode::range, "this quaternion has no direction", since(start, c));
-    // A unit quaternion stays as written: reading back what was printed must change nothing.
+    // A unit quaternion stays as written, so that writing and reading back changes nothing.
     out = std::abs(l - 1) < 1e-12 ? q : Quat{q.w / l, q.x / l, q.y / l, q.z / l};
     return true;
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values in text: reading them by the type that is wanted, and writing them so that they read back the same.
+// Values in text: reads them by type, and writes them so that they read back the same.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace betwixt {
 
-// The same function without limits: shifts and speeds may be of any size.
+// Returns the same function without limits, because shifts and speeds may have any size.
 inline FunctionSpec unbounded(FunctionSpec spec) {
   spec.low = -1e300, spec.high = 1e300;
   return spec;
@@ -21,13 +21,13 @@ inline FunctionSpec unbounded(FunctionSpec spec) {
 struct ValueReader {
   Cursor& c;
   const Scene& scene;
-  // Reads the file that a value names; gives the path to keep. Null: files are not read.
+  // Reads the file that a value names, and sets the path to keep. nullptr: files are not read.
   std::function<bool(FunctionId, std::string& path, std::string_view about)> file;
   std::function<void(std::string message, std::string_view about, std::string hint)> warn;
-  // What the policy has made of a value that meant nothing as it stood, as it would be written. Null: nobody asks.
+  // Receives the text of a value that the policy has translated from an invalid one. May be nullptr.
   std::function<void(std::string_view place, std::string instead)> translated;
 
-  // A value for a function, or for one component of it.
+  // Reads a value for a function, or for one component of it.
   bool value(const FunctionSpec& spec, int component, Value& out, FunctionId f = 0xffff);
   bool color(Color& out);
   bool vector(int numbers, Vec3& out, Unit unit = Unit::none);
@@ -35,7 +35,7 @@ struct ValueReader {
   bool angle(double& radians);
   bool in_unit(const Quantity&, Unit, double& out, std::string_view about);
   bool is_vector();
-  // What the next word stands for, where that is of this type; then it is taken.
+  // Takes the next word if it is a name of this type, and returns its value; otherwise returns nullopt.
   template <class T>
   std::optional<T> let() {
     Cursor ahead = c;
@@ -54,39 +54,39 @@ struct ValueReader {
   }
   bool orientation(Value& out, bool angles);
   bool points(Points& out);
-  // One ring of points, or a list of such, each of which then ends with its first point again (see rings()).
+  // Reads one ring of points, or a list of rings, each of which then ends with its first point again (see rings()).
   bool holes(Points& out);
   bool point(Vec3& out);       // (x y) or (x y z)
-  bool object(ObjectId& out);  // a name that exists
+  bool object(ObjectId& out);  // an existing name
   bool axis(Vec3& out);        // x, y, z or (x y z)
-  // translate(x y z), rotate(90deg, z) [@ (x y z)], scale(x y z) [@ (x y z)], matrix(16 numbers), one behind the other:
-  // the leftmost is applied last. With `noticed`, a matrix(…) alone that turns and moves but for rounding is taken as
-  // if it did so exactly; where that can be noticed, this is its word.
+  // Reads translate(x y z), rotate(90deg, z) [@ (x y z)], scale(x y z) [@ (x y z)], matrix(16 numbers), or several
+  // in succession: the leftmost is applied last. With `noticed`, a single matrix(…) that is a rigid motion except for
+  // rounding is read as an exact one; if that changed it, `noticed` is its word.
   bool transform(Mat4& out, std::string_view* noticed = nullptr);
   bool motion(Moves& out);  // T(…) R(…) S(…); "" for none
-  // Plain names, also of what is not there yet: (spin drift), or one of them.
+  // Reads one name or a list of names, which need not exist yet: (spin drift).
   bool names(Names& out);
 };
 
-// The reverse. `name_of` gives names to objects.
+// The reverse. `name_of` returns the names of objects.
 std::string write_number(double v);          // shortest form that reads back to the same double
 std::string write_seconds(Time);             // a time that reads back to the same flick
 std::string write_text(const std::string&);  // quoted
 std::string write_color(Color);
 std::string write_vector(Vec3, int numbers = 3);
 std::string write_angles(Vec3 radians);
-std::string write_angle(double radians);     // in degrees, if that reads back to the same; else in radians
+std::string write_angle(double radians);     // in degrees if that reads back to the same value, otherwise in radians
 std::string write_matrix(const Mat4&);       // row by row
 std::string write_appearance(const Scene&);  // commands
 std::string write_rows(const DisplayList&);  // indented lines
-std::string write_environment(const std::string& name, const Environment&);  // all that was said to it, a line each
-// What a script says of a target: its rows (of a component, that part of the whole one's), and all else that makes its
-// value, a command or a sheet each: what is set below events, twerper, extend, velocity, filters, layers.
+std::string write_environment(const std::string& name, const Environment&);  // all commands about it, a line each
+// write_rows(): the target's rows; for a component, its part of the rows of the whole. write_besides(): everything else
+// that determines its value, one command or sheet each: `set`, twerper, extend, velocity, filters, layers.
 std::string write_rows(const Document&, const Target&);
 std::string write_besides(const Document&, const Target&);
-// What stands behind the time in the row of one event, of a track that is no motion's; empty: there is no event.
+// Returns the part of an event's row after its time, or "" if there is no event. The track must not be a motion's.
 std::string write_event(const Document&, const Target&, Time);
-std::string write_event(const Document&, const Target&, const Event&);  // of one that need not stand there
+std::string write_event(const Document&, const Target&, const Event&);  // for an event that need not exist
 std::string write_value(const Value&, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of);
 

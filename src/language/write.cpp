@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A document as a script that makes it.
+// Writes a document as a script that makes it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,11 +31,11 @@ struct Writer {
     const bool turns = row_of(spec.type).changes == Changes::by_turning;
     if (const auto* m = std::get_if<Moves>(&v))
       return write_value(Moves(about_what_is_there(s, **m)), spec, component, {});
-    if (const auto* p = std::get_if<Vec3>(&v); p && turns && component < 0)  // a turning speed
+    if (const auto* p = std::get_if<Vec3>(&v); p && turns && component < 0)  // an angular velocity
       return "spin" + value(Angles{*p}, spec, -1).substr(5);
     return write_value(v, spec, component, [this](ObjectId id) { return name_of(id); });
   }
-  // A length of time that reads back to the same flicks.
+  // Writes a length of time that reads back to the same flicks.
   std::string length(Time t) const {
     const double frames = document.rate().frame_number(t) - 1;
     if (frames == std::round(frames) && document.rate().span(frames) == t) return write_number(frames) + "f";
@@ -53,7 +53,7 @@ struct Writer {
     }
     return out;
   }
-  // A twerper with what stands in brackets behind it.
+  // Writes a twerper with its arguments in brackets.
   std::string twerper(Twerper t, const TwerperArguments& arguments) const {
     std::string text = twerper_name(s, t);
     if (arguments.stops) return fmt::format("{}({})", text, stops(*arguments.stops));
@@ -93,7 +93,7 @@ struct Writer {
     out += "\n";
   }
 
-  // A motion and the end of it make one row.
+  // Writes a motion and its end as one row.
   void motions(const Track& t, const FunctionSpec& spec) {
     std::vector<Event> events;
     t.events.each([&](const Event& e) { events.push_back(e); });
@@ -103,12 +103,12 @@ struct Writer {
       plain.ease_in = {};
       return m && (*m)->factors.empty() && !e.keep && plain == EventDetail{} && e.twerper == Twerper::unset;
     };
-    Time eased;  // by the row before
+    Time eased;  // the ease-in written by the previous row
     for (std::size_t i = 0; i < events.size(); ++i) {
       Event e = events[i];
       const bool ends = i + 1 < events.size() && !rest(e) && !e.keep;
       if (ends) {
-        if (e.detail->ease_in != eased)  // an arrival that no motion leads to
+        if (e.detail->ease_in != eased)  // an ease-in without a motion before it
           row({e.time, Moves(), {}, Twerper::unset, false, false}, spec, -1, "", e.detail->ease_in);
         eased = events[i + 1].detail->ease_in;
         if (e.detail) e.detail.edit().ease_in = {};
@@ -122,7 +122,6 @@ struct Writer {
   void track(const Track& t, const Target& target) {
     const FunctionSpec& spec = spec_of(s, target.function);
     const std::string name = document.name(target), layer = on(target.layer);
-    // A bezier whose event left it for another twerper is of no effect and is not written.
     if (!t.events.empty() || (target.component >= 0 && !brief)) {
       out += layer + name + "\n";
       if (spec.type == Type::motion)
@@ -133,7 +132,7 @@ struct Writer {
     manner(t, target);
   }
 
-  // The one twerper of a track, and what it does outside its events.
+  // Writes the track's global twerper, and its values outside its events.
   void manner(const Track& t, const Target& target) {
     const std::string name = document.name(target), layer = on(target.layer);
     if (t.global != Twerper::unset || t.srgb) {
@@ -157,7 +156,7 @@ struct Writer {
     }
   }
 
-  // What is said of a function, but for the rows of `but`.
+  // Writes everything about a function except the rows of `but`.
   void besides(const Target& but) {
     for (const Slot& slot : s.objects[but.object.index].slots) {
       if (slot.function != but.function) continue;
@@ -167,7 +166,7 @@ struct Writer {
       const Events& rows = slot.track->events;
       const bool code = slot.set && std::holds_alternative<Procedure>(*slot.set);
       const bool counts =
-          code || !slot.components.empty() || (!rows.empty() && rows.front().time > Time{});  // before its rows
+          code || !slot.components.empty() || (!rows.empty() && rows.front().time > Time{});  // visible before its rows
       if (slot.set && (!own || counts)) late(but.object.index, slot);
       own ? manner(slot, t, but.component) : strand(slot, t);
       t.velocity = true;
@@ -178,7 +177,7 @@ struct Writer {
     }
   }
 
-  // How the tracks of a strand go on, without their rows.
+  // Writes the twerpers and extrapolations of a strand's tracks, without their rows.
   void manner(const Strand& of, Target t, int component) {
     manner(*of.track, t);
     for (std::size_t k = 0; k < of.components.size(); ++k) {
@@ -242,13 +241,13 @@ struct Writer {
       }
       out += "\n";
     }
-    // A name with a slash may belong to anything by now, and its namesake above may be gone: such objects get their
-    // names last.
+    // A name with a slash may no longer match its parent, and the object above may be gone. Such objects get their
+    // final names last.
     for (std::uint32_t i : living)
       if (!files.makes(i) && flat_name(s.objects[i].name) != s.objects[i].name)
         out += "rename " + flat_name(s.objects[i].name) + " " + s.objects[i].name + "\n";
     lists();
-    // What speaks of other objects waits until all are there.
+    // References to other objects come after all objects.
     for (std::uint32_t i : living)
       for (const Slot& slot : s.objects[i].slots)
         if (slot.set && (refers(slot) || files.makes(i)) && !files.sets(i, slot)) late(i, slot);
@@ -265,7 +264,7 @@ struct Writer {
       }
   }
 
-  // Display lists as they are from the beginning, then what they become later.
+  // Writes the display lists at the beginning, then their later versions.
   void lists() {
     lists(*s.lists, *s.lists, "make ");
     DisplayLists now = *s.lists;
@@ -279,7 +278,7 @@ struct Writer {
     if (!s.main.empty()) out += "start " + s.main + "\n";
   }
 
-  // Those that are called before those that call them.
+  // Writes called lists before their callers.
   void lists(const DisplayLists& meant, const DisplayLists& now, const std::string& make) {
     std::set<std::string, std::less<>> written;
     std::vector<std::pair<const std::string*, bool>> todo;
@@ -303,13 +302,13 @@ struct Writer {
 
   std::string on(ObjectId layer) const { return layer ? "on " + name_of(layer) + " " : ""; }
 
-  // What stands behind a name that has to be there first.
+  // Writes a value that refers to a name, which must exist first.
   void late(std::uint32_t i, const Slot& slot) {
     const FunctionSpec& spec = spec_of(s, slot.function);
     if (const auto* a = std::get_if<Attachment>(&*slot.set)) {
       if (a->kind >= AttachmentKind::hang && !find_object(s, a->parent)) return;
       const std::string what = value(*slot.set, spec, -1);       // "couple to hand"
-      const auto space = std::min(what.find(' '), what.size());  // none: nothing holds it, and that was said
+      const auto space = std::min(what.find(' '), what.size());  // no blank if nothing holds it
       out += what.substr(0, space) + " " + s.objects[i].name + what.substr(space) + "\n";
       return;
     }
@@ -349,12 +348,12 @@ struct Writer {
     out += "\n";
   }
 
-  // A name without slashes that no object has.
+  // Returns a name without slashes that no object has.
   std::string flat_name(const std::string& name) const {
     if (name.find('/') == std::string::npos) return name;
     std::string flat = name;
     std::replace(flat.begin(), flat.end(), '/', '-');
-    flat += "-" + std::to_string(s.names.find(name).index);  // "a/b-c" and "a-b/c" stay apart
+    flat += "-" + std::to_string(s.names.find(name).index);  // keeps "a/b-c" and "a-b/c" distinct
     while (s.names.find(flat) || !versions(s, flat).empty()) flat += "-";
     return flat;
   }

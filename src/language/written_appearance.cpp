@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Writing how a film looks.
+// Writes the look of a film.
 #include <fmt/format.h>
 
 #include "language/values.h"

@@ -14,7 +14,8 @@ FilesObjects::FilesObjects(const Scene& s) : s_(s) {
   }
 }
 
-// All parts are there, below the root, and whatever was set of them still is, as that or another.
+// Returns whether all parts still exist below the root, and every value that the file sets is set, possibly to another
+// value.
 bool FilesObjects::whole(const FromFile& file) const {
   const auto there = [&](std::uint32_t i) {
     const Object* o = find_object(s_, {i});
@@ -43,7 +44,7 @@ const Slot* FilesObjects::made(std::uint32_t object, const Slot& slot) const {
   return at == made_.end() || slot.layer ? nullptr : at->second.object->find(slot.function);
 }
 
-// Names below the root follow it.
+// Returns whether the values are equal, apart from the root's name in names below it.
 bool FilesObjects::same(std::uint32_t object, const Value& now, const Value& then) const {
   const auto *is = std::get_if<Names>(&now), *was = std::get_if<Names>(&then);
   if (!is || !was) return now == then;

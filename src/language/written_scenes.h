@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which objects of a document need not be written, as the file of a scene makes them, and what of them differs.
+// Finds the objects that a scene file makes, which a script need not write, and their differences from the file.
 #pragma once
 
 #include <map>
@@ -14,13 +14,13 @@ class FilesObjects {
  public:
   explicit FilesObjects(const Scene&);
 
-  // The command that makes the object with its parts; null: there is none.
+  // Returns the command that makes the object with its parts, or nullptr if there is none.
   const std::string* command(std::uint32_t object) const;
-  // Whether a file makes it, as a part.
+  // Returns whether a file makes the object as a part.
   bool makes(std::uint32_t object) const { return made_.contains(object); }
-  bool sets(std::uint32_t object, const Slot&) const;    // what is set
-  bool tracks(std::uint32_t object, const Slot&) const;  // its events
-  // The first and last event that the file makes, where the track is another one by now.
+  bool sets(std::uint32_t object, const Slot&) const;    // whether the file sets the same value
+  bool tracks(std::uint32_t object, const Slot&) const;  // whether the file makes the same events
+  // Returns the first and last event that the file makes, if the track is different now.
   std::optional<std::pair<Time, Time>> outdated(std::uint32_t object, const Slot&) const;
 
  private:

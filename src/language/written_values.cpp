@@ -27,7 +27,7 @@ std::string write_environment(const std::string& name, const Environment& e) {
       const Timing& t = a->timing;
       Mat4 still = a->motion;
       for (int k = 0; k < 3; ++k) still(k, 3) = 0;
-      // Of a matrix alone it would not be known that each of its digits was meant.
+      // A matrix alone would be rounded to a rigid motion when read; with a second factor each digit stays.
       const std::string moved = still == Mat4{}
                                     ? "translate" + write_vector({a->motion(0, 3), a->motion(1, 3), a->motion(2, 3)})
                                     : write_matrix(a->motion) + (unrounded(a->motion) ? " scale(1)" : "");
@@ -46,7 +46,7 @@ std::string write_environment(const std::string& name, const Environment& e) {
 
 std::string write_number(double v) { return v == 0 ? "0" : fmt::format("{}", v); }
 
-// Ten decimals are finer than a flick; long times are written as a clock's, or the double that reads the seconds
+// Ten decimals are finer than a flick. Long times are written as hours:minutes:seconds, because a double of seconds
 // would lose flicks.
 std::string write_seconds(Time t) {
   const auto trim = [](std::string text) {
@@ -113,7 +113,7 @@ std::string write_matrix(const Mat4& m) {
 
 namespace {
 
-// Rows that are written as values of these functions are.
+// The rows that are written like values of these functions.
 constexpr std::pair<Drawing, FunctionId> written_as[] = {
     {Drawing::text, fn::text},         {Drawing::color, fn::color},     {Drawing::texture, fn::texture},
     {Drawing::font, fn::font},         {Drawing::perspective, fn::fov}, {Drawing::orthographic, fn::camera_height},
@@ -151,7 +151,7 @@ std::string write_points(const std::vector<Vec3>& list) {
   return out + ")";
 }
 
-// Ring by ring, where all are closed; else it is one that is not.
+// Writes ring by ring if all rings are closed; otherwise the list is a single open one.
 std::string write_holes(const std::vector<Vec3>& list) {
   const Contours all = rings(list);
   std::size_t points = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// They may raise; see machine.h.
+// The functions here may raise Lua errors; see machine.h.
 #include "procedure/arithmetic.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ int make_axis(lua_State* l) {
   return push(l, Kind::quat, n), 1;
 }
 
-int make_vector(lua_State* l) {  // in a drawing two numbers are enough
+int make_vector(lua_State* l) {  // in a plane two numbers are enough
   const double n[] = {number(l, 1), number(l, 2), luaL_optnumber(l, 3, 0)};
   return push(l, Kind::vector, n), 1;
 }
@@ -69,7 +69,7 @@ int smoothstep(lua_State* l) {
   const double u = low == high ? x >= high : std::fmax(0, std::fmin((x - low) / (high - low), 1));
   return lua_pushnumber(l, u * u * (3 - 2 * u)), 1;
 }
-// mix(a, b, u) = a (1 - u) + b u, of numbers and whatever has arithmetic.
+// mix(a, b, u) = a (1 - u) + b u, for numbers and all types with arithmetic.
 int mix(lua_State* l) {
   const double u = number(l, 3);
   lua_settop(l, 2);

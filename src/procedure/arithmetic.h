@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What code works with: vectors, colours and orientations, noise, mixing.
+// Basic functions for code: vectors, colours, orientations, noise, mixing.
 #pragma once
 
 #include <lua.hpp>

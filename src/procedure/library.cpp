@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The globals that code sees. It sees them through empty tables that cannot be written, so that nothing it does stays.
+// The globals of code. It gets read-only proxies of the tables, so that it can leave no changes.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -15,13 +15,13 @@ namespace {
 
 // --- plain functions (may raise; see machine.h) ---
 
-// What a function of Lua's own takes is more than one step where it goes through a list or a text.
+// The cost in steps of Lua's own functions, which may process a whole list or text in one call.
 enum class Charge { text, list, range, move, sort };
 double span(lua_State* l, int first, int last, double otherwise) {
   const double a = luaL_optnumber(l, first, 1), b = luaL_optnumber(l, last, otherwise);
   return b >= a ? b - a + 1 : 0;
 }
-// Comparing may go through whole texts.
+// A comparison may read whole texts.
 double sorting(lua_State* l, double size) { return size * (1 + std::log2(size + 1)) * Machine::of(l).steps_each(); }
 template <Charge how>
 int charged(lua_State* l) {
@@ -42,7 +42,7 @@ int charged(lua_State* l) {
   return results;
 }
 
-// The least or greatest of the arguments, of which there may be very many.
+// Returns the least or greatest of the arguments, which may be many.
 template <bool least>
 int extreme(lua_State* l) {
   const int count = lua_gettop(l);
@@ -64,7 +64,7 @@ int repeat(lua_State* l) {
   const double times = std::max(0.0, luaL_checknumber(l, 2));
   if (times * static_cast<double>(size + between) > longest_text)
     return luaL_error(l, "rep: a text of more than 1000000 characters");
-  charge(l, times / (size + between > 0 ? 256 : 16));  // of nothing there may be very many
+  charge(l, times / (size + between > 0 ? 256 : 16));  // an empty text may be repeated very often
   return charged<Charge::text>(l);
 }
 
@@ -75,7 +75,7 @@ int no_writing(lua_State* l) {
 }
 int no_library_writing(lua_State* l) { return luaL_error(l, "a library cannot be written"); }
 
-// --- functions that ask (guarded; see machine.h) ---
+// --- functions that query the program (guarded; see machine.h) ---
 
 int fail_with(lua_State* l, std::string_view why) { return lua_pushlstring(l, why.data(), why.size()), failed; }
 
@@ -84,7 +84,7 @@ int to_text(lua_State* l, Machine&) {
   return lua_pushlstring(l, s.data(), s.size()), 1;
 }
 
-// string.format, but for %p; tables and functions are written without their addresses.
+// Checks the arguments of string.format. Forbids %p, and writes tables and functions without their addresses.
 int format_arguments(lua_State* l, Machine&) {
   const char* f = lua_tostring(l, 1);
   if (!f) return fail_with(l, "format: the first argument is no text");
@@ -110,7 +110,7 @@ int format(lua_State* l) {
   return charged<Charge::text>(l);
 }
 
-// The next key of the sorted list (upvalue 1) whose value is not nil.
+// Returns the next key of the sorted list (upvalue 1) whose value is not nil.
 int next_pair(lua_State* l) {
   for (;;) {
     const lua_Integer i = lua_tointeger(l, lua_upvalueindex(2)) + 1;
@@ -123,7 +123,7 @@ int next_pair(lua_State* l) {
   }
 }
 
-// Puts the list of a table's keys, as they come, behind the table.
+// Pushes the list of a table's keys, unsorted, after the table.
 int keys_of(lua_State* l, Machine&) {
   if (lua_type(l, 1) != LUA_TTABLE) return fail_with(l, "pairs: a table is needed");
   lua_settop(l, 1);
@@ -162,13 +162,13 @@ int sorted_pairs(lua_State* l, Machine&) {
 }
 int pairs(lua_State* l) {
   const Machine& m = Machine::of(l);
-  charge(l, static_cast<double>(m.made() / 512));  // a table may have many empty places
+  charge(l, static_cast<double>(m.made() / 512));  // a table may have many empty slots
   guarded<keys_of>(l);
   charge(l, sorting(l, static_cast<double>(lua_rawlen(l, 2))));
   return guarded<sorted_pairs>(l);
 }
 
-// Asking somebody else is more than one step, and whatever is handed over or comes back is copied.
+// Returns the cost of a query: more than one step, because its arguments and results are copied.
 double copied(lua_State* l) {
   double steps = 0;
   for (int i = 1; i <= lua_gettop(l); ++i) {
@@ -215,7 +215,7 @@ int place_of(lua_State* l, Machine& m) {
   return found ? push_answer(l, "place", Value(*found)) : push_answer(l, "place", found.error());
 }
 
-// Says of what was asked in a call, not of the question that it became.
+// Rewrites an error so that it mentions the author's call, not the internal query.
 int touches_nobody(lua_State* l, int argument, const Error& e) {
   const std::string name = lua_tostring(l, argument), asked = "value('" + name + ".touching'): ";
   const bool ours = e.message.starts_with(asked);
@@ -223,7 +223,7 @@ int touches_nobody(lua_State* l, int argument, const Error& e) {
                           (e.hint.empty() ? "" : "; " + e.hint));
 }
 
-// touching(A [, time]): a list of names; touching(A, B [, time]): whether they do.
+// touching(A [, time]) returns a list of names; touching(A, B [, time]) returns whether they touch.
 int touching_of(lua_State* l, Machine& m) {
   if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "touching: the name of an object comes first, in quotes");
   const bool two = lua_type(l, 2) == LUA_TSTRING;
@@ -284,7 +284,7 @@ int call_routine(lua_State* l, Machine& m) {
     arguments.push_back(std::move(*v));
   }
   const auto result = routine->value(*m.call->questions, arguments, m.call->steps);
-  if (!result) {  // who call each other for ever are named once each
+  if (!result) {  // endless mutual calls are named once each
     const std::string& why = result.error().message;
     const bool round = why.ends_with(Nested::error().message) && why.find(name + ": ") != std::string::npos;
     return fail_with(l, round ? why : name + ": " + why);
@@ -292,7 +292,7 @@ int call_routine(lua_State* l, Machine& m) {
   return push_answer(l, name, result);
 }
 
-// A name that no table has: frames a second, the number of this one, a named procedure, or nil.
+// Finds a name that is in no table: the frame rate, the number of the frame, a named procedure, or nil.
 int find_global(lua_State* l, Machine& m) {
   if (lua_type(l, 2) != LUA_TSTRING || !m.call) return 0;
   const std::string_view name = lua_tostring(l, 2);
@@ -307,9 +307,9 @@ int find_global(lua_State* l, Machine& m) {
   return 1;
 }
 
-// --- putting it together ---
+// --- assembly ---
 
-// Turns the table on top into one that shows it and cannot be written.
+// Replaces the table on top by a read-only proxy.
 void protect(lua_State* l, lua_CFunction writing) {
   lua_newtable(l);
   lua_createtable(l, 0, 2);
@@ -320,7 +320,7 @@ void protect(lua_State* l, lua_CFunction writing) {
   lua_setmetatable(l, -2);
 }
 
-// Functions of the library that `open` opens, into the table on top; with `through` around each, if any.
+// Copies functions of the library that `open` opens into the table on top, wrapped by `through` if given.
 void copy(lua_State* l, lua_CFunction open, std::initializer_list<const char*> names, lua_CFunction through = nullptr) {
   lua_pushcfunction(l, open);
   lua_call(l, 0, 1);
@@ -330,14 +330,14 @@ void copy(lua_State* l, lua_CFunction open, std::initializer_list<const char*> n
   }
   lua_pop(l, 1);
 }
-// The function `name` of the table on top goes through this one instead.
+// Wraps the function `name` of the table on top.
 void wrap(lua_State* l, const char* name, lua_CFunction through) {
   lua_getfield(l, -1, name);
   lua_pushcclosure(l, through, 1);
   lua_setfield(l, -2, name);
 }
 
-// couple("hand"): how something is held, as a row says it.
+// couple("hand") and the like: an attachment, as in a row.
 template <int how>
 int holding(lua_State* l) {
   static constexpr const char* words[] = {"hang on %s", "attach to %s", "couple to %s"};
@@ -388,14 +388,14 @@ void open_library(lua_State* l, Machine& m) {
   wrap(l, "rep", repeat);
   wrap(l, "format", format);
   protect(l, no_library_writing);
-  lua_pushliteral(l, "");  // texts have these as methods
+  lua_pushliteral(l, "");  // makes them methods of texts
   lua_getmetatable(l, -1);
   lua_pushvalue(l, -3);
   lua_setfield(l, -2, "__index");
   lua_pop(l, 2);
   lua_setfield(l, -2, "string");
 
-  // What code sees is looked for in: this call's, the library, the procedures.
+  // The order of lookup: the globals of this call, the library, the procedures.
   lua_createtable(l, 0, 1);
   lua_pushcfunction(l, guarded<find_global>);
   lua_setfield(l, -2, "__index");

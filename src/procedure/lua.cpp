@@ -22,18 +22,18 @@ namespace {
 using lua::Call;
 using lua::Machine;
 
-// What code says of itself reaches terminals and logs: so much of it, and nothing that they would obey.
+// Messages of code reach terminals and logs, so they are shortened, and control characters are removed.
 std::string shown(std::string_view message) {
   constexpr std::size_t most = 500;
   const std::string_view begin = first_characters(message, most);
   return visible(begin) + (begin.size() < message.size() ? "…" : "");
 }
 
-// "procedure:3: what" as Lua says it: without the file, and without the line where there is but one.
+// Shortens Lua's "procedure:3: what": omits the chunk's name, and the line if there is only one.
 std::string plain(std::string_view message, bool lines) {
   constexpr std::string_view chunk = "procedure:";
   const std::size_t digits = std::min(message.find_first_not_of("0123456789", chunk.size()), message.size());
-  // Code says whatever it likes with error(), words that only begin so too.
+  // error() of code may imitate this beginning.
   if (!message.starts_with(chunk) || digits == chunk.size() || !message.substr(digits).starts_with(": "))
     return shown(message);
   const std::string_view line = message.substr(chunk.size(), digits - chunk.size());
@@ -45,9 +45,10 @@ std::string plain(std::string_view message, bool lines) {
 
 bool has_lines(const std::string& source) { return source.find('\n') != std::string::npos; }
 
-// Machines of this thread, one for each level of nesting: so every level has the whole of Lua's own stack, and what a
-// procedure can do does not depend on who asks it.
-thread_local std::deque<std::unique_ptr<Machine>> machines;  // a call within a call adds one: others stay in place
+// The machines of this thread, one for each level of nesting. Each level has the whole of Lua's stack, so that a
+// procedure's limits do not depend on its caller.
+// A deque, because a nested call adds a machine and the others must stay in place.
+thread_local std::deque<std::unique_ptr<Machine>> machines;
 
 std::unique_ptr<Machine>& machine() {
   const auto level = static_cast<std::size_t>(Nested::level());
@@ -63,8 +64,8 @@ class Lua final : public Routine {
   std::uint64_t serial = 0;
   Role role = Role::value;
 
-  // `prepare` sets globals, pushes arguments and says how many; `first`: of these, how many a function that is given
-  // back gets; `take` makes the result from the top of the stack.
+  // `prepare` sets globals, pushes arguments and returns their number. `again` does the same for a returned function.
+  // `take` converts the top of the stack to the result.
   template <class R>
   Result<R> run(Call& call, auto&& prepare, auto&& again, auto&& take) const {
     const Nested nested;
@@ -77,7 +78,7 @@ class Lua final : public Routine {
     if (status == LUA_OK && lua_type(l, -1) == LUA_TFUNCTION) status = call_function(m, again(m));
     m.lenient = true;
     Result<R> result = status == LUA_OK ? Result<R>(take(l)) : Result<R>(said(l, status));
-    call.steps += lua::steps_between_hooks;  // the last, not full, hundred
+    call.steps += lua::steps_between_hooks;  // the last hundred, which is incomplete
     const bool spoilt = status == LUA_ERRMEM || call.stopped;
     m.end();
     if (spoilt) machine_here = nullptr;  // it may have grown
@@ -156,7 +157,7 @@ class Lua final : public Routine {
 
   Status command(Host& host, const std::vector<std::string>& words) const override {
     if (role != Role::command) return Routine::command(host, words);
-    // A command that another one runs goes on with its steps.
+    // A command that another one runs continues its count of steps.
     thread_local Call* running = nullptr;
     Call call;
     call.host = &host;
@@ -190,7 +191,7 @@ class Lua final : public Routine {
   }
 
  private:
-  // What has no word in Lua is nil.
+  // A value without an equivalent in Lua becomes nil.
   static void push_value(lua_State* l, const Value& v) {
     if (!lua::push(l, v)) lua_pushnil(l);
   }
@@ -202,7 +203,7 @@ class Lua final : public Routine {
     return status;
   }
 
-  // "(global 'nosuch')": what has a name like that.
+  // Returns a similar name for "(global 'nosuch')".
   static std::string near_global(lua_State* l, std::string_view why) {
     constexpr std::string_view before = "(global '";
     constexpr std::size_t longest_name = 100;
@@ -212,7 +213,7 @@ class Lua final : public Routine {
     std::string_view name = why.substr(at + before.size(), longest_name);
     name = name.substr(0, name.find('\''));
     std::vector<std::string> known;
-    lua_pushglobaltable(l);  // each table stands before the next one
+    lua_pushglobaltable(l);  // each table precedes the next one
     for (bool more = true; more;) {
       for (lua_pushnil(l); lua_next(l, -2) != 0; lua_pop(l, 1))
         if (lua_type(l, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(l, -2));
@@ -241,7 +242,7 @@ int keep(lua_State*, const void* piece, std::size_t size, void* to) {
   return 0;
 }
 
-// Compiles; what Lua says otherwise.
+// Compiles the source, or returns Lua's error.
 Result<std::string> compile(lua_State* l, const std::string& source) {
   if (luaL_loadbufferx(l, source.data(), source.size(), "=procedure", "t") != LUA_OK)
     return fail(ErrorCode::syntax, plain(lua_tostring(l, -1), has_lines(source)));
@@ -250,7 +251,8 @@ Result<std::string> compile(lua_State* l, const std::string& source) {
   return out;
 }
 
-// What begins with a word of a statement is no expression: its error is that of a chunk.
+// Returns whether the source begins with a keyword of a statement. Its error is then that of a chunk, not of an
+// expression.
 bool is_chunk(std::string_view source) {
   const auto begin = source.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return false;
@@ -298,7 +300,7 @@ bool known_to_lua(std::string_view name) {
   lua_State* l = m.state;
   lua_pushglobaltable(l);
   lua_pushlstring(l, name.data(), name.size());
-  const bool known = lua_gettable(l, -2) != LUA_TNIL;  // nobody is asked for procedures: no call is running
+  const bool known = lua_gettable(l, -2) != LUA_TNIL;  // does not query procedures, because no call is running
   m.lenient = true;
   lua_settop(l, 0);
   return known;

@@ -9,7 +9,7 @@
 namespace betwixt::lua {
 namespace {
 
-// The size of a new state's stack in Lua 5.4: twice the least stack, and five slots to spare.
+// The size of a new state's stack in Lua 5.4: twice the minimum stack, and five extra slots.
 constexpr std::size_t first_stack = (2 * LUA_MINSTACK + 5) * 16;
 
 thread_local Machine* running = nullptr;  // the innermost call
@@ -17,12 +17,12 @@ thread_local Machine* running = nullptr;  // the innermost call
 void* allocate(void* data, void* block, std::size_t old_size, std::size_t size) {
   Machine& m = *static_cast<Machine*>(data);
   const bool is_new = !block;
-  if (is_new) {  // Lua then says what the block is for
+  if (is_new) {  // old_size is then the type of the block
     if (old_size == LUA_TSTRING) m.longest = std::max(m.longest, size);
     old_size = 0;
   }
   if (size == 0) {
-    if (block == m.stack.at) m.stack = m.newest;  // Lua copies a stack that grows, and then frees the old one
+    if (block == m.stack.at) m.stack = m.newest;  // Lua copies a growing stack, and then frees the old one
     std::free(block);
     m.live -= old_size;
     return nullptr;
@@ -73,7 +73,7 @@ std::size_t Machine::push_code(std::uint64_t serial, std::string_view compiled) 
     lua_gc(state, LUA_GCCOLLECT);
     floor = live;
   }
-  // Code may assign _ENV, which is kept with the function: give it back its own.
+  // Code may assign _ENV, which the function keeps. Restores the original.
   lua_pushglobaltable(state);
   if (!lua_setupvalue(state, -2, 1)) lua_pop(state, 1);
   return longest;
@@ -118,7 +118,7 @@ void Machine::end() {
   }
   lua_settop(state, 0);
   longest = 0;
-  // Each thread has a machine, and may rest from now on. Collecting also shrinks the stack.
+  // The thread's machine may now be idle for long. A full collection also shrinks the stack.
   if (held() > 0 || steps_each() > 1) lua_gc(state, LUA_GCCOLLECT);
 }
 

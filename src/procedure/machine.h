@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A Lua state that cannot be left changed, the limits of a call, and values to and from it.
+// A Lua state that always returns to its initial state, the limits of a call, and the conversion of values.
 //
-// Lua raises errors by longjmp, which no C++ destructor survives. So a C function here is one of two kinds: plain, with
-// nothing but numbers and pointers, which may raise; or wrapped by guarded<>, which holds what it likes, raises nothing
-// (memory is not refused meanwhile) and returns `failed` with the message pushed. NotWanted ends the call, and is
-// thrown when Lua has been left.
+// Lua raises errors by longjmp, which skips C++ destructors. So a C function here is one of two kinds. A plain one uses
+// only numbers and pointers, and may raise. One wrapped by guarded<> may use any object and never raises: memory is not
+// refused during it, and for an error it pushes the message and returns `failed`. NotWanted ends the call, and is
+// thrown only after Lua has returned.
 #pragma once
 
 #include <cstdint>
@@ -22,19 +22,19 @@ namespace betwixt::lua {
 
 inline constexpr std::uint64_t most_steps = 1'000'000;
 inline constexpr int steps_between_hooks = 100;
-// An instruction may go through a whole text, to compare it, and may copy as many arguments as the stack holds: each
-// counts once more for every so many letters of the longest text, and for every so many slots of the stack.
+// One instruction may compare whole texts, and may copy as many arguments as the stack has. So each instruction costs
+// an extra step for each `letters_a_step` letters of the longest text, and for each `slots_a_step` slots of the stack.
 inline constexpr std::size_t letters_a_step = 512, slots_a_step = 512;
-// Bytes that a call, and all calls that it waits for, may hold; and that one call may allocate in all.
+// The most bytes that a call and the calls waiting for it may hold, and that one call may allocate in total.
 inline constexpr std::size_t most_live = 16 << 20, most_allocated = 64 << 20;
-// Lua's compiler takes quadratic time for some texts: `t and t and …` of a megabyte takes a minute.
+// Lua's compiler takes quadratic time for some texts: a megabyte of `t and t and …` takes a minute.
 inline constexpr std::size_t longest_code = 65'536;
-inline constexpr std::size_t most_garbage = 256 << 10;  // that a machine keeps while it is not running
+inline constexpr std::size_t most_garbage = 256 << 10;  // that a machine keeps while it is idle
 inline constexpr const char* too_many_steps = "stopped: it took more than 1000000 steps";
 inline constexpr const char* not_wanted = "stopped: this is not wanted any more";
 inline constexpr const char* too_much_memory = "stopped: it took too much memory";
 
-// What the running call may use.
+// The resources of the running call.
 struct Call {
   Questions* questions = nullptr;
   Input* input = nullptr;
@@ -42,10 +42,10 @@ struct Call {
   double seconds = 0;
   std::uint64_t steps = 0;
   bool stopped = false;
-  bool called_off = false;  // nobody wants the answer any more
+  bool called_off = false;  // the caller has cancelled the call
 };
 
-// The tables that stand for a value; each has a metatable of its kind.
+// The tables that represent values. Each kind has a metatable of its own.
 enum class Kind : std::uint8_t { none, vector, color, angles, quat, matrix };
 inline constexpr int kinds = 6;
 
@@ -61,11 +61,11 @@ class Machine {
   Call* call = nullptr;
   bool lenient = true;  // memory is not refused
   std::size_t live = 0, floor = 0, allocated = 0;
-  std::size_t outside = 0;    // bytes that the calls hold which wait for this one
+  std::size_t outside = 0;    // bytes held by the calls that wait for this one
   int now = LUA_NOREF;        // the globals of this call
   int metatable[kinds] = {};  // by Kind
-  std::size_t longest = 0;    // text that this call has made or has in its code
-  // Lua's own stack, which the allocator knows by its first size, and the block that was allocated last.
+  std::size_t longest = 0;    // the longest text that this call has made or has in its code
+  // Lua's own stack, which the allocator recognizes by its initial size, and the latest allocated block.
   struct Block {
     void* at = nullptr;
     std::size_t bytes = 0;
@@ -75,13 +75,13 @@ class Machine {
   std::size_t push_code(std::uint64_t serial, std::string_view compiled);
   void begin(Call&, std::size_t longest_in_code);
   void end();
-  double steps_each() const;  // what an instruction may cost now
-  // Before another call: collects garbage, so that what this call holds is counted against the other one, and little
-  // else. Where not much has come since the last time nothing is done: a collection goes through all that is held.
+  double steps_each() const;  // the present cost of an instruction
+  // Collects garbage before a nested call, so that only memory in use counts against that call. Does nothing if little
+  // was allocated since the last time, because a collection visits everything.
   void settle();
-  std::size_t held() const;      // bytes beyond `most_garbage` …
-  std::size_t made() const;      // … at most those that this call allocated
-  void set(const char* global);  // pops its value
+  std::size_t held() const;      // bytes beyond `most_garbage`; at most made()
+  std::size_t made() const;      // bytes that this call allocated
+  void set(const char* global);  // pops the value
 
  private:
   static constexpr std::size_t most_chunks = 256;
@@ -89,12 +89,12 @@ class Machine {
     int reference;
     std::size_t longest;
   };
-  std::unordered_map<std::uint64_t, Chunk> chunks_;  // compiled here already, by serial
-  std::size_t settled_ = 0;                          // bytes behind the last collection of this call
-  Machine* below_ = nullptr;                         // whose call waits for this one
+  std::unordered_map<std::uint64_t, Chunk> chunks_;  // compiled code by serial
+  std::size_t settled_ = 0;                          // bytes after the last collection of this call
+  Machine* below_ = nullptr;                         // the machine whose call waits for this one
 };
 
-// Raises the error on the stack's top as one that ends the call, whatever the code would like.
+// Raises the error on top of the stack as one that code cannot catch.
 int stop(lua_State*, const char* why);
 void charge(lua_State*, double steps);
 
@@ -118,11 +118,11 @@ int guarded(lua_State* l) {
   return lua_error(l);
 }
 
-// Values (values.cpp). None raises, but for want of memory.
-Kind read(lua_State*, int index, double* numbers);  // the numbers of a value of a kind: up to 16
-void push_number(lua_State*, double);               // what is whole stays so in texts: 3, not 3.0
+// Values (values.cpp). These functions raise only when memory runs out.
+Kind read(lua_State*, int index, double* numbers);  // reads up to 16 numbers of a value
+void push_number(lua_State*, double);               // whole numbers stay whole in texts: 3, not 3.0
 void push(lua_State*, Kind, const double* numbers);
-bool push(lua_State*, const Value&);  // false: there is no such thing in Lua; nothing is pushed
+bool push(lua_State*, const Value&);  // returns false, and pushes nothing, if Lua has no equivalent
 Result<Value> to_value(lua_State*, int index);
 std::string written(lua_State*, int index);  // any value, without addresses
 void make_kinds(lua_State*, Machine&);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How deep procedures read each other on this thread: each level needs some of its stack.
+// The depth of procedures that read each other on this thread. It is limited because each level uses the thread's
+// stack.
 #pragma once
 
 #include "betwixt/result.h"

@@ -8,7 +8,7 @@
 namespace betwixt {
 namespace {
 
-// The finalizer of SplitMix64: every bit of x stirs every bit of the result.
+// The finalizer of SplitMix64: every bit of x affects every bit of the result.
 std::uint64_t stir(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
@@ -17,7 +17,7 @@ std::uint64_t stir(std::uint64_t x) {
 }
 double fraction(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
-// What the corner (i, j, k) of the lattice contributes at `d` from it.
+// Returns the contribution of the lattice corner (i, j, k) at the distance `d`.
 double corner(const std::int64_t* cell, Vec3 d, int dimensions) {
   std::uint64_t h = 0;
   for (int a = 0; a < dimensions; ++a) h = stir(h ^ static_cast<std::uint64_t>(cell[a]));
@@ -32,7 +32,7 @@ double noise(Vec3 at, int dimensions) {
   std::int64_t cell[3] = {0, 0, 0};
   Vec3 f, fade;
   for (int a = 0; a < dimensions; ++a) {
-    if (!(std::abs(at[a]) < 1e15)) return 0;  // so far out every number is whole
+    if (!(std::abs(at[a]) < 1e15)) return 0;  // beyond this every number is whole
     const double low = std::floor(at[a]);
     cell[a] = static_cast<std::int64_t>(low);
     const double x = f[a] = at[a] - low;
@@ -51,12 +51,12 @@ double noise(Vec3 at, int dimensions) {
     }
     sum += weight * corner(at_corner, d, dimensions);
   }
-  return sum * 2 / std::sqrt(dimensions);  // the most is in the middle of a cell: half its diagonal
+  return sum * 2 / std::sqrt(dimensions);  // the maximum is in the middle of a cell: half its diagonal
 }
 
 double hashed(Vec3 seed) {
   std::uint64_t h = 0;
-  for (int a = 0; a < 3; ++a) h = stir(h ^ std::bit_cast<std::uint64_t>(seed[a] + 0.0));  // -0 is 0
+  for (int a = 0; a < 3; ++a) h = stir(h ^ std::bit_cast<std::uint64_t>(seed[a] + 0.0));  // converts -0 to 0
   return fraction(h);
 }
 

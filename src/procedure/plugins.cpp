@@ -50,7 +50,7 @@ Result<Value> read(const betwixt_value& v) {
 
 Error refused(const char* why) { return fail(ErrorCode::type, why ? why : "it failed and does not say why"); }
 
-// --- what the functions may ask; the answers' texts live as long as these ---
+// --- queries by plug-ins; the texts of answers live as long as this object ---
 
 struct Asking {
   Questions& questions;
@@ -183,7 +183,7 @@ bool is_name(const char* name) {
                      [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; });
 }
 
-// Whether the name is free, among routines of one role or functions; says what is wrong otherwise.
+// Returns whether the name is free among routines of one role, or among functions; otherwise sets the error.
 bool accept(Registering& r, const char* name, bool there, bool taken) {
   if (!r.wrong.empty()) return false;
   if (!is_name(name))
@@ -221,10 +221,10 @@ int add_function(const betwixt_host* host, const char* name, const char* type, c
   return 0;
 }
 
-// Opens and registers. What it says begins with what is wrong, "not a plug-in".
+// Loads a plug-in and lets it register. Errors begin with the reason, such as "not a plug-in".
 Result<Plugin> open(const std::string& path) {
   const auto wrong = [](std::string what) { return fail(ErrorCode::file, std::move(what)); };
-  // With a slash, or the system looks in its own places.
+  // An absolute path has a slash; without one the system would search its own folders.
   const auto full = std::filesystem::absolute(path).string();
   void* library = dlopen(full.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) return wrong("not a plug-in: it is no shared library of this machine, or lacks one that it needs");
@@ -253,7 +253,8 @@ Result<Plugin> open(const std::string& path) {
   return std::move(r.plugin);
 }
 
-// Whether a child process survives loading it; what it registers is checked by who loads it in earnest.
+// Returns whether a child process survives loading it. The parent checks the registered words when it loads the plug-in
+// itself.
 Status survives(const std::string& path) {
   const pid_t child = fork();
   if (child < 0) return fail(ErrorCode::machine, "there is no process to try it in");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Plug-ins: code of the author's in C, through include/betwixt/plugin.h.
+// Plug-ins: the author's code in C, through include/betwixt/plugin.h.
 #pragma once
 
 #include <memory>
@@ -18,16 +18,16 @@ struct PluginItem {
   std::shared_ptr<const Routine> code;
 };
 struct PluginFunction {
-  std::string name, type;       // the type as the language writes it
-  std::vector<double> numbers;  // its value before any event
+  std::string name, type;       // the name of the type in the language
+  std::vector<double> numbers;  // the value before any event
 };
 struct Plugin {
   std::vector<PluginItem> items;
   std::vector<PluginFunction> functions;
 };
 
-// Loaded for good. A child process tries it first, so that one that crashes, or takes more than five seconds, is
-// refused.
+// Loads a plug-in permanently. A child process loads it first, so that one that crashes, or takes more than five
+// seconds, is refused.
 Result<Plugin> load_plugin(const std::string& path);
 
 }  // namespace betwixt

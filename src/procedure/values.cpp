@@ -51,7 +51,7 @@ const char* article(lua_State* l, int index, Kind k) {
   }
 }
 
-// No strings of C++: an error of Lua leaves without destroying them.
+// Uses no C++ strings, because Lua's error would skip their destructors.
 int no_arithmetic(lua_State* l, char op, Kind ka, Kind kb) {
   const char *const a = article(l, 1, ka), *const b = article(l, 2, kb);
   const char* const hint =
@@ -62,7 +62,7 @@ int no_arithmetic(lua_State* l, char op, Kind ka, Kind kb) {
   return luaL_error(l, "%s cannot be divided by %s%s", a, b, hint);
 }
 
-// a op b, number by number; a number counts for each. Quaternions multiply as turns one after the other, and turn
+// a op b, component by component; a number applies to each. Quaternions multiply as successive rotations, and rotate
 // vectors.
 template <char op>
 int arithmetic(lua_State* l) {
@@ -120,7 +120,7 @@ bool push_list(lua_State* l, std::size_t count, auto&& one) {
 
 Error no_value(std::string what) { return fail(ErrorCode::type, std::move(what)); }
 
-// A list of vectors or of texts.
+// Reads a list of vectors or of texts.
 Result<Value> list_value(lua_State* l, int index) {
   const auto count = lua_rawlen(l, index);
   std::vector<Vec3> points;
@@ -128,7 +128,7 @@ Result<Value> list_value(lua_State* l, int index) {
   for (lua_Unsigned i = 1; i <= count; ++i) {
     lua_rawgeti(l, index, static_cast<lua_Integer>(i));
     double n[16];
-    const bool simple = lua_type(l, -1) != LUA_TTABLE || read(l, -1, n) != Kind::none;  // no lists in lists
+    const bool simple = lua_type(l, -1) != LUA_TTABLE || read(l, -1, n) != Kind::none;  // lists cannot be nested
     auto one = simple ? to_value(l, lua_gettop(l)) : Result<Value>(Value(0.0));
     lua_pop(l, 1);
     if (!one) return one;
@@ -161,7 +161,7 @@ Kind read(lua_State* l, int index, double* numbers) {
   return kind;
 }
 
-// Whole numbers that are larger are left alone: products of whole numbers are cut off in Lua, where others are not.
+// Larger whole numbers stay doubles, because Lua's integer products wrap around.
 void push_number(lua_State* l, double d) {
   constexpr double most = 2147483648;
   if (std::abs(d) <= most && d == std::floor(d) && !(d == 0 && std::signbit(d)))
@@ -240,7 +240,7 @@ Result<Value> to_value(lua_State* l, int index) {
 std::string written(lua_State* l, int index) {
   if (lua_type(l, index) == LUA_TBOOLEAN) return lua_toboolean(l, index) ? "true" : "false";
   if (lua_type(l, index) == LUA_TSTRING || lua_type(l, index) == LUA_TNUMBER) {
-    lua_pushvalue(l, index);  // or the number itself would become a text
+    lua_pushvalue(l, index);  // on a copy, because a number would become a text in place
     std::size_t size = 0;
     const char* text = lua_tolstring(l, -1, &size);
     std::string out(text, size);
