@@ -34,7 +34,7 @@ struct Guest {
   std::uint32_t watched = 0;
 
   static constexpr std::size_t chunk = 1 << 16;  // bytes read in one turn
-  // bytes of answers; above this the server stops reading from it (back-pressure)
+  // Bytes of answers. Above this the server stops reading from the connection (back-pressure).
   static constexpr std::size_t most_waiting = 4 << 20;
   static constexpr std::size_t most_sent = 1 << 20;  // bytes sent in one turn
   std::size_t waiting() const { return waiting_; }
