@@ -97,7 +97,7 @@ struct aim {
     return fail(AIM_E_REFUSED, why);
   }
 
-  // Returns the word of a line that has only one, else an empty string.
+  // Returns the word of a line that has only one. Otherwise returns an empty string.
   static std::string lone_word(std::string_view line) {
     constexpr std::string_view blanks = " \t\r,";
     line = line.substr(0, line.find('#'));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The limits on what hosts may add to a document. A command that exceeds one is refused and changes nothing.
+// The limits on what hosts may add to a document. A command that exceeds a limit is refused and changes nothing.
 #pragma once
 
 #include "scene/document.h"

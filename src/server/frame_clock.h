@@ -61,7 +61,7 @@ class FrameClock {
   int shown_file() const { return told_; }
 
   Priority priority() const { return priority_; }
-  const std::string& why() const { return why_; }  // why not the priority that was asked for; may be empty
+  const std::string& why() const { return why_; }  // why the requested priority was refused; may be empty
   // Returns why the screen was lost, once.
   std::optional<Error> trouble();
   std::string stats() const;  // members of a JSON object

@@ -359,7 +359,7 @@ Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t event
   return c;
 }
 
-// Counts all values made so far, also those since removed. If the sum exceeds the limit, measures the document.
+// Counts all values ever made, also those since removed. If the sum exceeds the limit, measures the document.
 Result<std::size_t> Imaging::values_in(const Scene& after, std::size_t made) const {
   const std::size_t before = values_, most = options_.ceilings.values;
   if (made == 0 || before + made <= most) return before + made;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Events for subscribed hosts: changes of the document, and what comes with frames.
+// Events for subscribed hosts: changes of the document, and events that frames bring.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -25,7 +25,7 @@ class LspFrames {
  private:
   std::string bytes_;
   std::size_t begun_ = 0;    // bytes before this have been returned
-  std::size_t scanned_ = 0;  // no head lies between the one at `begun_` and this place
+  std::size_t scanned_ = 0;  // there is no head between the one at `begun_` and this place
   bool lost_ = false;        // skips bytes up to the next head
 
   bool find_head();
