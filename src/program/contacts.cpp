@@ -321,7 +321,7 @@ std::vector<ObjectId> Contacts::touching(ObjectId id) const {
   std::vector<ObjectId> out;
   for (const Contact& p : pairs)
     if (p.a == id || p.b == id) out.push_back(p.a == id ? p.b : p.a);
-  return out;  // sorted: those before it come as a, in order, then those behind it as b
+  return out;  // sorted: first the objects before `id`, in order, then those behind it
 }
 
 bool Contacts::touching(ObjectId a, ObjectId b) const {
