@@ -42,7 +42,7 @@ Track plain_rates(const Track& reign) {
   return rates;
 }
 
-// Cuts the time of a track at the events of its velocity track. Between two events, either the track or the velocity is
+// Divides the time of a track with a velocity track into pieces. In each, either the primary track or the velocity is
 // in force.
 struct Cutter {
   Compiled& compiled;
@@ -128,7 +128,7 @@ struct Cutter {
     add_primary(release, rest);
   }
 
-  // Returns the value at the end of the pieces so far, from a temporary live value that has only these.
+  // Returns the value at the end of the finished pieces, from a temporary live value that has only these.
   Value reached(Time t) {
     Live probe{object, function, {}};
     LivePart so_far = part;

@@ -111,7 +111,7 @@ struct Asking {
     Taken taken;
   };
   std::vector<Sought> open;    // being evaluated, outermost first
-  std::vector<Sought> asked;   // read by the open ones so far
+  std::vector<Sought> asked;   // read by the open ones up to now
   std::size_t cut = SIZE_MAX;  // depth in `open` of the outermost value that a cut cycle reached
   std::map<Sought, Found<Value>> found;
   std::map<std::int64_t, Found<std::shared_ptr<const Contacts>>> found_contacts;
@@ -406,7 +406,7 @@ struct Program::Compiled {
   void find_joints();
   // Returns the joints of an inverse-kinematics chain, with the rotations that give the same pose.
   std::vector<std::pair<ObjectId, Quat>> reached_turns(ObjectId hand, Time, Asking&) const;
-  // Returns a function's value as a shape uses it; points in transition lie between two of the author's. `numbers`: the
+  // Returns a function's value as a shape uses it. Points in transition lie between two of the author's. `numbers`: the
   // array for the time, or null to evaluate.
   Value shape_part(const Binding& b, Time t, const double* numbers, Asking&) const;
   Shape shape(std::uint32_t object, Time t, const double* numbers, Asking&) const;

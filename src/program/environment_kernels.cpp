@@ -251,7 +251,7 @@ HWY_INLINE void apply_held(std::int64_t step, const Input& in, const Output<fals
     }
 }
 
-// The hardware prefetcher misses these reads between so many writes, and the start of the next run.
+// The hardware prefetcher misses these reads between that much writing, and the start of the next run.
 constexpr std::size_t ahead = 96;  // rows
 
 template <Form form, bool through>

@@ -42,7 +42,7 @@ struct alignas(64) Row {
   std::array<double, lanes> of{};
 };
 
-// The steps by which each motion of a block begins later than the run's earliest start.
+// The number of steps by which each motion of a block begins later than its run's base.
 struct alignas(16) Delays {
   std::array<std::uint16_t, lanes> of{};
 };

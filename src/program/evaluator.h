@@ -150,7 +150,7 @@ class Evaluator {
   std::vector<std::uint32_t> dirty_places_;
   std::vector<std::vector<Mat4>> palettes_;  // by skin
 
-  std::vector<std::shared_ptr<const Shape>> forms_;  // By drawable: shapes that vary. Then those on splines.
+  std::vector<std::shared_ptr<const Shape>> forms_;  // by drawable: shapes that vary; then those on splines
   std::vector<std::uint8_t> stale_;                  // … and must be made again
   std::vector<std::uint32_t> renewed_;               // the step of its last change
   playing::Marks flags_;  // nodes that have changed; `changed` lists the drawables among them

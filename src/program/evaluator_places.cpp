@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The transforms of all nodes: those that moved, and what hangs on them.
+// The transforms of all nodes: those that moved, and their children.
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -115,8 +115,8 @@ void Evaluator::put_world(std::uint32_t node, const Mat4& m) {
   if (!compiled_.sited) flags_.add(node, true);
 }
 
-// Stores a node's own transform. Without a parent, it is final at once. A node that will be turned needs its transform
-// before the turn.
+// Stores a node's own transform. If nothing holds or turns the node, the transform is final. Otherwise it is kept
+// apart, because the node needs it again.
 void Evaluator::settle(std::uint32_t node, const Own& own) {
   if (kept(node)) {
     owns_[node] = own;
@@ -231,7 +231,7 @@ void Evaluator::places(Asking& asking) {
     if (flags_[d] && std::memcmp(&m, &worlds()[d], sizeof m) == 0) flags_.take_back(d);
 }
 
-// Turns the nodes that look at something, and what hangs on them. Each sees the earlier ones already turned.
+// Turns the nodes that look at something, and their subtrees. Each sees the earlier ones already turned.
 void Evaluator::turn_eyes(Asking& asking) {
   const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };
   for (const std::uint32_t eye : eyes_) {

@@ -45,7 +45,7 @@ CompiledSpan Program::Compiled::said_to_hold(std::uint32_t node, Time t, Asking&
   return now;
 }
 
-// If code closes a cycle, every object in it is free, in whatever order they are evaluated.
+// If code closes a cycle, each object whose code takes part in it is free, in whatever order they are evaluated.
 CompiledSpan Program::Compiled::held(std::uint32_t node, Time t, Asking& asking) const {
   const CompiledSpan now = said_to_hold(node, t, asking);
   if (!now.computed || now.parent < 0) return now;

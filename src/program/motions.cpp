@@ -92,8 +92,8 @@ void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen
       for (std::size_t k = 0; k < pieces.size(); ++k) starts.push_back({pieces[k].from, i, k});
     }
   std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.time < b.time; });
-  // In the order of time, because a motion's start depends on earlier motions and releases. Motions with the same start
-  // have no effect on each other's centres.
+  // In the order of time, because a motion's start depends on earlier motions and releases. Motions that start at this
+  // time have done nothing yet.
   auto next = frozen.begin();
   const auto thaw = [&](Time until) {
     for (; next != frozen.end(); ++next) {

@@ -65,8 +65,8 @@ std::optional<Time> Program::next_change(Time t) const {
 
 namespace {
 
-// Reports the events of a repeated track wherever they recur, for both directions of a bounce; some extra times do no
-// harm.
+// Reports the events of a repeated track wherever they recur, in both directions of a bounce. Reports some other times
+// too.
 template <class May>
 void again(std::span<const std::int64_t> times, Time after, Time until, May&& may) {
   const std::int64_t length = times.empty() ? 0 : times.back() - times.front();

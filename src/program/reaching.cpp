@@ -30,7 +30,8 @@ class Chain {
   }
 
   double total() const { return total_; }
-  double nearest() const { return std::max(0.0, 2 * bones_[longest_] - total_); }  // of the end to the root
+  // The smallest distance from the root to the end.
+  double nearest() const { return std::max(0.0, 2 * bones_[longest_] - total_); }
   Vec3 span() const { return at.back() - at.front(); }
 
   void turn(Quat q, std::size_t first, std::size_t last) {  // about the joint before `first`

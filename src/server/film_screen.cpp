@@ -101,7 +101,7 @@ NewScreen film_screen(const std::string& path, const RenderOptions& picture, Rat
                       std::function<void(const Error&)> trouble) {
   return [=]() -> Result<std::unique_ptr<Screen>> {
     FilmOptions o;
-    // the length is unknown; this number only decides how palettes are made
+    // The length is unknown; this number only decides how palettes are made.
     o.path = path, o.rate = rate, o.frames = 1'000'000;
     o.width = picture.width, o.height = picture.height;
     const Result<Output> place = read_output(path);

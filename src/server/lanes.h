@@ -5,8 +5,8 @@
 // time while others wait, it is aborted and starts anew in a later lane, with at least ten times the time and a lower
 // priority. So short work never waits for long work, and few jobs run at once.
 //
-// Some work cannot be interrupted: compiling code, or reading a file in another process. If it holds its place for too
-// long, a new thread takes that place, and the old one continues at the last lane's low priority.
+// Some work cannot be interrupted: compiling code, or waiting for another process. If it holds its place for too long,
+// a new thread takes that place, and the old one continues at the last lane's low priority.
 #pragma once
 
 #include <array>

@@ -42,7 +42,7 @@ class Leaders {
 
   const std::function<void(Lock&)> round_;
   std::mutex mutex_;
-  // Signal: a thread must take the lead; no thread waits to return; the pool ends.
+  // Signals: a thread must take the lead; no thread waits to return; the pool ends.
   std::condition_variable lead_, back_, changed_;
   std::atomic<int> returning_{0};
   std::vector<std::thread> threads_;

@@ -30,11 +30,11 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_events_waiting =
-    1 << 20;                                 // Bytes that a host has not read. Above this it gets no more events.
-constexpr int turn_lines = 64;               // from one host in a turn …
-constexpr Nanos turn_time = 4'000'000;       // … unless they take longer than this, …
-constexpr Nanos all_turns = 20'000'000;      // … or all turns of a round take longer than this
+constexpr std::size_t most_events_waiting = 1
+                                            << 20;  // bytes that a host has not read; above this it gets no more events
+constexpr int turn_lines = 64;                      // from one host in a turn …
+constexpr Nanos turn_time = 4'000'000;              // … unless they take longer than this, …
+constexpr Nanos all_turns = 20'000'000;             // … or all turns of a round take longer than this
 constexpr Nanos patience = 10'000'000'000;   // with a stranger's token, and with a host that does not read its answers
 constexpr Nanos parting_time = 200'000'000;  // from one probe of a half-closed connection to the next
 // For the thread that compiles for the clock.
@@ -85,7 +85,8 @@ class Server {
   // Implements Imaging::Options::beside.
   bool beside(const std::function<void()>& work, Imaging::Claim claim) {
     Guest* const g = served;
-    if (!g) return leaders_.beside(work), !leaders_.stopped();  // events of frames do not queue behind hosts' questions
+    // No host asked, so this does not queue behind hosts' questions.
+    if (!g) return leaders_.beside(work), !leaders_.stopped();
     g->in_hand = true, watch(g->file, g->watched = EPOLLRDHUP, EPOLL_CTL_MOD);
     bool done = true;
     leaders_.beside([&] {
