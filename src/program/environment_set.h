@@ -115,7 +115,7 @@ class EnvironmentSet {
   std::vector<environments::Row, LargePages<environments::Row>> motions_, matrices_;
   std::vector<std::uint32_t> slot_of_, member_at_;
   std::vector<environments::Delays, LargePages<environments::Delays>> delays_;
-  std::vector<std::int64_t> safe_;  // by slot; see Group::safe
+  std::vector<std::int64_t> safe_;  // by slot, as Group::safe
   std::vector<Due> queue_;          // a heap with the next one in front
   std::vector<std::size_t> due_;    // at the present tick
   std::vector<Range> changed_;

@@ -343,7 +343,7 @@ struct Worker {
   static constexpr std::size_t most_seen = 1'000'000;
   mutable std::map<std::tuple<const LiveStrand*, std::size_t, std::int64_t>, Value> seen{};
 
-  // Returns the value without code and filters, for a cycle or too much work.
+  // Returns the object's own value without code, filters and layers, for a cycle or too much work.
   Value without_asking(Time t, int component) const {
     if (component >= 0) return settled(*part_of(component), t);
     const LiveStrand& own = live.strands[0];
