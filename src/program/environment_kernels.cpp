@@ -79,8 +79,7 @@ struct Growth {
   V scale, growth;  // growth: scale - 1, exact for scales near 1 too
 };
 
-// Computes e^x = 2^k e^r, with r within ln 2
-// 2 of 0.
+// Computes e^x = 2^k e^r, with r within ln 2 / 2 of 0.
 HWY_INLINE Growth exponential(V x) {
   const D d;
   const U u;

@@ -22,9 +22,7 @@ enum class Form : std::uint8_t {
   translation,  // slide x y z
   spin,         // about an axis through the origin: turns, axis u v
   screw,        // turns, axis u v, centre u v, advance
-  // The same with advance
-  // (scale - 1) instead of the advance, then log scale.
-  similarity,
+  similarity,   // the same with advance / (scale - 1), then log scale
 };
 // Returns the number of rows of a motion.
 constexpr std::size_t rows(Form f) {
@@ -57,8 +55,8 @@ struct Run {
   std::size_t blocks = 0;
 };
 
-// Computes A = M^(step - delay), or the identity before the first step. Clamps shrinking motions at 1
-// Power::bound, as environments do. Does not clamp numbers above Power::bound.
+// Computes A = M^(step - delay), or the identity before the first step. Clamps shrinking motions at
+// 1 / Power::bound, as environments do. Does not clamp numbers above Power::bound.
 //
 // `through`: write matrices past the caches, for sets larger than these, so that no cache line is read only to be
 // overwritten. Call settle() before another thread reads them. `then`: the rows that will be read next.
