@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Things that go along a line: where it is, seen from where their positions are reckoned.
+// Objects that move along a line: where the line is, in the space of their positions.
 #include "track/along.h"
 
 #include <fmt/format.h>
@@ -13,8 +13,8 @@
 
 namespace betwixt {
 
-// As hang() has it, for a place and a turn alone. The object's own values are not asked for: one of them may be what
-// is being worked out.
+// Like hang(), for a position and a rotation only. It must not read the object's own values: one of them may be the
+// value that is being evaluated.
 Carrier Program::Compiled::carried(const Node& n, Time t, Asking& asking) const {
   Carrier out;
   if (!span(n, t)) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What one question leads to: what is being worked out, what is known already, what it cost.
+// The state of one evaluation: open questions, known answers and the cost.
 #include <algorithm>
 #include <utility>
 

@@ -11,7 +11,7 @@ namespace betwixt {
 
 struct Question {
   enum What : std::uint8_t { live, shape, camera } what = live;
-  std::uint32_t index = 0;  // of Compiled::lives, of Compiled::slow_shapes
+  std::uint32_t index = 0;  // into Compiled::lives or Compiled::slow_shapes
 };
 
 struct Answer {
@@ -25,7 +25,7 @@ struct Answer {
 
 // All questions of a program's frames.
 std::vector<Question> questions_of(const Program::Compiled&);
-// Works out the answer of the pure film. Throws NotWanted if the thread's work is called off.
+// Computes the answer of the film as a pure function. Throws NotWanted if the thread's work is cancelled.
 Answer work_out(const Program::Compiled&, const Question&, Time);
 
 class Beside {
@@ -35,8 +35,8 @@ class Beside {
   virtual bool ask(const Program&, Time) = 0;
   // Returns the newest answer, or null before the first one.
   virtual const Answer* answer(const Question&) const = 0;
-  virtual Time time() const = 0;                      // the frame's
-  virtual bool quick(const Question&) const = 0;      // the evaluator may work it out itself, for another time
+  virtual Time time() const = 0;                      // the frame's time
+  virtual bool quick(const Question&) const = 0;      // true if the evaluator may compute it itself, for another time
   virtual std::vector<std::string> late() const = 0;  // sentences that name the slow values
 };
 

@@ -9,7 +9,7 @@
 namespace betwixt {
 namespace {
 
-// Not just a track: it takes asking others, adding up, or more than one.
+// Returns true if the value is more than one track: it needs other values, a sum, or several tracks.
 bool alive(const Scene& scene, const Slot& slot) {
   bool any = scripted(slot.set.value_or(spec_of(scene, slot.function).rest)) || !slot.filters.empty() ||
              has_events(slot.velocity);
@@ -25,8 +25,8 @@ bool all_numeric(const Track& t) {
   return all;
 }
 
-// What a function is before its first event, where nobody says more: what was set; its default where values do not go
-// over into each other. On a layer nothing: there what lies below it shows.
+// Returns the value before the first event, if no event gives one: the value set, or the default for values that do not
+// blend. On a layer, returns nullopt if no value is set, so that the value below shows.
 std::optional<Value> beginning(const Scene& scene, const Slot& slot, const Event& first) {
   if (slot.set || slot.layer) return slot.set;
   const FunctionSpec& spec = spec_of(scene, slot.function);
@@ -34,7 +34,7 @@ std::optional<Value> beginning(const Scene& scene, const Slot& slot, const Event
   return refers || row_of(spec.type).changes == Changes::in_steps ? std::optional(spec.rest) : std::nullopt;
 }
 
-// Of rotations that are all angles, angles.
+// Converts a rotation to angles if all events are angles.
 Value like_events(const Track& t, Value v) {
   bool angles = true;
   t.events.each([&](const Event& e) { angles = angles && (e.keep || std::holds_alternative<Angles>(e.value)); });
@@ -44,7 +44,7 @@ Value like_events(const Track& t, Value v) {
 
 using Compiled = Program::Compiled;
 
-// Where the piece of the next object begins.
+// Records where the piece of the next object begins.
 void begin_piece(Compiled& compiled) {
   ObjectPiece piece;
   piece.binding = static_cast<std::uint32_t>(compiled.bindings.size());
@@ -54,7 +54,7 @@ void begin_piece(Compiled& compiled) {
   compiled.pieces.push_back(std::move(piece));
 }
 
-// Functions of the author's whose value at rest is code.
+// Binds the functions' defaults. Returns the author's functions whose default is code.
 std::vector<FunctionId> bind_defaults(Compiled& compiled) {
   const Scene& scene = compiled.document.scene();
   const auto functions = static_cast<FunctionId>(built_in_functions().size() + scene.defined->size());
@@ -98,13 +98,13 @@ void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<Function
   compiled.pieces.back().alone = alone;
 }
 
-// The piece of the program before, moved to where it lies now.
+// Copies an object's piece from the last program, and shifts its offsets.
 void share_object(Compiled& compiled, const Compiled& before, std::uint32_t i) {
   const ObjectPiece &from = before.pieces[i], &end = before.pieces[i + 1];
   ObjectPiece& piece = compiled.pieces.back();
   piece.columns = from.columns, piece.alone = true;
   if (from.columns) compiled.set.share(from.columns);
-  const std::uint32_t numbers = piece.number - from.number;  // unsigned, both ways
+  const std::uint32_t numbers = piece.number - from.number;  // unsigned: wraps around if negative
   for (std::uint32_t k = from.binding; k < end.binding; ++k) {
     Binding b = before.bindings[k];
     b.offset += numbers;
@@ -141,7 +141,7 @@ void bind_all(Compiled& compiled, const Compiled* before) {
 Slot with_beginning(const Scene& scene, const Slot& slot) {
   Slot out = slot;
   const Type type = spec_of(scene, slot.function).type;
-  if (type == Type::attachment || type == Type::motion) return out;  // these know for themselves
+  if (type == Type::attachment || type == Type::motion) return out;  // these tracks define their own beginning
   const auto begin = [&](Cow<Track>& track, int component) {
     if (track->events.empty()) return;
     std::optional<Event> first;
@@ -192,7 +192,7 @@ Binding bind_constant(Program::Compiled& compiled, FunctionId f, const Value& v,
   b.channels = static_cast<std::uint8_t>(std::min(count, row_of(type).channels));
   b.orientation = std::holds_alternative<Quat>(v);
   b.offset = static_cast<std::uint32_t>(compiled.rest.size());
-  compiled.rest.insert(compiled.rest.end(), n, n + 4);  // always four: a rotation's curve may want them
+  compiled.rest.insert(compiled.rest.end(), n, n + 4);  // always four, because a rotation's curve may need them
   return b;
 }
 
@@ -211,7 +211,7 @@ Binding bind_track(Program::Compiled& compiled, const Slot& slot) {
   };
   for (std::size_t i = 0; i < slot.components.size(); ++i) {
     const Track& t = *slot.components[i];
-    if (b.channels == 0 && has_values(t)) point();  // an aim at an object gives way to numbers
+    if (b.channels == 0 && has_values(t)) point();  // numbers replace an aim at an object
     if (has_values(t)) add(t, component_track_type(spec.type), b.offset + static_cast<std::uint32_t>(i), true);
   }
   if (!has_values(*slot.track)) return b;
@@ -222,7 +222,7 @@ Binding bind_track(Program::Compiled& compiled, const Slot& slot) {
     return b;
   }
   if (b.channels == 0) point();
-  // Events that are all points of the world are a vector's; the same twerpers suit them.
+  // An aim whose events are all points is treated as a vector, which has the same twerpers.
   add(*slot.track, spec.type == Type::aim ? Type::vector : spec.type, b.offset);
   b.channels = compiled.curves.back().curve.channels;
   b.orientation = compiled.curves.back().curve.orientation;
@@ -240,7 +240,7 @@ Program Program::compile(const Document& document) { return compile(document, {}
 Program Program::compile(const Document& document, const Program& before) {
   auto compiled = std::make_shared<Compiled>(document);
   const Scene& scene = document.scene();
-  // The same words must mean the same.
+  // Pieces can be shared only if functions and procedures are the same.
   const Compiled* shared = before.code_.get();
   if (shared && (!shared->document.scene().defined.same(scene.defined) ||
                  !shared->document.scene().procedures.same(scene.procedures)))

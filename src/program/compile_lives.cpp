@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Functions whose values are worked out by question and answer: velocities that reign, procedures, filters, layers.
+// Live values, which are evaluated on demand: velocities in force, procedures, filters, layers.
 #include "program/compile.h"
 #include "track/operations.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 using Compiled = Program::Compiled;
 
-// Whether a rotation is held as orientations: some event says so, or the turning goes about an axis.
+// Returns true if a rotation is held as quaternions: an event has one, or a velocity turns about an axis.
 bool turns(const Slot& slot, Type type) {
   if (row_of(type).changes != Changes::by_turning) return false;
   bool any =
@@ -24,7 +24,7 @@ bool turns(const Slot& slot, Type type) {
   return any;
 }
 
-// Rates are added up as the author writes them: as plain vectors, colours and angles too.
+// Rates are integrated in the author's units, so colours and angles become plain vectors.
 Track plain_rates(const Track& reign) {
   Track rates = reign;
   rates.events = {};
@@ -42,14 +42,15 @@ Track plain_rates(const Track& reign) {
   return rates;
 }
 
-// The pieces of time of one track with a velocity track beside it (R-T5).
+// Divides the time of a track with a velocity track into pieces. In each, either the primary track or the velocity is
+// in force.
 struct Cutter {
   Compiled& compiled;
   std::uint32_t object;
   FunctionId function;
   const LivePart& part;
-  const Track& primary;  // with what was set before its first event
-  const Track& said;     // without
+  const Track& primary;  // with the set value before its first event
+  const Track& said;     // without it
   const Track& velocity;
   const bool is_scripted = scripted(primary) || scripted(part.rest);
   std::vector<Piece> out{};
@@ -92,8 +93,8 @@ struct Cutter {
     out.push_back(std::move(p));
   }
 
-  // From the release on the primary track goes from what was reached to its next event. What was set is no part of
-  // that: where this is the first one, it comes to its value and not to what held before it.
+  // After the release, the primary track continues from the value reached to its next event. The set value plays no
+  // part: if the next event is the first one, the track leads to its value, not to the one before it.
   void go_on(Time release) {
     Track rest = said;
     rest.events = {};
@@ -105,7 +106,7 @@ struct Cutter {
         rest.events.put(e);
     });
     if (is_scripted || !has_values(rest)) {
-      Piece held;  // nothing comes: what was reached stays
+      Piece held;  // no event follows: the value reached holds
       held.from = release;
       held.scripted = is_scripted;
       out.push_back(held);
@@ -117,7 +118,8 @@ struct Cutter {
     e.value = there;
     e.twerper = last ? last->twerper : Twerper::unset;
     if (last && last->detail->arguments != TwerperArguments{}) e.detail.edit().arguments = last->detail->arguments;
-    if (const Event* own = rest.events.find(release); own && !own->keep) {  // the author says where to go on
+    // The author gives the value to continue from.
+    if (const Event* own = rest.events.find(release); own && !own->keep) {
       Event cut = *own;
       cut.detail.edit().before = there;
       e = std::move(cut);
@@ -126,7 +128,7 @@ struct Cutter {
     add_primary(release, rest);
   }
 
-  // The value at the end of the pieces so far, asked of a function that has these alone.
+  // Returns the value at the end of the finished pieces, from a temporary live value that has only these.
   Value reached(Time t) {
     Live probe{object, function, {}};
     LivePart so_far = part;
@@ -144,7 +146,7 @@ struct Cutter {
   }
 };
 
-// Nothing, of the same kind.
+// Returns the zero of the same type.
 Value nothing_like(const Value& v) {
   if (std::holds_alternative<Quat>(v)) return Quat{};
   if (std::holds_alternative<bool>(v)) return v;
@@ -158,7 +160,7 @@ LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
   LiveStrand out;
   out.layer = slot.layer;
   out.filters = slot.filters;
-  // What a layer adds is nothing until it says something.
+  // A layer that adds is zero until its first value.
   out.set = slot.set.value_or(spec.rest);
   if (slot.layer) {
     const auto mode = scene.objects[slot.layer.index].find(fn::mode);
@@ -219,7 +221,7 @@ Binding bind_live(Compiled& compiled, std::uint32_t object, FunctionId f) {
   const Value& rest = base.set.value_or(spec.rest);
   Value example = scripted(rest) ? spec.rest : rest;
   if (scripted(example)) example = row_of(spec.type).example();
-  if (spec.type == Type::aim) example = ObjectId{};  // may be either, at any time
+  if (spec.type == Type::aim) example = ObjectId{};  // may become either at any time
   Binding b = bind_constant(compiled, f, example, spec.type);
   b.orientation = row_of(spec.type).changes == Changes::by_turning;
   if (b.orientation) b.channels = 4;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Nodes: what each object hangs on and which environments it is in, from when on.
+// Nodes: the parents and environments of each object, and from which time on.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -15,10 +15,10 @@ namespace {
 
 struct NodeCompiler {
   Program::Compiled& compiled;
-  const Program::Compiled* before;  // what it may share; may be null
+  const Program::Compiled* before;  // the last program, to share with; may be null
   const Scene& scene = compiled.document.scene();
 
-  // The environments that a function of the object's names, from the event on that names them.
+  // Returns the environments that a function of the object names, one entry for each event that changes them.
   std::int32_t siting(const Object& o, FunctionId f) {
     Siting made;
     for (const EnvironmentsFrom& e : environments_of(scene, o, f)) {
@@ -39,7 +39,7 @@ struct NodeCompiler {
     compiled.sitings.push_back(std::move(made));
     return number;
   }
-  std::unordered_multimap<std::size_t, std::int32_t> siting_index{};  // equal ones have one number
+  std::unordered_multimap<std::size_t, std::int32_t> siting_index{};  // equal sitings share one number
   Site site(std::uint32_t object, int generation) {
     const auto [at, fresh] =
         environment_index.emplace(object, static_cast<std::uint32_t>(compiled.environments.size()));
@@ -68,7 +68,7 @@ struct NodeCompiler {
     compiled.offsets.push_back({n.position, n.rotation, n.scale, n.pivot, n.orientation});
     const auto said = [&](FunctionId f) { return &compiled.find(object, f) != &compiled.defaults[f]; };
     n.looks = said(fn::look_at) || said(fn::roll);
-    if (said(fn::reach)) {  // for the whole film: how many joints there are does not change
+    if (said(fn::reach)) {  // for the whole film, because the number of joints does not change
       Asking asking;
       double bones[4] = {2};
       const Binding& chain = compiled.find(object, fn::reach_chain);
@@ -86,13 +86,13 @@ struct NodeCompiler {
     for (const bool drawn : {true, false})
       for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
         if (StillWanted::ask(); !scene.objects[i].removed && drawable(scene.objects[i].kind) == drawn) node(i);
-    constexpr std::size_t many = 1024;  // below, setting them up costs more than it saves
+    constexpr std::size_t many = 1024;  // for fewer, the setup costs more than it saves
     if (members.size() >= many && !scene.smooth_ticks) compiled.many.emplace(std::move(members));
     spans();
   }
 
-  // Attachments in the order of time, over all objects: one that would close a circle with those in force then is left
-  // out (R-H6). At one time, what lets go does so before anything takes hold.
+  // Takes the attachments of all objects in the order of time. Leaves out one that would close a cycle with those in
+  // force. At equal times, releases come before new attachments.
   void spans() {
     struct Happening {
       Time time;
@@ -144,7 +144,7 @@ struct NodeCompiler {
       compiled.turning = compiled.turning || span.frozen >= 0 || span.kind == AttachmentKind::attach || h.computed;
       kept.push_back({h.node, span});
     }
-    std::vector<std::int32_t> in_time;  // frozen ones, as they come
+    std::vector<std::int32_t> in_time;  // indices of frozen ones, by time
     for (const auto& k : kept)
       if (k.second.frozen >= 0) in_time.push_back(k.second.frozen);
     std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

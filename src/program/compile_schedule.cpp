@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is drawn, in columns, words made numbers; and when each thing that changes does so.
+// The drawables as columns, with words turned into numbers; and the schedule of changes.
 #include <algorithm>
 #include <unordered_map>
 
@@ -16,7 +16,7 @@ std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
   if (spec.shape || f == fn::geometry) return affects::form;
   switch (f) {
     case fn::color:
-      return affects::look | affects::other;  // a light's too
+      return affects::look | affects::other;  // the colour of a light, too
     case fn::transparency:
     case fn::shininess:
     case fn::material:
@@ -33,7 +33,7 @@ std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
     case fn::reach_pole:
       return affects::aim;
     case fn::scale:
-      return affects::place | affects::other;  // how far a light reaches
+      return affects::place | affects::other;  // the range of a light
     case fn::range:
     case fn::intensity:
     case fn::shines:
@@ -55,7 +55,7 @@ std::size_t hash_of(const Shape& s) {
   for (const double x : {s.size.x, s.size.y, s.size.z, s.radius, s.height, s.tube, s.width, s.depth})
     h = h * 0x9e3779b97f4a7c15u + std::hash<double>{}(x);
   h = h * 31 + std::hash<std::string>{}(*s.text);
-  // Drawings have many outlines with as many points.
+  // Hashes some coordinates only: drawings have many outlines with equal numbers of points.
   for (std::size_t i = 0; i < s.points->size(); i += 1 + s.points->size() / 4)
     h = h * 31 + std::hash<double>{}((*s.points)[i].x) + 7 * std::hash<double>{}((*s.points)[i].y);
   return h * 31 + s.points->size() + std::hash<const void*>{}(s.mesh.get());
@@ -63,7 +63,7 @@ std::size_t hash_of(const Shape& s) {
 
 struct ScheduleCompiler {
   Compiled& compiled;
-  const Compiled* before;  // what it may share; may be null
+  const Compiled* before;  // the last program, to share with; may be null
   const Scene& scene = compiled.document.scene();
   Schedule& schedule = compiled.schedule;
 
@@ -80,11 +80,11 @@ struct ScheduleCompiler {
     source.activities = static_cast<std::uint32_t>(schedule.activities.size()) - source.first_activity;
     if (source.activities > 0) return keep(source);
     if (source.what != Schedule::Source::curve) return;
-    const CurveUse& use = compiled.curves[source.index];  // always the same
+    const CurveUse& use = compiled.curves[source.index];  // constant
     compiled.evaluate(use, {}, &compiled.rest[use.offset]);
   }
 
-  // An object that has the columns of the program before has its sources too.
+  // Returns true if the object's columns come from the last program; then its sources do too.
   bool shared(std::uint32_t object) const {
     return before && object + 1 < before->pieces.size() && before->pieces[object].columns &&
            before->pieces[object].columns == compiled.pieces[object].columns;
@@ -113,7 +113,8 @@ struct ScheduleCompiler {
         schedule.lives.push_back({&b, effect, node, spec.matters_to_contacts() || (effect & affects::form) != 0});
         continue;
       }
-      if (effect == 0 && compiled.set.own.empty()) continue;  // else a twerper may err, and that is to be said
+      // With the author's own twerpers, an error must still be reported.
+      if (effect == 0 && compiled.set.own.empty()) continue;
       for (std::uint32_t k = 0; k < b.curves; ++k)
         add({Schedule::Source::curve, effect, b.first_curve + k, node}, [&](std::vector<Activity>& out) {
           compiled.set.activities(compiled.curves[b.first_curve + k].curve, out);
@@ -124,7 +125,7 @@ struct ScheduleCompiler {
     }
   }
 
-  // Whether it is the weight of a target of the node's mesh.
+  // Returns true if the binding is the weight of a morph target of the node's mesh.
   bool weighs(std::uint32_t node, const Binding& b) const {
     if (!compiled.draws(node) || compiled.drawables[node].skin < 0) return false;
     const auto& weights = compiled.skins[static_cast<std::size_t>(compiled.drawables[node].skin)].weights;
@@ -138,11 +139,12 @@ struct ScheduleCompiler {
     return false;
   }
 
-  // Whether its shape, which varies or not, takes long to make.
+  // Returns true if its shape may take long to make, constant or not.
   bool may_take_long(std::uint32_t object, const Drawable& d) const {
     constexpr std::size_t many = 5'000, long_text = 500;
     const Binding& seen = compiled.find(object, fn::display);
-    if (!seen.varies() && compiled.rest[seen.offset] == 0) return false;  // a road that others go along
+    // Not shown, such as a road that others move along.
+    if (!seen.varies() && compiled.rest[seen.offset] == 0) return false;
     if (scene.objects[object].kind == Kind::trace) return true;
     if (d.shape < compiled.shapes.size()) {
       const Shape& s = *compiled.shapes[d.shape];
@@ -156,7 +158,7 @@ struct ScheduleCompiler {
     return false;
   }
 
-  // The shape's number: equal ones have one number.
+  // Returns the shape's number; equal shapes share one.
   std::uint32_t shape_number(std::uint32_t object) {
     Asking asking;
     auto shape = std::make_shared<const Shape>(compiled.shape(object, {}, compiled.rest.data(), asking));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contacts as a function of time, for whoever asks; procedures of the film among them. Only what says where things are
-// is worked out, so a colour may ask what touches: only what moves things cannot, and is cut like any circle.
+// Contacts as a function of time, also for the film's procedures. Evaluates only values that affect positions and
+// shapes. So a colour may depend on contacts, but a value that moves things may not: that cycle is cut.
 #include <algorithm>
 
 #include "program/evaluator.h"
@@ -11,7 +11,7 @@ namespace betwixt {
 Frame Program::Compiled::solids(Time t, Asking& asking) const {
   Frame f;
   f.time = t;
-  for (const Node& n : nodes)  // while attachments are still being worked out
+  for (const Node& n : nodes)  // for calls during compiling, before all attachments are settled
     if (const CompiledSpan* h = span(n, t); h && h->frozen >= 0) thaw(h->frozen, asking);
   Evaluator all(*this);
   all.to(t, asking, true);
@@ -29,7 +29,7 @@ std::shared_ptr<const Contacts> Program::Compiled::contacts(Time t, Asking& aski
   Working working(asking);
   const Frame f = solids(t, asking);
   auto made = std::make_shared<Contacts>(betwixt::contacts(f));
-  if (sees_all(t))  // the camera of a film that has none sees all there is
+  if (sees_all(t))  // the default camera sees everything
     for (ContactBox& b : made->boxes) b.sight = Sight::in;
   asking.cost += 10 * f.items.size();
   if (auto taken = working.done(); taken && asking.found_contacts.size() < 1000)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What begins and ends from tick to tick, and how hosts are told.
+// Contacts and sights that begin or end from tick to tick, and their JSON for hosts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ ContactEvent event(const ContactGroup& g, bool begin, Time t) {
   return {What::group, begin, {}, g.objects, g.pairs, t};
 }
 
-// What is in `a` and not in `b`, both sorted, as events.
+// Makes events of the elements of `a` that are not in `b`; both must be sorted.
 template <class T, class Less>
 void differences(const std::vector<T>& a, const std::vector<T>& b, Less less, bool begin, Time t,
                  std::vector<ContactEvent>& out) {
@@ -45,7 +45,7 @@ std::vector<ContactEvent> ContactWatch::step(const Frame& frame) {
   if (begun_ && frame.time < now_.time) return seek(frame), out;
   const Contacts was = std::exchange(now_, contacts(frame, options_));
   const Time t = now_.time;
-  std::vector<Contact> all = now_.pairs;  // what began, and may have ended again
+  std::vector<Contact> all = now_.pairs;  // contacts that began, even if they have ended since
   if (sweep_ && begun_) {
     for (const Contact& p : swept(was, now_, options_).pairs)
       if (!now_.touching(p.a, p.b) && !was.touching(p.a, p.b)) all.push_back(p);
@@ -54,7 +54,7 @@ std::vector<ContactEvent> ContactWatch::step(const Frame& frame) {
   begun_ = true;
   differences(was.pairs, now_.pairs, before, false, t, out);
   differences(all, was.pairs, before, true, t, out);
-  differences(all, now_.pairs, before, false, t, out);  // of which what only passed by ends at once
+  differences(all, now_.pairs, before, false, t, out);  // a contact between two ticks ends at once
   differences(was.groups, now_.groups, earlier, false, t, out);
   differences(now_.groups, was.groups, earlier, true, t, out);
   const auto view = [&](ObjectId id, Sight sight) { out.push_back({What::view, true, sight, {id}, {}, t}); };
@@ -77,7 +77,7 @@ void ContactWatch::seek(const Frame& frame) {
 
 std::string to_json(const ContactEvent& e, const Document& document) {
   const Scene& scene = document.scene();
-  const auto name = [&](ObjectId id) {  // names hold nothing that JSON writes otherwise
+  const auto name = [&](ObjectId id) {  // names contain no characters that JSON escapes
     return "\"" + (id.index < scene.objects.size() ? scene.objects[id.index].name : std::string("none")) + "\"";
   };
   const std::int64_t tick = scene.ticks.whole(e.time);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Boxes, which of them overlap, and where they are to the picture. Which pairs to look at a tree of Bullet's says, in
-// f32 and with room to spare; whether they touch is settled in f64.
+// Bounding boxes, their overlaps, and their place relative to the camera's view. Bullet's tree finds candidate pairs in
+// f32, with margin; the exact tests use f64.
 #include "betwixt/contacts.h"
 
 #include <BulletCollision/BroadphaseCollision/btQuantizedBvh.h>
@@ -23,7 +23,7 @@ namespace {
 Vec3 row(const Mat4& m, int i) { return {m(i, 0), m(i, 1), m(i, 2)}; }
 double dot_of_sizes(Vec3 a, Vec3 b) { return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z); }
 
-// How far a shape whose extent is `half` to either side reaches along a world axis, `r` being that row of its matrix.
+// Returns how far a shape of half extent `half` reaches along a world axis; `r` is that row of its matrix.
 double reach(const Shape& s, Vec3 half, Vec3 r) {
   const auto of_kind = row_of(s.kind).reach;
   return of_kind ? of_kind(s, r) : dot_of_sizes(half, r);
@@ -39,7 +39,7 @@ Extent in_world(const Shape& s, const Mat4& world) {
   return {middle - out, middle + out};
 }
 
-// Of a shape on its way to another each point goes straight; twerpers may overshoot.
+// Bounds a shape that morphs into another. Each point moves on a straight line; twerpers may overshoot.
 Extent on_the_way(const Extent& a, const Extent& b, double w) {
   if (a.empty() || b.empty()) return a.empty() ? b : a;
   Extent e;
@@ -51,14 +51,14 @@ Extent on_the_way(const Extent& a, const Extent& b, double w) {
   return e;
 }
 
-// What the camera sees: a convex set without an end. All boxes lie along the same axes, so the directions along which
-// one of them and the set can be apart (R-E16: exactly) are the same for all, and so is what the set covers there.
+// The camera's view: an unbounded convex set. All boxes have the same axes, so the separating axes are the same for all
+// boxes. They and the view's range along them are computed once. The test is exact.
 class Window {
  public:
   Window(const Camera& c, std::optional<double> asked) : eye_(translation_of(c.world)) {
     double aspect = asked.value_or(c.aspect);
     if (!(aspect > 0)) aspect = 1;
-    // In the camera's space: corners, and directions in which it goes on for ever.
+    // In camera space: corners, and directions in which the view is unbounded.
     std::vector<Vec3> corners{{0, 0, 0}}, ways{{0, 0, -1}}, faces, edges;
     if (c.orthographic) {
       const double y = std::max(c.height, 1e-9) / 2, x = y * aspect;
@@ -69,7 +69,7 @@ class Window {
       edges = ways = {{-x, -y, -1}, {x, -y, -1}, {-x, y, -1}, {x, y, -1}};
       faces = {{1, 0, -x}, {-1, 0, -x}, {0, 1, -y}, {0, -1, -y}};
     }
-    // `flat`: a direction of the set across n, but for rounding.
+    // `flat`: a direction of the set that is perpendicular to n; rounding must not count.
     const auto put = [&](Vec3 n, Vec3 flat) {
       Way w{transform_vector(c.world, n), std::numeric_limits<double>::infinity(), 0};
       w.high = -w.low;
@@ -83,7 +83,8 @@ class Window {
     };
     for (const Vec3 n : faces) put(n, {});
     faces_ = ways_.size();
-    // Two convex bodies are apart when they are across a face of one of them, or an edge of each.
+    // The separating axis theorem: two convex bodies that are apart are separated along a face normal of one, or along
+    // the cross product of an edge of each.
     for (int i = 0; i < 3; ++i) {
       const Vec3 axis = row(c.world, i);  // of the world
       put(axis, {});
@@ -107,27 +108,27 @@ class Window {
 
  private:
   struct Way {
-    Vec3 direction;    // in the world
-    double low, high;  // of the set
+    Vec3 direction;    // in world space
+    double low, high;  // range of the view
   };
   Vec3 eye_;
-  std::vector<Way> ways_;  // across its faces first
+  std::vector<Way> ways_;  // face normals first
   std::size_t faces_ = 0;
 };
 
-// ---- Which boxes may overlap
+// ---- broad phase
 
-// A box on its way: at `first`, 0 to 1, it is at `from`, at `last` at `to`.
+// A moving box: `from` at time `first`, `to` at time `last`, both 0 to 1.
 struct Mover {
   ContactBox from, to;
   double first = 0, last = 0;
 };
 
-// Bullet's tree of boxes, walked over against itself. It is built balanced, whatever the boxes are.
+// Bullet's bounding-volume tree, tested against itself. It is always balanced.
 class Tree : btQuantizedBvh {
  public:
   explicit Tree(const std::vector<Extent>& boxes) {
-    m_useQuantization = false;  // one thing far away would make all others one
+    m_useQuantization = false;  // with quantization, one distant box would merge all others
     Extent all;
     for (const Extent& b : boxes) all.add(b);
     const Vec3 origin = all.middle();
@@ -144,14 +145,14 @@ class Tree : btQuantizedBvh {
     buildTree(0, count);
   }
 
-  // Each pair of boxes that overlap, once, until `found` says that it is enough.
+  // Calls `found` once for each overlapping pair, until it returns false.
   template <class F>
   void each_pair(const F& found) const {
     const btOptimizedBvhNode* nodes = &m_contiguousNodes[0];
     for (int i = 0; i < m_curNodeIndex; ++i) {
       const btOptimizedBvhNode& one = nodes[i];
       if (one.m_escapeIndex != -1) continue;
-      for (int k = i + 1; k < m_curNodeIndex;) {  // what comes behind it: whatever came before has met it
+      for (int k = i + 1; k < m_curNodeIndex;) {  // only nodes behind it: those before it have been tested against it
         const btOptimizedBvhNode& other = nodes[k];
         const bool leaf = other.m_escapeIndex == -1, meet = overlap(one, other);
         if (meet && leaf && !found(one.m_triangleIndex, other.m_triangleIndex)) return;
@@ -161,7 +162,7 @@ class Tree : btQuantizedBvh {
   }
 
  private:
-  // A number of f32 beyond each, in bounds within which the tree's sums of squares are finite.
+  // Rounds outward by one f32 step, and clamps so that the tree's sums of squares stay finite.
   static btVector3 outward(Vec3 v, int way) {
     btVector3 out(0, 0, 0);
     for (int i = 0; i < 3; ++i) {
@@ -177,10 +178,10 @@ class Tree : btQuantizedBvh {
   }
 };
 
-// ---- Whether and when they do
+// ---- narrow phase
 
-// When two boxes first touch, 0 to 1; none: never. Along each axis that is from one time to another, in between the
-// one's low end is below the other's high end.
+// Returns when two boxes first touch, 0 to 1, or nullopt if never. Along each axis, they overlap while each one's low
+// end is below the other's high end.
 std::optional<double> meeting(const Mover& a, const Mover& b) {
   double first = std::max(a.first, b.first), last = std::min(a.last, b.last);
   // x + s (y - x) <= 0 for s in first..last
@@ -231,7 +232,7 @@ void find_groups(Contacts& c) {
   for (const Contact& p : c.pairs) most = std::max(most, p.b.index);
   std::vector<std::uint32_t> above(most + std::size_t{1});
   std::iota(above.begin(), above.end(), 0);
-  const auto first = [&](std::uint32_t i) {  // of its component
+  const auto first = [&](std::uint32_t i) {  // the root of its component
     while (above[i] != i) i = above[i] = above[above[i]];
     return i;
   };
@@ -244,7 +245,7 @@ void find_groups(Contacts& c) {
   for (const Contact& p : c.pairs) {
     const auto lead = first(p.a.index);
     if (size[lead] < 2) continue;
-    if (lead == p.a.index && group[lead] == 0) {  // it comes first: pairs are sorted
+    if (lead == p.a.index && group[lead] == 0) {  // the first pair of its group, because pairs are sorted
       c.groups.emplace_back().pairs.reserve(size[lead]);
       group[lead] = static_cast<std::uint32_t>(c.groups.size());
     }
@@ -320,7 +321,7 @@ std::vector<ObjectId> Contacts::touching(ObjectId id) const {
   std::vector<ObjectId> out;
   for (const Contact& p : pairs)
     if (p.a == id || p.b == id) out.push_back(p.a == id ? p.b : p.a);
-  return out;  // sorted: those before it come as a, in order, then those behind it as b
+  return out;  // sorted: first the objects before `id`, in order, then those behind it
 }
 
 bool Contacts::touching(ObjectId a, ObjectId b) const {

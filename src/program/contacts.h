@@ -6,7 +6,7 @@
 
 namespace betwixt {
 
-// The swept test, from boxes found already.
+// Runs the swept test on two sets of boxes.
 Contacts swept(const Contacts& before, const Contacts& after, const ContactOptions&);
 
 }  // namespace betwixt

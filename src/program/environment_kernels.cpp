@@ -8,7 +8,7 @@
 
 #include "scene/power.h"
 
-// This file is compiled once for each kind of machine (with SSSE3 but no SSE4: until 2008).
+// This file is compiled once for each instruction set, without SSSE3-only machines (until 2008).
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "program/environment_kernels.cpp"
@@ -29,11 +29,11 @@ using V = hn::Vec<D>;
 using VI = hn::Vec<I>;
 using VU = hn::Vec<U>;
 
-constexpr double log_bound = 18 * std::numbers::ln10;  // of Power::bound
+constexpr double log_bound = 18 * std::numbers::ln10;  // logarithm of Power::bound
 
 HWY_INLINE V number(double x) { return hn::Set(D(), x); }
 
-// The first terms of a series, the last one first: c[0] + x c[1] + x^2 c[2] ...
+// Returns the series c[0] + x c[1] + x^2 c[2] ...
 template <std::size_t n>
 HWY_INLINE V series(V x, const double (&c)[n]) {
   V sum = number(c[n - 1]);
@@ -44,10 +44,11 @@ HWY_INLINE V series(V x, const double (&c)[n]) {
 constexpr double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
 struct Circle {
-  V sine, cosine, versine;  // versine: 1 - cosine, exact for small angles, too
+  V sine, cosine, versine;  // versine: 1 - cosine, exact for small angles too
 };
 
-// The whole quarters go by integers; Taylor's series for the rest, at most an eighth of a turn, end below 1e-16.
+// Counts whole quarter turns in integers. Taylor series for the remaining angle, at most an eighth of a turn; their
+// error is below 1e-16.
 HWY_INLINE Circle circle(VU turns) {
   const D d;
   const I i;
@@ -75,16 +76,16 @@ HWY_INLINE Circle circle(VU turns) {
 }
 
 struct Growth {
-  V scale, growth;  // growth: scale - 1, exact for scales near 1, too
+  V scale, growth;  // growth: scale - 1, exact for scales near 1 too
 };
 
-// e^x = 2^k e^r, r within ln 2 / 2 of 0.
+// Computes e^x = 2^k e^r, with r within ln 2 / 2 of 0.
 HWY_INLINE Growth exponential(V x) {
   const D d;
   const U u;
-  // ln 2 in two parts; the first has so few digits that k times it is exact.
+  // ln 2 in two parts. The first has so few digits that k times it is exact.
   constexpr double ln2 = 0x1.62e42fefa38p-1, ln2_rest = 0x1.ef35793c7673p-45;
-  constexpr double whole = 0x1.8p52;  // added, it leaves nothing behind the point
+  constexpr double whole = 0x1.8p52;  // adding it rounds to a whole number
   const V shifted = hn::Add(hn::Mul(x, number(std::numbers::log2e)), number(whole)),
           k = hn::Sub(shifted, number(whole));
   const V r = hn::Sub(hn::Sub(x, hn::Mul(k, number(ln2))), hn::Mul(k, number(ln2_rest)));
@@ -97,18 +98,18 @@ HWY_INLINE Growth exponential(V x) {
   return {hn::Add(power, growth), hn::Add(growth, hn::Sub(power, number(1)))};
 }
 
-// In the coordinates `major`, u and v, which turn the same way round as x, y and z.
+// In the coordinates `major`, u and v, which have the same handedness as x, y and z.
 struct Vector {
   V x, y, z;
 };
 
-// Some lanes of a block.
+// The inputs of some lanes of a block.
 struct Input {
   const Delays* delays;
   const Row* rows;
   std::size_t lane;
   HWY_INLINE V operator[](std::size_t row) const { return hn::Load(D(), rows[row].of.data() + lane); }
-  // How often the motion has been applied.
+  // Returns how often the motion has been applied.
   HWY_INLINE VI exponent(std::int64_t step) const {
     const I i;
     const hn::Rebind<std::uint16_t, D> narrow;
@@ -127,7 +128,7 @@ struct Input {
   }
 };
 
-// Where the elements of matrices in the coordinates `major`, u, v go: (r, c) is number 4 r + c.
+// Maps matrix elements in the coordinates `major`, u, v to rows: element (r, c) has number 4 r + c.
 struct Places {
   Places(Form form, std::size_t major) {
     const std::size_t last_column = turns(form) ? 9 : 0;
@@ -140,7 +141,7 @@ struct Places {
   std::array<std::size_t, 12> of;
 };
 
-// Going through to memory is for whole lines of the cache only.
+// Streaming stores pay only for whole cache lines.
 constexpr bool whole_lines = hn::MaxLanes(D()) == lanes;
 template <bool through>
 struct Output {
@@ -156,7 +157,7 @@ struct Output {
   }
 };
 
-// In registers, to go on with.
+// A result kept in registers.
 struct Matrix {
   std::array<V, 12>& m;
   HWY_INLINE void put(std::size_t element, V v) const { m[element] = v; }
@@ -178,7 +179,7 @@ HWY_INLINE void store_turn(const Out& out, Vector a, V sine, V cosine, V versine
   out.put(10, hn::Add(hn::Mul(vz, a.z), cosine));
 }
 
-// across * centre - sine * (axis x centre) + along * axis
+// Stores across * centre - sine * (axis x centre) + along * axis.
 template <class Out>
 HWY_INLINE void store_shift(const Out& out, Vector a, Vector c, V across, V sine, V along) {
   const auto element = [&](V here, V along_axis, V u1, V v1, V u2, V v2) {
@@ -215,7 +216,7 @@ HWY_INLINE void apply(std::int64_t step, const Input& in, const Out& out) {
     store_turn(out, axis, at.sine, at.cosine, at.versine);
     store_shift(out, axis, in.centre(axis), at.versine, at.sine, hn::Mul(hn::ConvertTo(d, exponent), in[5]));
   } else if constexpr (form == Form::similarity) {
-    // The first application is the M that later ones begin with: only those are held.
+    // The first application is the factor M. Only the later ones are clamped.
     const V n = hn::ConvertTo(d, exponent), log_scale = in[6];
     const V later = hn::Max(hn::Mul(hn::Sub(n, number(1)), log_scale), number(-log_bound));
     store_similarity(out, in, axis, at,
@@ -225,7 +226,7 @@ HWY_INLINE void apply(std::int64_t step, const Input& in, const Out& out) {
 
 HWY_INLINE V bounded(V x) { return hn::Min(hn::Max(x, number(-Power::bound)), number(Power::bound)); }
 
-// A = M M^(n-1), both factors and the product held.
+// Computes A = M M^(n-1), with both factors and the product clamped.
 HWY_INLINE void apply_held(std::int64_t step, const Input& in, const Output<false>& out) {
   const D d;
   const I i;
@@ -249,7 +250,7 @@ HWY_INLINE void apply_held(std::int64_t step, const Input& in, const Output<fals
     }
 }
 
-// The processor alone does not foresee what is read between so much that is written, and nothing of the next run.
+// The hardware prefetcher misses these reads between that much writing, and the start of the next run.
 constexpr std::size_t ahead = 96;  // rows
 
 template <Form form, bool through>
@@ -258,12 +259,13 @@ void apply_all(const Run& run, std::int64_t step, const Row* then) {
   const Places places(form, run.major);
   for (std::size_t b = 0; b < run.blocks; ++b) {
     if constexpr (through) {
-      // Addresses, not pointers: there may be nothing any more, which does no harm.
+      // Computed as an address, not as a pointer, because it may be past the end; prefetching that is harmless.
       const std::size_t soon = b + near;
       const auto begin = reinterpret_cast<std::uintptr_t>(soon < run.blocks ? run.in : then);
       const std::uintptr_t from = begin + (soon < run.blocks ? soon : soon - run.blocks) * height * sizeof(Row);
       for (std::size_t row = 0; row < height; ++row)
-        __builtin_prefetch(reinterpret_cast<const void*>(from + row * sizeof(Row)), 0, 2);  // into the second cache
+        // Into the second-level cache.
+        __builtin_prefetch(reinterpret_cast<const void*>(from + row * sizeof(Row)), 0, 2);
     }
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(D()))
       apply<form>(step, Input{run.delays + b, run.in + b * height, lane},

@@ -20,13 +20,13 @@ using environments::lanes;
 using environments::Row;
 using environments::Run;
 
-// A motion that is applied every `interval` ticks from `tick` on, for good.
+// A motion that is applied every `interval` ticks from `tick` on, without end.
 struct EnvironmentSet::Steady {
   std::size_t member = 0;
   std::int64_t tick = 0, interval = 1;
   Form form = Form::translation;
   std::size_t major = 0;
-  std::int64_t safe = 0;  // the last step at which A is not near Power::bound
+  std::int64_t safe = 0;  // the last step at which A is well below Power::bound
   const Power* power = nullptr;
 
   std::int64_t phase() const { return (tick % interval + interval) % interval; }
@@ -40,11 +40,11 @@ struct EnvironmentSet::Steady {
 namespace {
 
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
-constexpr std::int64_t horizon = 2 * Environment::furthest;  // as for environments
-constexpr std::size_t cache = std::size_t{4} << 20;          // bytes; what is larger hardly stays in one
-constexpr std::size_t most_threads = 8;                      // that memory is fast enough for
-constexpr std::int64_t far = 30;                             // ticks, after which nearly all are due
-constexpr double large = 1e-2 * Power::bound;                // so far no number is held at the bound
+constexpr std::int64_t horizon = 2 * Environment::furthest;  // the same as for environments
+constexpr std::size_t cache = std::size_t{4} << 20;          // bytes; a larger set does not fit the caches
+constexpr std::size_t most_threads = 8;                      // more would wait for memory
+constexpr std::int64_t far = 30;                             // ticks, after which nearly all members are due
+constexpr double large = 1e-2 * Power::bound;                // below this, no number is clamped
 
 std::int64_t step_at(std::int64_t tick, std::int64_t interval, std::int64_t phase) {
   const std::int64_t steps = (tick - phase) / interval;
@@ -54,7 +54,7 @@ std::int64_t step_at(std::int64_t tick, std::int64_t interval, std::int64_t phas
 std::size_t blocks_for(std::size_t count) { return (count + lanes - 1) / lanes; }
 double largest(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// Nothing for what is not of any form.
+// Returns nullopt for a motion of no such form.
 std::optional<Form> form_of(const Power& power) {
   const Power::Similarity& f = power.similarity();
   if (power.kind() == Power::Kind::identity || power.kind() == Power::Kind::translation) return Form::translation;
@@ -65,7 +65,8 @@ std::optional<Form> form_of(const Power& power) {
 
 double rise(const Power::Similarity& f) { return f.scale == 1 ? f.advance : f.advance / std::expm1(f.log_scale); }
 
-// How often the motion can be applied, counted low, until a number of A comes near the bound; below 1: it is there.
+// Returns a lower bound on the applications before a number of A comes near Power::bound; below 1 if it is there at
+// once.
 double safe_powers(const Power& power, Form form) {
   const Power::Similarity& f = power.similarity();
   if (form == Form::spin) return large;
@@ -86,7 +87,7 @@ std::size_t major_of(const Power& power, Form form) {
 void fill(const Power::Similarity& f, Form form, std::size_t major, Row* rows, std::size_t lane) {
   const auto put = [&](double x) { (rows++)->of[lane] = x; };
   if (form == Form::translation) return put(f.slide.x), put(f.slide.y), put(f.slide.z);
-  // A turn about an axis is the turn back about the opposite one.
+  // A turn about an axis equals the opposite turn about the opposite axis.
   const int m = static_cast<int>(major), u = (m + 1) % 3, v = (m + 2) % 3;
   const bool back = f.axis[m] < 0;
   const double sign = back ? -1 : 1;
@@ -98,7 +99,7 @@ void fill(const Power::Similarity& f, Form form, std::size_t major, Row* rows, s
   if (form == Form::similarity) put(f.log_scale);
 }
 
-// From `first` on, each piece whose members have the same key.
+// Calls `work` for each run of consecutive elements with equal keys.
 template <class Iterator, class Key, class F>
 void for_each_piece(Iterator first, Iterator last, Key key, F&& work) {
   while (first != last) {
@@ -111,7 +112,7 @@ void for_each_piece(Iterator first, Iterator last, Key key, F&& work) {
 
 }  // namespace
 
-// ---- Making
+// ---- construction
 
 std::optional<EnvironmentSet::Steady> EnvironmentSet::steady(const Member& m, std::size_t index) {
   const Environment& e = *m.environment;
@@ -199,13 +200,13 @@ void EnvironmentSet::add_group(Iterator first, Iterator last) {
   groups_.push_back(g);
 }
 
-// ---- Where things are
+// ---- lookup
 
 std::optional<std::size_t> EnvironmentSet::member(std::size_t slot) const {
   return member_at_[slot] == nobody ? std::nullopt : std::optional<std::size_t>(member_at_[slot]);
 }
 
-// Those that differ from the identity's.
+// Visits the elements that may differ from the identity.
 template <class Rows, class F>
 void EnvironmentSet::for_each_element(Rows& matrices, const Block& b, const F& work) {
   auto row = matrices.begin() + b.row;
@@ -231,7 +232,7 @@ EnvironmentSet::Range EnvironmentSet::slots_of(std::size_t what) const {
   return {first.block * lanes, (last.block + last.blocks) * lanes};
 }
 
-// ---- Going
+// ---- evaluation
 
 const Row* EnvironmentSet::motions_of(std::size_t what) const {
   return what < beats_.size() ? &motions_[groups_[beats_[what].group].row] : nullptr;
@@ -241,7 +242,7 @@ void EnvironmentSet::evaluate(Other& o) {
   o.matrix = members_[o.member].environment->at(members_[o.member].generation, tick_);
 }
 
-// Those of its blocks that lie within `blocks`. `then`: the rows that are read after these.
+// Evaluates those of its blocks that are in `blocks`. `then`: the rows read after these.
 void EnvironmentSet::evaluate(const Beat& b, Range blocks, const Row* then) {
   const std::int64_t step = step_at(tick_, b.interval, b.phase);
   for (std::size_t i = b.group; i < b.groups_end; ++i) {
@@ -258,7 +259,7 @@ Run EnvironmentSet::run(const Group& g, std::size_t begin, std::size_t end) {
 }
 
 void EnvironmentSet::evaluate(const Group& g, Range blocks, std::int64_t step, const Row* then) {
-  // The members of a group stand in the order in which they come near the bound.
+  // A group's members are sorted by the step at which they come near the bound.
   const std::size_t begin = blocks.begin * lanes;
   std::size_t held = begin;
   if (step > g.safe) {
@@ -281,7 +282,7 @@ void EnvironmentSet::hold(const Group& g, Range slots, std::int64_t step) {
     for (std::size_t row = 0; row < some.size(); ++row) std::copy_n(some[row].of.begin(), rest, out[row].of.begin());
     return;
   }
-  // Few go so far without growing.
+  // Few motions come near the bound without growing, so these are evaluated one by one.
   for (std::size_t slot = slots.begin; slot < slots.end; ++slot) {
     const Member& m = members_[member_at_[slot]];
     const Mat4 a = m.environment->at(m.generation, tick_);
@@ -294,7 +295,7 @@ std::optional<std::int64_t> EnvironmentSet::due(std::size_t what, std::int64_t t
     const Member& m = members_[others_[what - beats_.size()].member];
     const auto next = m.environment->next_due(tick);
     const auto then = next ? m.environment->generation_at(*next) : std::nullopt;
-    return then && *then > m.generation ? std::nullopt : next;  // killed: nothing of it will change any more
+    return then && *then > m.generation ? std::nullopt : next;  // killed: it will not change any more
   }
   const Beat& b = beats_[what];
   if (tick < b.begin) return b.begin;

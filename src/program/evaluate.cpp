@@ -30,7 +30,7 @@ void Program::Compiled::evaluate(const Binding& b, Time t, Asking& asking, doubl
 
 namespace {
 
-// As many points as both have, each on its way; none where these are no such points.
+// Blends two lists of points. Returns nullopt if they are no lists, or differ in length.
 std::optional<Value> points_between(const StepTrack& track, const Between& w) {
   const auto values = track.values();
   const auto *from = std::get_if<Points>(&values[w.a]), *to = std::get_if<Points>(&values[w.b]);

@@ -11,7 +11,7 @@
 
 namespace betwixt {
 
-// All that a frame says.
+// An evaluator with the lights and problems that a frame needs.
 struct Whole {
   explicit Whole(const Program::Compiled& compiled, const Beside* beside = nullptr) : evaluator(compiled, beside) {}
   Evaluator evaluator;
@@ -86,9 +86,9 @@ struct Evaluation::State {
   State(const Program& p, Beside* answers) : beside(answers), now(p, answers) {}
   Beside* const beside;
   Played now;
-  std::optional<Played> before;  // what another program gave last; the next time is compared with it
+  std::optional<Played> before;  // the last program's state, to compare the next one with
   mutable std::optional<Camera> camera;
-  std::optional<Camera> eye;  // whose camera it is instead
+  std::optional<Camera> eye;  // replaces the film's camera
   Revision revision{next_program(), 0};
 
   static std::uint64_t next_program() {
@@ -113,7 +113,7 @@ void Evaluation::to(Time t) {
   if (s.before) s.compare();
 }
 
-// Of all drawables those stay that are the same in both programs.
+// Removes from `changed` the drawables that are equal in both programs.
 void Evaluation::State::compare() {
   Evaluator& is = now.whole->evaluator;
   const Evaluator& was = before->whole->evaluator;

@@ -39,7 +39,7 @@ Evaluator::Evaluator(const Program::Compiled& compiled, const Beside* beside)
       around_(compiled.sited ? compiled.nodes.size() : 0),
       shown_(compiled.sited ? compiled.drawables.size() : 0),
       flags_(compiled.nodes.size()) {
-  numbers_.resize(numbers_.size() + 4);  // they are written four at a time
+  numbers_.resize(numbers_.size() + 4);  // because they are written four at a time
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Schedule::Source& s = compiled.schedule.sources[i];
     if (s.what != Schedule::Source::curve) continue;
@@ -63,7 +63,7 @@ void Evaluator::touch(std::uint32_t source, std::int64_t t) {
     active_.push_back({source, *now});
 }
 
-// The sources that may say something else at `t` than they did; and which go on changing then.
+// Collects the sources that may have changed by `t`, and those that are changing at `t`.
 void Evaluator::collect(std::int64_t t) {
   const Schedule& s = compiled_.schedule;
   if (++turn_ == 0)
@@ -96,7 +96,7 @@ void Evaluator::collect(std::int64_t t) {
 
 void Evaluator::evaluate(std::uint32_t i, std::int64_t t) {
   const Schedule::Source& s = compiled_.schedule.sources[i];
-  if (s.what == Schedule::Source::siting) tick_ = INT64_MIN;  // its environments are others now
+  if (s.what == Schedule::Source::siting) tick_ = INT64_MIN;  // its environments have changed
   if (s.what == Schedule::Source::attachment) {
     const CompiledSpan* held = compiled_.span(compiled_.nodes[s.node], {t});
     if (held == held_[s.node]) return;
@@ -106,7 +106,7 @@ void Evaluator::evaluate(std::uint32_t i, std::int64_t t) {
   marks_.add(s.node, s.affects);
 }
 
-// Curves: most are in the segment that they were in.
+// Evaluates the changing curves, most of which are still in the same segment.
 void Evaluator::play(std::int64_t t) {
   left_.resize(curves_.size());
   left_.resize(playing::play(segments_.data(), curves_, t, numbers_.data(), marks_, left_.data()));
@@ -127,7 +127,7 @@ void Evaluator::play(std::int64_t t) {
   if (ended) std::erase(curves_, nothing);
 }
 
-// One that is elsewhere now. Whether it goes on changing there.
+// Finds the segment of a curve that has left its old one. Returns true if the curve is changing at `t`.
 bool Evaluator::seek(std::uint32_t i, std::int64_t t) {
   playing::Segment& s = segments_[i];
   const Schedule& schedule = compiled_.schedule;
@@ -172,7 +172,7 @@ void Evaluator::evaluate_lives(Asking& asking, bool solids) {
   }
 }
 
-// Between ticks environments stand still.
+// Environments are constant between ticks.
 void Evaluator::environments(bool own_set) {
   const InStage stage(Stage::environments);
   if (compiled_.sitings.empty()) return;
@@ -187,7 +187,7 @@ void Evaluator::environments(bool own_set) {
     }
     if (many_->tick() != tick) many_->advance(tick);
   }
-  // Many may be in the same: what these come to is worked out once.
+  // Many nodes may share a product, so each is computed once.
   for (std::size_t i = 0; i < products_.size(); ++i) {
     const Mat4 m = compiled_.product(static_cast<std::int32_t>(i), now_, many_ ? &*many_ : nullptr);
     turned_[i] = fresh_ || !same_bits(m, products_[i]);
@@ -232,7 +232,7 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   const InStage stage(Stage::tracks);
   play_to(t);
   evaluate_lives(asking, solids);
-  if (beside_)  // an answer may come at any time
+  if (beside_)  // an answer may arrive at any time
     for (const std::uint32_t d : compiled_.slow_shapes) marks_.add(d, affects::form);
   take_hold(asking);
   environments(!solids);
@@ -247,7 +247,7 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   flags_.in_order(drawables, changed);
 }
 
-// The looks of marked drawables, and of those that borrow a marked one's form.
+// Updates the looks of marked drawables, and of those that borrow a marked one's geometry.
 void Evaluator::restyle(Asking& asking, bool solids) {
   const InStage stage(Stage::looks);
   bool borrowed = false;
@@ -262,7 +262,7 @@ void Evaluator::restyle(Asking& asking, bool solids) {
     if (compiled_.draws(d) && (marks_[d] & (affects::look | affects::form))) look(d, asking, solids);
 }
 
-// The form of a drawable for now: a number.
+// Returns the number of the drawable's present shape.
 std::uint32_t Evaluator::form(std::uint32_t drawable, Asking& asking) {
   const Drawable& d = compiled_.drawables[drawable];
   const bool beside = beside_ && d.slow >= 0;
@@ -279,7 +279,7 @@ std::uint32_t Evaluator::form(std::uint32_t drawable, Asking& asking) {
   return static_cast<std::uint32_t>(compiled_.shapes.size()) + drawable;
 }
 
-// Where it is asked beside, and no answer has come yet, it has no points.
+// Makes the drawable's shape. A slow shape without an answer has no points.
 std::shared_ptr<const Shape> Evaluator::made(std::uint32_t drawable, Asking& asking) const {
   const Drawable& d = compiled_.drawables[drawable];
   const Node& n = compiled_.nodes[drawable];
@@ -296,7 +296,7 @@ std::shared_ptr<const Shape> Evaluator::made(std::uint32_t drawable, Asking& ask
   return std::make_shared<const Shape>(std::move(shape));
 }
 
-// Its own, or that of another object.
+// Returns the shape number of the object that `v` names, or the drawable's own.
 std::uint32_t Evaluator::shape_of(const Value& v, std::uint32_t drawable, Asking& asking) {
   const ObjectId other = std::get<ObjectId>(v);
   const Object* o = find_object(compiled_.document.scene(), other);
@@ -304,7 +304,7 @@ std::uint32_t Evaluator::shape_of(const Value& v, std::uint32_t drawable, Asking
   return form(compiled_.node_of[other.index], asking);
 }
 
-// On a curve through shapes of one topology: a number; none where those that it is between are not.
+// Returns the number of a shape on a spline through shapes of one topology, or `nothing` if they differ in topology.
 std::uint32_t Evaluator::splined(const StepTrack& track, const Between& w, std::uint32_t drawable, Asking& asking) {
   const auto of = [&](const Value& v) { return shape(shape_of(v, drawable, asking)); };
   const auto alike = [&](const Value& a, const Value& b) { return one_topology(*of(a), *of(b)); };
@@ -312,7 +312,7 @@ std::uint32_t Evaluator::splined(const StepTrack& track, const Between& w, std::
   if (!alike(values[w.a], values[w.b])) return nothing;
   const Weights four = track.weigh(w, alike);
   std::vector<ShapeShare> shares;
-  for (const std::size_t k : {1u, 0u, 2u, 3u}) {  // what is no number is that of the one it comes from
+  for (const std::size_t k : {1u, 0u, 2u, 3u}) {  // properties without numbers come from the first one
     const Value& v = values[four.values[k]];
     if (four.weights[k] == 1) return shape_of(v, drawable, asking);
     if (four.weights[k] != 0) shares.push_back({of(v).get(), four.weights[k]});
@@ -349,7 +349,7 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
       now.texture = d.plain ? d.texture_number : compiled_.texture(compiled_.value(*d.texture, now_, asking));
     }
   }
-  // Whoever borrows a form that is new differs too.
+  // A drawable that borrows a new shape changes too.
   const auto renewed = [&](std::uint32_t shape) {
     return shape != nothing && shape >= compiled_.shapes.size() && renewed_[shape - compiled_.shapes.size()] == turn_;
   };

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A compiled document at a time, kept from one time to the next: what did not change on the way is not worked out
-// again. What it holds is a function of the program and the time alone, whatever was asked before.
+// The state of a compiled document at a time. It is kept from one time to the next, so that unchanged values are not
+// computed again. It depends only on the program and the time, not on earlier times.
 //
-// From one time to another: the sources that are due (compiled.h, Schedule) write their numbers and mark the nodes they
-// affect; marked nodes get their own matrices; what hangs below them follows in one walk over the nodes in depth-first
-// order, where all that is below a node is an interval; marked drawables get their looks.
+// A step in time: the sources that are due (compiled.h, Schedule) write their numbers and mark the nodes they affect.
+// Marked nodes get their own matrices. One walk in depth-first order, where a subtree is an interval, then updates the
+// nodes below them. At last, marked drawables get their looks.
 #pragma once
 
 #include <span>
@@ -24,10 +24,10 @@ class Evaluator {
  public:
   explicit Evaluator(const Program::Compiled&, const Beside* = nullptr);
 
-  // `solids`: of what is worked out by asking, only what says where things are and how large.
+  // `solids`: of the live values, evaluate only those that affect positions and shapes.
   void to(Time, Asking&, bool solids = false);
-  void place(Time, Asking&, const Needed&);  // at a time, and only what it takes to know where one node is
-  void stay();                               // at this time: nothing has changed
+  void place(Time, Asking&, const Needed&);  // evaluates only what one node's transform needs
+  void stay();                               // stays at this time: nothing has changed
   bool fresh() const { return fresh_; }
   Time time() const { return now_; }
 
@@ -35,17 +35,17 @@ class Evaluator {
   Mat4 world(std::uint32_t node) const { return compiled_.sited ? around_[node] * worlds_[node] : worlds_[node]; }
   Placed placed(std::uint32_t node) const { return {worlds_[node], turn(node)}; }
   Mat4 around(std::uint32_t node) const { return compiled_.sited ? around_[node] : Mat4{}; }
-  std::uint32_t body(std::uint32_t node) const { return body_[node]; }  // what it is one body with: a node
+  std::uint32_t body(std::uint32_t node) const { return body_[node]; }  // the node that it forms one body with
 
   using Looks = Evaluation::Look;
   static constexpr std::uint32_t nothing = Looks::none;
-  std::span<const Mat4> worlds() const {  // of drawables
+  std::span<const Mat4> worlds() const {  // for each drawable
     return {compiled_.sited ? shown_.data() : worlds_.data(), looks.size()};
   }
   std::vector<Looks> looks;
-  std::vector<std::uint32_t> changed;  // drawables that differ since the time before, in order
+  std::vector<std::uint32_t> changed;  // drawables that differ from the last time, in order
 
-  // Takes back that drawables have changed.
+  // Removes drawables from `changed` if `same` says so.
   template <class Same>
   void unchanged_if(Same&& same) {
     std::erase_if(changed, same);
@@ -100,7 +100,7 @@ class Evaluator {
   std::shared_ptr<const Shape> made(std::uint32_t drawable, Asking&) const;
   std::uint32_t splined(const StepTrack&, const Between&, std::uint32_t drawable, Asking&);
   Quat turn(std::uint32_t node) const { return turns_.empty() ? Quat{} : turns_[node]; }
-  // Its own matrix is kept: it is held, or may be turned.
+  // Its own matrix is stored, because it hangs on something or may be turned.
   bool kept_apart(std::uint32_t node) const { return compiled_.nodes[node].looks || compiled_.nodes[node].bends; }
   bool kept(std::uint32_t node) const { return held_[node] || kept_apart(node); }
   template <class F>
@@ -109,14 +109,14 @@ class Evaluator {
   }
 
   const Program::Compiled& compiled_;
-  const Beside* const beside_;    // who answers what may take long; null: nobody does
-  const Needed* only_ = nullptr;  // what is wanted; null: all
+  const Beside* const beside_;    // has the answers of slow questions; null to compute them here
+  const Needed* only_ = nullptr;  // what place() needs; null for everything
   bool fresh_ = true;
   Time now_;
   std::vector<double> numbers_;
 
-  // Sources: the curves that go on changing, the others that do, and those of these that are asked this time.
-  std::vector<playing::Segment> segments_;  // by source; no channels where it is no curve
+  // Sources: curves that are changing; other sources that are; sources evaluated in this step.
+  std::vector<playing::Segment> segments_;  // by source; no channels if it is not a curve
   std::vector<std::uint32_t> curves_, left_;
   struct Active {
     std::uint32_t source = 0;
@@ -125,34 +125,35 @@ class Evaluator {
   std::vector<Active> active_;
   std::vector<std::uint32_t> due_, asked_;
   std::uint32_t turn_ = 0;
-  playing::Marks marks_;  // nodes, and what of them
+  playing::Marks marks_;  // nodes, and the parts of them
 
   std::vector<const CompiledSpan*> held_;  // by node
-  std::vector<CompiledSpan> by_code_;      // of Compiled::held_by_code
+  std::vector<CompiledSpan> by_code_;      // parallel to Compiled::held_by_code
   std::vector<std::int32_t> parent_;
   bool rearrange_ = true;
-  std::vector<std::uint32_t> order_, at_, size_;  // depth first; a node's place there; what is below a place and itself
-  std::vector<playing::Link> links_;              // in that order
-  std::vector<std::uint32_t> eyes_;               // in the order in which they turn
+  // Nodes depth first; a node's index there; the size of the subtree at an index.
+  std::vector<std::uint32_t> order_, at_, size_;
+  std::vector<playing::Link> links_;  // parallel to `order_`
+  std::vector<std::uint32_t> eyes_;   // in the order in which they turn
   std::vector<std::uint32_t> body_;
 
   std::int64_t tick_ = INT64_MIN;
   std::optional<EnvironmentSet> many_;
-  std::vector<Mat4> products_;           // by siting
-  std::vector<char> turned_;             // … whether that is another than before
-  std::vector<Own> owns_;                // by node, where any is held: before it is
-  std::vector<Mat4> worlds_;             // by node, without what encloses them
-  std::vector<Quat> turns_;              // by node, where any wants to know
-  std::vector<Mat4> around_, shown_;     // where any is enclosed: what by, and drawables' worlds in it
-  std::vector<std::uint32_t> alike_[2];  // nodes to be placed that have angles, and orientations
+  std::vector<Mat4> products_;  // by siting
+  std::vector<char> turned_;    // … and whether it has changed
+  std::vector<Own> owns_;       // by node, if any hangs on something: the transform before its parent's
+  std::vector<Mat4> worlds_;    // by node, without its environments
+  std::vector<Quat> turns_;     // by node, if any is needed
+  // By node and by drawable, if any is in an environment: product of environments, world transform.
+  std::vector<Mat4> around_, shown_;
+  std::vector<std::uint32_t> alike_[2];  // nodes to place: those with angles, those with quaternions
   std::vector<std::uint32_t> dirty_places_;
   std::vector<std::vector<Mat4>> palettes_;  // by skin
 
-  std::vector<std::shared_ptr<const Shape>>
-      forms_;                           // by drawable: those that vary; then those on curves through others
-  std::vector<std::uint8_t> stale_;     // … and must be made anew
-  std::vector<std::uint32_t> renewed_;  // the turn at which it was
-  playing::Marks flags_;                // nodes that differ; `changed` has the drawables among them
+  std::vector<std::shared_ptr<const Shape>> forms_;  // by drawable: shapes that vary; then those on splines
+  std::vector<std::uint8_t> stale_;                  // … and must be made again
+  std::vector<std::uint32_t> renewed_;               // the step of its last change
+  playing::Marks flags_;  // nodes that have changed; `changed` lists the drawables among them
 };
 
 }  // namespace betwixt

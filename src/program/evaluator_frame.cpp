@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A frame from what an evaluator knows: items, lights, the camera.
+// Builds a frame from an evaluator: items, lights, the camera.
 #include <algorithm>
 #include <cmath>
 
@@ -50,11 +50,12 @@ std::vector<Light> Evaluator::lights(Asking& asking) const {
     l.position = translation_of(world(node));
     l.sun = *std::get<Text>(compiled_.value(find(fn::shines), now_, asking)) == "sun";
     l.casting = casting_of(*std::get<Text>(compiled_.value(find(fn::casting), now_, asking)));
-    // A sun shines from where it stands towards the middle of the world; one that stands there shines down.
+    // A sun shines from its position towards the origin of the world. A sun at the origin shines down.
     l.direction = normalize(-l.position, {0, -1, 0});
     l.color = numbers_[find(fn::intensity).offset] * vec3(&numbers_[n.color]);
     const Vec3 own = vec3(&numbers_[n.scale]);
-    l.range = numbers_[find(fn::range).offset] * std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)});  // R-H9
+    // A light's range scales with its own scale, not with its parents'.
+    l.range = numbers_[find(fn::range).offset] * std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)});
     out.push_back(l);
   }
   return out;
@@ -66,7 +67,7 @@ std::optional<std::uint32_t> Program::Compiled::camera_at(Time t) const {
     const auto next = by_time->upper_bound(t);
     if (next != by_time->begin() && std::prev(next)->second) return std::prev(next)->second.index;
   }
-  return first_camera;  // those of display lists are looked through while their lists say so
+  return first_camera;  // cameras of display lists are active only through `views`
 }
 
 Camera Evaluator::camera() const {
@@ -84,9 +85,9 @@ Camera Evaluator::camera() const {
   c.aspect = compiled_.document.aspect();
   const Mat4 m = world(compiled_.node_of[object]);
   const Vec3 at = translation_of(m);
-  // A rigid motion, whatever scales the camera has been put through.
+  // A rigid transform, without the scales of the camera and its parents.
   const Vec3 back = normalize(transform_vector(m, {0, 0, 1})), up = transform_vector(m, {0, 1, 0});
-  const Mat4 upright = look_at({}, -back);  // for a camera whose own up is scaled to nothing
+  const Mat4 upright = look_at({}, -back);  // in case the camera's up vector is scaled to zero
   const Vec3 right = normalize(cross(up, back), transform_vector(upright, {1, 0, 0})), over = cross(back, right);
   c.world = translation(at);
   for (int i = 0; i < 3; ++i) c.world(i, 0) = right[i], c.world(i, 1) = over[i], c.world(i, 2) = back[i];
@@ -103,14 +104,14 @@ Camera Evaluator::camera() const {
   return c;
 }
 
-// How far what is sharp is away, along the axis; what is not before the camera is not looked for.
+// Returns the distance to the focus along the camera's axis. A focus that is not in front of the camera is ignored.
 double Evaluator::focus(std::uint32_t object, const Camera& c) const {
   Asking asking;
   asking.beside = beside_;
   const Vec3 eye = translation_of(c.world), back{c.world(0, 2), c.world(1, 2), c.world(2, 2)};
   const auto away = [&](Vec3 at) { return dot(eye - at, back); };
   const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };
-  const auto before = [&](std::uint32_t i) { return Vec3{0, 0, -away(in_world(i))}; };  // as distances are held
+  const auto before = [&](std::uint32_t i) { return Vec3{0, 0, -away(in_world(i))}; };  // in the form of a distance
   double far = 0;
   if (const auto said = compiled_.aim(object, fn::focus, now_, numbers_.data(), before, asking))
     far = -said->z;

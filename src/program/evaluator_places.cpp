@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where all nodes are: those that were moved, and what hangs on them.
+// The transforms of all nodes: those that moved, and their children.
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -12,7 +12,7 @@
 
 namespace betwixt {
 
-// Depth first: all that hangs on a node, and on that, is the interval behind it.
+// Sorts nodes depth first, so that a subtree is an interval.
 void Evaluator::arrange() {
   const std::size_t n = compiled_.nodes.size();
   constexpr std::uint32_t none = nothing;
@@ -53,7 +53,7 @@ void Evaluator::arrange() {
   arrange_eyes();
 }
 
-// What looks at something takes its turns in the order of the objects, but whoever is above another before it.
+// Sorts the objects that look at something: in the order of the objects, but parents before children.
 void Evaluator::arrange_eyes() {
   eyes_.clear();
   if (compiled_.eyes.empty()) return;
@@ -94,7 +94,7 @@ Own own_of_placed(const Placed& p) {
 
 Placed Evaluator::own_placed(std::uint32_t node) const { return placed_of(owns_[node]); }
 
-// By all that its own tracks say.
+// Returns the transform that the node's own tracks give.
 Own Evaluator::own_of(std::uint32_t node, Asking& asking) const {
   const Node& n = compiled_.nodes[node];
   Said said = said_by(n, numbers_.data());
@@ -115,7 +115,8 @@ void Evaluator::put_world(std::uint32_t node, const Mat4& m) {
   if (!compiled_.sited) flags_.add(node, true);
 }
 
-// What nobody holds is where it is by itself; what looks at something is turned, and must know how it stood.
+// Stores a node's own transform. If nothing holds or turns the node, the transform is final. Otherwise it is kept
+// apart, because the node needs it again.
 void Evaluator::settle(std::uint32_t node, const Own& own) {
   if (kept(node)) {
     owns_[node] = own;
@@ -126,13 +127,13 @@ void Evaluator::settle(std::uint32_t node, const Own& own) {
   if (size_[at_[node]] > 1 || compiled_.sited) dirty_places_.push_back(at_[node]);
 }
 
-// Those that are placed alike go together.
+// Places the marked nodes, those with equal rotation types together (SIMD).
 void Evaluator::place_marked(Asking& asking) {
   dirty_places_.clear();
   for (auto& alike : alike_) alike.clear();
   for (const std::uint32_t node : marks_.all()) {
     if (!(marks_[node] & (affects::place | affects::around)) || (only_ && !only_->places[node])) continue;
-    if (!(marks_[node] & affects::place)) {  // it stands where it stood, in what has turned
+    if (!(marks_[node] & affects::place)) {  // only its environments have changed
       dirty_places_.push_back(at_[node]);
       continue;
     }
@@ -169,7 +170,7 @@ void Evaluator::compose(std::uint32_t node) {
   show_sited(node);
 }
 
-// Where it is seen, with all that encloses it.
+// Updates a drawable's world transform, environments included.
 void Evaluator::show_sited(std::uint32_t node) {
   if (!compiled_.sited || !compiled_.draws(node)) return;
   const Mat4 shown = world(node);
@@ -178,7 +179,7 @@ void Evaluator::show_sited(std::uint32_t node) {
   flags_.add(node, true);
 }
 
-// What is at a place of the order, and all below it.
+// Updates the node at an index of the order, and its subtree.
 void Evaluator::compose_below(std::uint32_t at) {
   for (const std::uint32_t end = at + size_[at]; at < end;) {
     std::uint32_t plain = at;
@@ -205,7 +206,8 @@ void Evaluator::places(Asking& asking) {
     return marks_[node] & (affects::aim | affects::place | affects::around);
   });
   if (dirty_places_.empty() && !turning) return;
-  // What looks at something, and hangs on that, is worked out twice: what it was before this time is kept aside.
+  // A node that turns to a target, and its subtree, are computed twice. Keeps their old transforms, so that only true
+  // changes are reported.
   std::vector<std::pair<std::uint32_t, Mat4>> before;
   for (const std::uint32_t eye : eyes_) {
     const auto joints = joints_of(eye);
@@ -229,7 +231,7 @@ void Evaluator::places(Asking& asking) {
     if (flags_[d] && std::memcmp(&m, &worlds()[d], sizeof m) == 0) flags_.take_back(d);
 }
 
-// What looks at something turns with it, and so does what hangs on it: each sees those before it already turned.
+// Turns the nodes that look at something, and their subtrees. Each sees the earlier ones already turned.
 void Evaluator::turn_eyes(Asking& asking) {
   const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };
   for (const std::uint32_t eye : eyes_) {
@@ -242,19 +244,19 @@ void Evaluator::turn_eyes(Asking& asking) {
     const double roll = numbers_[compiled_.find(n.object, fn::roll).offset];
     const bool looks = target && *target != place;
     if (!looks && roll == 0) continue;
-    // It stands upright in the world, whatever encloses it.
+    // Upright in world space, whatever its environments are.
     const Mat4 around = compiled_.sited ? around_[eye] : Mat4{};
     const Mat4 before = around * worlds_[eye];
     const Quat was = turn_of(before);
     Quat turn = looks ? compiled_.turned(n, *target - place, now_, asking) : was;
     if (roll != 0) turn = turn * axis_angle({0, 0, 1}, roll);
-    // What it measures stays; a camera measures nothing.
+    // Keeps the object's scale; a camera has none.
     Mat4 turned = n.kind == Kind::camera ? rotation(turn) : rotation(turn * conjugate(was)) * linear_part(before);
     for (int i = 0; i < 3; ++i) turned(i, 3) = place[i];
     if (!turns_.empty()) turns_[eye] = turn;
     if (const auto back = inverse(around)) {
       turned = *back * turned;
-      for (int i = 0; i < 3; ++i) turned(i, 3) = worlds_[eye](i, 3);  // to the last bit where it was
+      for (int i = 0; i < 3; ++i) turned(i, 3) = worlds_[eye](i, 3);  // keeps the position exact to the last bit
     }
     put_world(eye, turned);
     show_sited(eye);

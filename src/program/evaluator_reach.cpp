@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What reaches for something turns the joints that it hangs on, when all else is in its place.
+// Inverse kinematics: an object that reaches for something turns the joints above it, after all nodes are placed.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace betwixt {
 
-// From the first to the nearest one.
+// Returns the joints of a chain, from the root to the nearest.
 std::vector<std::uint32_t> Evaluator::joints_of(std::uint32_t hand) const {
   std::vector<std::uint32_t> joints;
   const std::size_t bones = compiled_.nodes[hand].reaches;
@@ -27,7 +27,7 @@ Vec3 Evaluator::joint_place(std::uint32_t node) const {
   return transform_point(world(node), vec3(&numbers_[compiled_.nodes[node].pivot]));
 }
 
-// About its joint, in the world, whatever encloses it.
+// Turns a node about its joint, in world space.
 void Evaluator::turn_joint(std::uint32_t node, Quat turn) {
   const Vec3 place = joint_place(node);
   const Mat4 around = this->around(node);
@@ -38,7 +38,8 @@ void Evaluator::turn_joint(std::uint32_t node, Quat turn) {
   show_sited(node);
 }
 
-// Since when it has hung on that one, or on what that hangs on up to `joints`; none where it does not, or always has.
+// Returns since when the node has hung on the hand or on one of the joints. Returns nullopt if it does not, or always
+// has.
 std::optional<Time> Evaluator::held_since(std::uint32_t node, std::uint32_t hand,
                                           std::span<const std::uint32_t> joints) const {
   std::optional<Time> since;
@@ -55,7 +56,7 @@ std::optional<Time> Evaluator::held_since(std::uint32_t node, std::uint32_t hand
 void Evaluator::reach(std::uint32_t hand, Asking& asking) {
   const std::uint32_t object = compiled_.nodes[hand].object;
   std::vector<std::uint32_t> chain = joints_of(hand);
-  // What it has taken meanwhile goes where the hand goes: it reaches for where that was.
+  // If the hand has picked up its goal, the goal moves with it. Then the hand reaches for the place where the goal was.
   const auto in_world = [&](std::uint32_t i) {
     const auto since = held_since(i, hand, chain);
     return translation_of(since ? compiled_.placement(i, *since - Time{1}, asking).in_world() : world(i));
@@ -81,7 +82,7 @@ void Evaluator::reach(std::uint32_t hand, Asking& asking) {
   }
 }
 
-// Who reaches for something waits for what moves that, and what it hangs on itself.
+// Sorts the objects that reach for something: each comes after those that move its goal or its chain.
 void Evaluator::arrange_reaches() {
   std::vector<std::vector<std::uint32_t>> moved_by(parent_.size());
   for (const std::uint32_t eye : eyes_) {
@@ -109,7 +110,7 @@ void Evaluator::arrange_reaches() {
   eyes_ = std::move(order);
 }
 
-// The objects that an aim may be at, as nodes.
+// Returns the nodes that an aim may name at any time.
 std::vector<std::uint32_t> Program::Compiled::goals(std::uint32_t object, FunctionId f) const {
   const Binding& b = find(object, f);
   std::vector<std::uint32_t> out;
@@ -124,7 +125,7 @@ std::vector<std::uint32_t> Program::Compiled::goals(std::uint32_t object, Functi
   return out;
 }
 
-// All that what reaches may turn, at any time.
+// Marks all nodes that inverse kinematics may turn at any time.
 void Program::Compiled::find_joints() {
   const auto mark_all = [&] {
     for (Node& n : nodes) n.bends = true;
@@ -137,7 +138,7 @@ void Program::Compiled::find_joints() {
       for (const std::uint32_t node : level)
         for (std::uint32_t k = 0; k < nodes[node].spans; ++k) {
           const CompiledSpan& span = spans[nodes[node].first_span + k];
-          if (span.computed) return mark_all();  // who knows what code has it hang on
+          if (span.computed) return mark_all();  // code may choose any parent
           if (span.kind < AttachmentKind::hang || span.parent < 0) continue;
           above.push_back(static_cast<std::uint32_t>(span.parent));
           nodes[above.back()].bends = true;
@@ -149,7 +150,7 @@ void Program::Compiled::find_joints() {
   }
 }
 
-// How its own rotation would have to be, for it to stand as what reaches has turned it.
+// Returns the rotation that the node itself would need for its present pose.
 Quat Evaluator::own_turn(std::uint32_t node) const {
   const CompiledSpan* const h = held_[node];
   const Frozen* const f = h && h->frozen >= 0 ? &compiled_.frozen[static_cast<std::size_t>(h->frozen)] : nullptr;

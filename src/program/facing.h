@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How things are turned that face somewhere.
+// Rotations of objects that face a direction.
 #pragma once
 
 #include <array>
@@ -12,12 +12,13 @@
 
 namespace betwixt {
 
-// Which of its own axes a thing faces with.
+// The axis of an object that is its front.
 inline constexpr std::array<std::string_view, 6> front_names{"x", "-x", "y", "-y", "z", "-z"};
 enum class Front : std::uint8_t { x, minus_x, y, minus_y, z, minus_z };
 
-// Turned so that the front points along `direction`, and of the two other axes one points upwards as far as may be: y,
-// or z where y is the front. Where `flat`, z goes on pointing at whoever looks: what faces with x or y turns about it.
+// Returns the rotation that points the front along `direction`. Of the other two axes, y (or z if y is the front)
+// points up as far as possible. With `flat`, z keeps pointing at the viewer, so an object that faces with x or y turns
+// about z.
 inline Quat facing(Vec3 direction, Front front, bool flat) {
   const int axis = static_cast<int>(front) / 2;
   flat = flat && axis != 2;
@@ -28,7 +29,7 @@ inline Quat facing(Vec3 direction, Front front, bool flat) {
   const int third = 3 - axis - upright;
   Vec3 axes[3];
   axes[axis] = along;
-  // The third one is at right angles to both; which way round, the order of the axes says.
+  // The third axis is perpendicular to both. The order of the axes gives its sign.
   const bool cyclic = (upright + 1) % 3 == axis;
   axes[third] = normalize(cyclic ? cross(up, along) : cross(along, up));
   axes[upright] = cyclic ? cross(along, axes[third]) : cross(axes[third], along);

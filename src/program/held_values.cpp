@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From values as the author writes them to the numbers that the array holds, and back.
+// Converts the author's values to the numbers in the array, and back.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace betwixt {
 
-Vec3 to_angles(Quat q) {  // about x, then y, then z of the object's own axes
+Vec3 to_angles(Quat q) {  // about the object's own x, then y, then z axis
   const Mat4 m = rotation(q);
   const double y = std::asin(std::clamp(m(0, 2), -1.0, 1.0));
   if (std::abs(m(0, 2)) > 1 - 1e-12) return {std::atan2(m(2, 1), m(1, 1)), y, 0};
@@ -35,7 +35,7 @@ Value written_value(Type type, const double* n, bool orientation) {
 
 namespace {
 
-// A name is what it is attached to; "couple to NAME" and "hang on NAME" say how else.
+// Reads a parent from code's text. A name alone means attach; "couple to NAME" and "hang on NAME" name the kind.
 Result<Value> holder(const Value& v, const Scene& scene) {
   const auto* off = std::get_if<bool>(&v);
   if (off && !*off) return Value(Attachment{});
@@ -86,7 +86,7 @@ std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mi
     return slerp(*p, dot(*p, *q) < 0 ? -*q : *q, w);
   }
   if (a.index() != b.index()) return std::nullopt;
-  if (const auto* from = std::get_if<Color>(&a); from && mix) {  // light mixes, not the numbers written
+  if (const auto* from = std::get_if<Color>(&a); from && mix) {  // mixes linear light, not the written numbers
     const Vec3 x = to_linear(*from), y = to_linear(std::get<Color>(b));
     return to_srgb(x + w * (y - x));
   }

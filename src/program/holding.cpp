@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What holds a thing at a time: what its track says, or code in it.
+// What an object hangs on at a time, by its track or by code in it.
 #include <fmt/format.h>
 
 #include <bit>
@@ -11,7 +11,7 @@
 namespace betwixt {
 namespace {
 
-// Of the code that is in force from a time on.
+// Returns the source of the code that is in force from a time on.
 std::string source_of(const Object& o, Time from) {
   const Slot& slot = *o.find(fn::attachment);
   const Event* event = slot.track->events.find(from);
@@ -22,8 +22,8 @@ std::string source_of(const Object& o, Time from) {
 
 }  // namespace
 
-// Whether it is one body with what it hangs on: with a thing that is drawn, or with the whole that it is named as a
-// part of (car/wheel on car).
+// Returns true if an object forms one body with its parent: if the parent is drawn, or if the object's name makes it a
+// part of the parent (car/wheel on car).
 bool Program::Compiled::one_body(std::uint32_t node, std::uint32_t parent) const {
   const auto& objects = document.scene().objects;
   const std::string &name = objects[nodes[node].object].name, &whole = objects[nodes[parent].object].name;
@@ -45,13 +45,13 @@ CompiledSpan Program::Compiled::said_to_hold(std::uint32_t node, Time t, Asking&
   return now;
 }
 
-// Each of those whose code closes the circle is free, whoever asks first.
+// If code closes a cycle, each object whose code takes part in it is free, in whatever order they are evaluated.
 CompiledSpan Program::Compiled::held(std::uint32_t node, Time t, Asking& asking) const {
   const CompiledSpan now = said_to_hold(node, t, asking);
   if (!now.computed || now.parent < 0) return now;
   const auto above = [&](std::int32_t at) { return said_to_hold(static_cast<std::uint32_t>(at), t, asking).parent; };
   const auto self = static_cast<std::int32_t>(node);
-  std::int32_t seen = -1;  // of a circle of others (Brent 1980)
+  std::int32_t seen = -1;  // detects a cycle of others (Brent 1980)
   std::size_t steps = 0;
   for (std::int32_t at = now.parent; at != self; at = above(at)) {
     if (at < 0 || at == seen) return now;
@@ -70,7 +70,7 @@ CompiledSpan Program::Compiled::held(std::uint32_t node, Time t, Asking& asking)
   return free;
 }
 
-// Those that code says.
+// Takes the parents that code gives.
 void Evaluator::take_hold(Asking& asking) {
   for (std::size_t k = 0; k < by_code_.size(); ++k) {
     const std::uint32_t node = compiled_.held_by_code[k];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values that are not one plain track: velocities that reign, procedures, filters and layers.
+// Live values: velocities in force, procedures, filters and layers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Quat quat(const double* n) { return {n[0], n[1], n[2], n[3]}; }
 
 using Compiled = Program::Compiled;
 
-// Works out one function of one object at any time.
+// Evaluates one function of one object at any time.
 struct Worker {
   const Compiled& c;
   const Live& live;
@@ -35,12 +35,12 @@ struct Worker {
 
   std::string name(int component) const { return c.document.name(Target{{live.object}, live.function, component}); }
 
-  // What procedures see of the film.
+  // What procedures can read of the film.
   struct Talk : Questions {
     const Worker& w;
     Time t;
-    bool lacking = false;     // the object has not all that was asked of it, and others have
-    bool called_off = false;  // nobody wants the answer any more: that is thrown when the code is left
+    bool lacking = false;     // the object lacks a function that objects of other kinds have
+    bool called_off = false;  // the work was cancelled; NotWanted is thrown after the code returns
     Talk(const Worker& worker, Time time) : w(worker), t(time) {}
     double seconds() const override { return t.seconds(); }
     Rate rate() const override { return w.scene.rate; }
@@ -69,7 +69,7 @@ struct Worker {
       auto& trace = w.asking.read;
       if (trace.size() < 10'000 && std::find(trace.begin(), trace.end(), *target) == trace.end())
         trace.push_back(*target);
-      // What the answer takes is counted once: here, by whoever asked.
+      // The answer's cost counts once, in the asking procedure.
       const std::uint64_t before = w.asking.cost;
       Value r = w.c.read(*target, from_seconds(seconds), w.asking);
       cost += w.asking.cost - before + 20;
@@ -86,7 +86,7 @@ struct Worker {
     }
   };
 
-  // Whether a target of its own names a function that it has not and objects of other kinds have.
+  // Returns true if a target of its own names a function that this kind lacks and other kinds have.
   bool others_have(std::string_view target) const {
     const Object& self = scene.objects[live.object];
     if (target.starts_with(self.name)) target.remove_prefix(self.name.size());
@@ -97,13 +97,13 @@ struct Worker {
     return !find_function(scene, self.kind, function) &&
            std::any_of(known.begin(), known.end(), [&](const FunctionSpec& f) { return f.name == function; });
   }
-  // Whether code is what a function of the author's is everywhere where nobody says more.
+  // Returns true if the code is the default of the author's function.
   bool by_definition(const Procedure& p) const {
     const auto* rest = std::get_if<Procedure>(&spec_of(scene, live.function).rest);
     return rest && rest->code == p.code;
   }
 
-  // Its first line, as far as it takes to know it again.
+  // Returns enough of the first line to recognise it.
   static std::string brief(std::string_view source) {
     source.remove_prefix(std::min(source.find_first_not_of(" \t\r\n"), source.size()));
     const std::string_view line = source.substr(0, source.find('\n'));
@@ -111,18 +111,18 @@ struct Worker {
     return std::string(line.substr(0, 60)) + (more ? " …" : "");
   }
 
-  // None where it errs; then `problems` says so.
+  // Returns nullopt on an error, which is added to `problems`.
   std::optional<Value> run(const Procedure& p, const LivePart& part, Time t) const {
     if (asking.work(0)) return std::nullopt;
     if (const Along* place = along(Value(p)))
       return c.along(live.object, live.function, place->road, place->share, t, asking);
-    if (asking.in_haste() && asking.work(asking.most + 1)) return std::nullopt;  // code always may take long
+    if (asking.in_haste() && asking.work(asking.most + 1)) return std::nullopt;  // code may always take long
     Talk talk(*this, t);
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);
     if (talk.called_off) throw NotWanted{};
-    if (asking.work(cost + 300)) return std::nullopt;                      // beginning is work, too
-    if (!answer && talk.lacking && by_definition(p)) return std::nullopt;  // there is no such thing as its value
+    if (asking.work(cost + 300)) return std::nullopt;                      // starting the code costs something too
+    if (!answer && talk.lacking && by_definition(p)) return std::nullopt;  // the object has no such value
     const auto say = [&](const std::string& why) {
       asking.err(
           fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component), brief(p.code->source), why),
@@ -146,7 +146,7 @@ struct Worker {
     return *fitting;
   }
 
-  // The last value at or before t that no procedure makes (R-T11).
+  // Returns the last value at or before t that is not a procedure.
   Value settled(const LivePart& part, Time t) const {
     Value v = part.rest;
     part.track.events.each([&](const Event& e) {
@@ -154,7 +154,7 @@ struct Worker {
     });
     return std::holds_alternative<Procedure>(v) ? at_rest(part) : v;
   }
-  // Of a function that only code gives a value to.
+  // Returns the default of a function that only has code.
   Value at_rest(const LivePart& part) const {
     const FunctionSpec& spec = spec_of(scene, live.function);
     const Value v = std::holds_alternative<Procedure>(spec.rest) ? row_of(spec.type).example() : spec.rest;
@@ -168,8 +168,8 @@ struct Worker {
     return settled(part, t);
   }
 
-  // Between two places on one line: along it, as far as the blend of their shares says. `near`: the events about t,
-  // those from `after` on behind it.
+  // Moves along a line between two places on it, by the blend of their fractions. `near`: the events about t, those
+  // from index `after` on behind t. Returns nullopt if they are not on one line.
   std::optional<Value> along_line(const Track& track, const std::vector<const Event*>& near, std::size_t after,
                                   Time t) const {
     const auto reaches = [](const Event& e) { return along(e.detail->before ? *e.detail->before : e.value); };
@@ -195,8 +195,8 @@ struct Worker {
     return c.along(live.object, live.function, from->road, share, t, asking);
   }
 
-  // A track of places on lines is repeated as one of plain values is. What code says of a time it says of that time
-  // only.
+  // Repeats a track of places on lines like a track of plain values. Code is never repeated: it always gets the true
+  // time.
   static Time repeated(const Track& track, Time t) {
     if (track.events.size() < 2) return t;
     const Time first = track.events.front().time, last = track.events.back().time;
@@ -209,14 +209,14 @@ struct Worker {
     return code ? t : Time{fold(t.flicks, first.flicks, last.flicks, how == Extrapolation::bounce)};
   }
 
-  // A track among whose values are procedures: a segment that begins with one is the procedure's, unless it has a
-  // twerper, which then goes from what the procedure says to the next value.
+  // Evaluates a track that contains procedures. A segment that begins with a procedure takes its value throughout. With
+  // a twerper, it blends from the procedure's value to the next one.
   Value scripted(const LivePart& part, Time t) const {
     t = repeated(part.track, t);
-    std::vector<const Event*> near;  // three before, three behind: splines see no further
+    std::vector<const Event*> near;  // three before and three behind, which is all that splines use
     std::size_t before = 0;
     const Event* last = nullptr;
-    const bool holds = part.type == Type::attachment;  // before its first event it is what holds from the beginning
+    const bool holds = part.type == Type::attachment;  // before its first event, the initial value holds
     part.track.events.each([&](const Event& e) {
       if (holds && (e.keep || e.time > t)) return;
       if (e.time <= t) {
@@ -236,7 +236,7 @@ struct Worker {
     const bool alone = near.back() == last || twerper == Twerper::hold || !has_velocity(part.type) ||
                        (twerper == Twerper::unset && std::holds_alternative<Procedure>(last->value));
     if (alone && !last->keep) return event_value(last->value, part, t, t);
-    // Across a cut or a hold nobody looks; what is not looked at is not asked.
+    // No blend crosses a cut or a hold, so values beyond it are not evaluated.
     const auto parts = [&](std::size_t i) {
       const Twerper to_here = part.track.global != Twerper::unset ? part.track.global : near[i - 1]->twerper;
       return !near[i]->keep && (near[i]->detail->before || to_here == Twerper::hold);
@@ -274,7 +274,7 @@ struct Worker {
   Value piece_value(const LivePart& part, std::size_t i, Time t) const {
     const Piece& p = part.pieces[i];
     if (p.reign < 0) {
-      if (p.scripted) {  // what was reached at the release holds until the track's next event
+      if (p.scripted) {  // the value reached at the release holds until the track's next event
         bool any = i == 0;
         part.track.events.each([&](const Event& e) { any = any || (e.time > p.from && e.time <= t); });
         return any ? scripted(part, t) : piece_value(part, i - 1, p.from);
@@ -285,7 +285,7 @@ struct Worker {
       return as_written(part, n.data(), p.primary.orientation);
     }
     const Reign& reign = c.reigns[static_cast<std::size_t>(p.reign)];
-    // What the track had at that time, whatever it was before its first event (R-T5).
+    // The value of the track at that time, also before its first event.
     const Value anchor = piece_value(part, i - 1, p.from);
     Numbers sum{};
     reign.sum(c.set, t, sum.data());
@@ -302,7 +302,7 @@ struct Worker {
     return part.pieces.empty() ? scripted(part, t) : piece_value(part, part.piece_at(t), t);
   }
 
-  // What a filter sees.
+  // The input of a filter.
   struct Through : Input {
     const Worker& w;
     const LiveStrand& s;
@@ -328,8 +328,8 @@ struct Worker {
     void work(std::uint64_t steps) override { w.asking.work(steps + 300); }
   };
 
-  // What a filter sees. Filters on top of each other look at the same times again and again, on grids of their own:
-  // what was seen is remembered while this one answer is worked out, so that they cost the sum and not the product.
+  // Returns the input of a filter at a time. Stacked filters sample the same times again, on grids of their own. A
+  // cache for this one answer makes their cost the sum, not the product.
   Value looked_at(const LiveStrand& s, std::size_t stage, Time t) const {
     StillWanted::ask();
     if (asking.work(20)) return given_up();
@@ -343,7 +343,7 @@ struct Worker {
   static constexpr std::size_t most_seen = 1'000'000;
   mutable std::map<std::tuple<const LiveStrand*, std::size_t, std::int64_t>, Value> seen{};
 
-  // The value without what asks: where a question goes round in a circle, or takes too much work.
+  // Returns the object's own value without code, filters and layers, for a cycle or too much work.
   Value without_asking(Time t, int component) const {
     if (component >= 0) return settled(*part_of(component), t);
     const LiveStrand& own = live.strands[0];
@@ -356,14 +356,14 @@ struct Worker {
     }
     return v;
   }
-  // Of the right kind, and quickly: it will not be used.
+  // Returns any value of the right type: it will be discarded.
   const Value& given_up() const {
     if (!stopped) stopped = without_asking({}, -1);
     return *stopped;
   }
   mutable std::optional<Value> stopped{};
 
-  // Behind the first `stage` filters.
+  // Returns the value after the first `stage` filters.
   Value strand_value(const LiveStrand& s, std::size_t stage, Time t) const {
     if (stage == 0) {
       if (s.plain >= 0) return plain_value(c.plains[static_cast<std::size_t>(s.plain)], t);
@@ -483,9 +483,9 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
     }
   }
   const Sought key{index, component, t.flicks};
-  constexpr std::size_t deepest = 200;  // a memory of more steps would be an accumulation
+  constexpr std::size_t deepest = 200;  // code that looks back further should add up instead
   const auto again = std::find(asking.open.begin(), asking.open.end(), key);
-  if (again != asking.open.end() || asking.open.size() >= deepest) {  // now no procedure answers
+  if (again != asking.open.end() || asking.open.size() >= deepest) {  // no procedure is called now
     const bool circle = again != asking.open.end();
     asking.cut = std::min(asking.cut, circle ? static_cast<std::size_t>(again - asking.open.begin()) : 0);
     const std::string name = document.name(Target{{live.object}, live.function, -1});

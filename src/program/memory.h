@@ -8,8 +8,8 @@
 
 namespace betwixt {
 
-// What a program takes beside its document: its arrays and curves. What it shares with the program before counts too;
-// environments that go on together, pictures and evaluators at rest do not.
+// Returns the bytes of a program without its document: its arrays and curves. Includes arrays shared with the last
+// program, but not the environment set, pictures and unused evaluators.
 std::size_t bytes_of(const Program&);
 
 }  // namespace betwixt

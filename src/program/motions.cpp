@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motions: strings of T, R and S over segments of time, one after the other. (rules, R-H7)
+// Motions: products of T, R and S over segments of time, in sequence.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,8 @@
 namespace betwixt {
 namespace {
 
-// A centre that is an object: where that is as the motion begins, seen from where the positions of the moved one are.
+// Fixes centres that are objects: takes the object's position when the motion begins, in the space of the moved
+// object's positions.
 void place_centres(Program::Compiled& compiled, const Node& node, Motion& motion, Time t) {
   Asking asking;
   for (Factor& f : motion.factors) {
@@ -31,7 +32,7 @@ void place_centres(Program::Compiled& compiled, const Node& node, Motion& motion
   }
 }
 
-// Between two events a curve goes from 0 to 1 as the first one's twerper and the eases of both say.
+// Makes the curve from 0 to 1 between two events, by the first one's twerper and the eases of both.
 Curve progress(CurveSet& set, const Track& track, const Event& begin, const Event& end) {
   Track one = track;
   one.events = {};
@@ -91,8 +92,8 @@ void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen
       for (std::size_t k = 0; k < pieces.size(); ++k) starts.push_back({pieces[k].from, i, k});
     }
   std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.time < b.time; });
-  // In the order of time: where things are when a motion begins takes the motions before it and what was let go; of the
-  // motions that begin with it nothing has been done yet.
+  // In the order of time, because a motion's start depends on earlier motions and releases. Motions that start at this
+  // time have done nothing yet.
   auto next = frozen.begin();
   const auto thaw = [&](Time until) {
     for (; next != frozen.end(); ++next) {
@@ -119,7 +120,7 @@ void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen
     for (; i < end; ++i) ++moving_of(starts[i]).placed;
   }
   thaw({INT64_MAX});
-  compiled.tracers.clear();  // what they looked up on the way was looked up too early
+  compiled.tracers.clear();  // their cached positions may be too early
 }
 
 std::vector<Motion> Program::motions(ObjectId object) const {
@@ -131,7 +132,7 @@ std::vector<Motion> Program::motions(ObjectId object) const {
   return all;
 }
 
-// M = A_k(u) A_(k-1)(1) ... A_1(1), u of piece k done: the motions act where the position is.
+// M = A_k(u) A_(k-1)(1) ... A_1(1), with u of piece k done. The motions act in the space of the position.
 std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t) const {
   constexpr double bound = 1e18;
   if (n.moving < 0) return std::nullopt;
@@ -141,12 +142,12 @@ std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t) const {
   const auto later = std::upper_bound(m.pieces.begin(), m.pieces.end(), t,
                                       [](Time time, const Moving::Piece& p) { return time < p.from; });
   auto k = static_cast<std::size_t>(later - m.pieces.begin());
-  // Before the first one a line goes on backwards.
+  // Linear extrapolation continues backwards before the first piece.
   const bool ahead = k == 0 && how == Extrapolation::linear && m.pieces[0].from == m.first;
   if (k == 0 && !ahead) return std::nullopt;
   k = ahead ? 0 : k - 1;
   const Moving::Piece& p = m.pieces[k];
-  if (k >= m.placed) {  // while centres are looked up: of what begins nothing is done, what is yet to come is not there
+  if (k >= m.placed) {  // while centres are being fixed: starting pieces have done nothing, later ones do not exist yet
     if (how != Extrapolation::hold) return std::nullopt;
     return p.before;
   }

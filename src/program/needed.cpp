@@ -10,13 +10,13 @@ namespace {
 
 bool is_hand(const Node& n) { return n.reaches > 0; }
 
-// From one node to all that it follows from.
+// Collects the nodes that one node depends on.
 struct Following {
   const Program::Compiled& c;
   Time t;
   Asking& asking;
   Needed out;
-  std::vector<std::pair<std::uint32_t, bool>> left;  // to follow, and whether it is wanted turned
+  std::vector<std::pair<std::uint32_t, bool>> left;  // nodes to visit, and whether their rotation is needed
 
   std::int32_t above(std::uint32_t node) const {
     const CompiledSpan h = c.held(node, t, asking);
@@ -32,7 +32,7 @@ struct Following {
     const auto* id = std::get_if<ObjectId>(&v);
     if (id && find_object(c.document.scene(), *id)) need(c.node_of[id->index], false);
   }
-  // The objects that it aims at now.
+  // Adds the objects that it aims at now.
   void need_aims(std::uint32_t node, FunctionId f) {
     const Binding& b = c.find(c.nodes[node].object, f);
     if (b.live >= 0) return need_aim(c.live_value(b.live, t, asking));
@@ -60,7 +60,7 @@ struct Following {
     }
     return false;
   }
-  // What reaches for something turns what is wanted. Whether there is more than was known.
+  // Adds the inverse-kinematics chains that turn needed nodes. Returns true if there were new ones.
   bool hands(std::vector<bool>& known) {
     bool more = false;
     for (std::uint32_t hand = 0; hand < c.nodes.size(); ++hand) {
@@ -84,7 +84,7 @@ struct Following {
     out.held = any_hand ? std::vector<bool>(c.nodes.size(), true) : out.places;
     if (!any_hand && !c.held_by_code.empty()) order();
   }
-  // In which order things turn to what they look at follows from what these hang on.
+  // The order in which eyes turn depends on their parents.
   void order() {
     for (const std::uint32_t eye : c.eyes)
       for (auto i = static_cast<std::int32_t>(eye); i >= 0; i = above(static_cast<std::uint32_t>(i)))

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What it takes to know where one thing is: whoever asks for that asks nothing else, so that what has no part in it may
-// look at it without going round in a circle.
+// What the transform of one object depends on. A query for it evaluates nothing else, so that unrelated values can read
+// it without a cycle.
 #pragma once
 
 #include <vector>
@@ -11,18 +11,18 @@
 
 namespace betwixt {
 
-// By node, at one time.
+// Flags by node, at one time.
 struct Needed {
-  std::vector<bool> places;  // it is wanted where it is
-  std::vector<bool> turns;   // and how it is turned and scaled
-  std::vector<bool> aims;    // what it looks at or reaches for counts
-  std::vector<bool> held;    // what holds it counts
+  std::vector<bool> places;  // its position is needed
+  std::vector<bool> turns;   // its rotation and scale too
+  std::vector<bool> aims;    // its look-at or reach target is needed
+  std::vector<bool> held;    // its parent is needed
   bool wants(const Schedule::LiveSource&) const;
 };
 
-// `turned`: of the whole matrix of a node; else of its place alone.
+// Returns the needs of a node's whole matrix, or of its position alone if not `turned`.
 Needed needed(const Program::Compiled&, std::uint32_t node, bool turned, Time, Asking&);
-// Whether a node is where its position says however it is turned and scaled.
+// Returns true if a node's rotation and scale do not affect its position.
 bool turns_in_place(const Program::Compiled&, const Node&);
 
 }  // namespace betwixt

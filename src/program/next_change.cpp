@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// When something will next be seen to change: where nothing is due, nobody need wake up. (Animation Imaging Model,
-// 3.3.1: an empty slot)
+// When the picture will next change, so that the clock can sleep until then. (Animation Imaging Model, 3.3.1: an empty
+// slot)
 #include <algorithm>
 
 #include "program/compiled.h"
@@ -23,7 +23,7 @@ struct Next {
 std::optional<Time> Program::next_change(Time t) const {
   const Compiled& compiled = *code_;
   const Scene& scene = compiled.document.scene();
-  if (!compiled.lives.empty()) return t;  // who knows what code looks at
+  if (!compiled.lives.empty()) return t;  // code may change at any time
   if (compiled.traces && compiled.tracing_at(t)) return t;
   Next next{t, std::nullopt};
   for (const CurveUse& use : compiled.curves) {
@@ -65,7 +65,8 @@ std::optional<Time> Program::next_change(Time t) const {
 
 namespace {
 
-// The events of a track that goes on with what it has, to and fro, wherever these come again; and places besides.
+// Reports the events of a repeated track wherever they recur, in both directions of a bounce. Reports some other times
+// too.
 template <class May>
 void again(std::span<const std::int64_t> times, Time after, Time until, May&& may) {
   const std::int64_t length = times.empty() ? 0 : times.back() - times.front();
@@ -86,13 +87,13 @@ std::vector<Time> Program::breaks(Time after, Time until) const {
   const auto may = [&](Time t) {
     if (after < t && t <= until) all.push_back(t);
   };
-  // `times`: in order, each with the time that `time_of` says.
+  // Reports the elements of `times`, which are sorted; `time_of` returns an element's time.
   const auto each_of = [&](const auto& times, auto&& time_of) {
     auto at =
         std::upper_bound(times.begin(), times.end(), after, [&](Time t, const auto& one) { return t < time_of(one); });
     for (; at != times.end() && time_of(*at) <= until; ++at) may(time_of(*at));
   };
-  for (const CurveUse& use : compiled.curves) {  // those of layers too, which are no sources
+  for (const CurveUse& use : compiled.curves) {  // includes layers, which are not in the schedule
     const Curve& curve = use.curve;
     const std::span times(curve.columns->times.data() + curve.first, curve.count);
     each_of(times, [](std::int64_t t) { return Time{t}; });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where things are: what they hang on, what was let go, what looks at something. (rules, section 5)
+// Transforms: parents, releases and look-at.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@
 namespace betwixt {
 namespace {
 
-// Scale and rotation about the pivot, then the move (R-H7).
+// Scales and rotates about the pivot, then translates.
 Mat4 local(const Said& said) {
   Mat4 m = rotation(said.turn);
   for (int c = 0; c < 3; ++c)
@@ -98,7 +98,7 @@ const CompiledSpan* Program::Compiled::span(const Node& n, Time t) const {
   return next == first ? nullptr : next - 1;
 }
 
-// What a letgo or a keep-world keeps: worked out once, from the world at its time.
+// Computes the transforms that a letgo or keep-world keeps: once, from the world at its time.
 void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   Frozen& f = frozen[static_cast<std::size_t>(index)];
   if (f.state != Frozen::asleep) return;
@@ -106,7 +106,7 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   const Node& n = nodes[f.node];
   const CompiledSpan& now = spans[n.first_span + static_cast<std::uint32_t>(f.span)];
   const CompiledSpan* before = f.span > 0 ? &now - 1 : nullptr;
-  CompiledSpan by_code;  // just before
+  CompiledSpan by_code;  // just before this time
   if (before && before->computed) by_code = held(f.node, {now.from.flicks - 1}, asking), before = &by_code;
   const Time t = now.from.flicks == INT64_MIN ? Time{} : now.from;
   const Said said = said_at(*this, n, t, asking);
@@ -116,7 +116,7 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   if (before && before->kind >= AttachmentKind::hang)
     old_parent = placement(static_cast<std::uint32_t>(before->parent), t, asking);
   if (now.kind == AttachmentKind::letgo) {
-    if (before && before->kind == AttachmentKind::letgo) {  // nobody holds it: what was kept stays
+    if (before && before->kind == AttachmentKind::letgo) {  // already free: keeps the earlier transforms
       const auto span = f.span;
       f = *kept;
       f.span = span;
@@ -131,7 +131,7 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   } else {
     Placed was = hang(own_place(said), said.attach, before, kept, &old_parent);
     const Sited parent = placement(static_cast<std::uint32_t>(now.parent), t, asking);
-    if (sited) {  // from the environments that enclosed it to those that will
+    if (sited) {  // from the environments it was in to those it will be in
       const Mat4 own = product(n.around, t), old = kept && kept->held ? kept->around : old_parent.around;
       if (const auto out = inverse(parent.around * own)) was.world = *out * old * own * was.world;
     }
@@ -175,7 +175,7 @@ Mat4 Program::Compiled::product(std::int32_t siting, Time t, const EnvironmentSe
   return m;
 }
 
-// What moves it in its own space: its transform, then the environments that drive it.
+// Returns what transforms the object in its own space: its transform, then the environments that drive it.
 std::optional<Mat4> Program::Compiled::driven(const Node& n, Time t, Asking& asking, const Mat4* drive) const {
   if (!n.transform && n.drive < 0) return std::nullopt;
   Mat4 m = drive ? *drive : product(n.drive, t);
@@ -189,8 +189,8 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking, b
   std::vector<std::pair<std::uint32_t, CompiledSpan>> chain;
   for (std::int32_t i = static_cast<std::int32_t>(node); i >= 0;) {
     const Node& n = nodes[static_cast<std::size_t>(i)];
-    const bool looks = n.looks && (turned || !chain.empty());  // it turns about the place where it is
-    if (looks || n.bends) {  // it turns with what it looks at, or what reaches for something
+    const bool looks = n.looks && (turned || !chain.empty());  // turning does not move its own position
+    if (looks || n.bends) {                                    // look-at or inverse kinematics turns it
       Evaluator some(*this);
       some.place(t, asking, needed(*this, node, turned, t, asking));
       return {some.placed(node), some.around(node)};
@@ -224,7 +224,7 @@ double Program::Compiled::place(std::uint32_t node, Time t, Asking& asking, int 
                     n.moving < 0 && n.around < 0;
   if (bare && held(node, t, asking).kind == AttachmentKind::detach)
     if (const Value v = live_value(position.live, t, asking, component); const auto* d = std::get_if<double>(&v))
-      return *d + 0.0;  // no -0, as in matrices
+      return *d + 0.0;  // turns -0 into 0, as matrices do
   return place(node, t, asking)[component];
 }
 
@@ -248,7 +248,8 @@ Kinematics Program::kinematics(ObjectId object, Time t) const {
   }
   b.to_world = around * b.to_world;
   if (const auto motion = compiled.moved(n, t)) b.to_world = b.to_world * linear_part(*motion);
-  // Its track says how fast it goes; what carries it, or carried it up to now, is looked at as it goes by.
+  // The position track gives the velocity. If a parent carries the object, or did until now, the velocity is measured
+  // by differences instead.
   if (held || h.computed || h.from == t || n.moving >= 0) {
     constexpr Time look{flicks_per_second / 2000};
     b.velocity = 1000 * (3.0 * b.position - 4.0 * place(t - look) + place(t - look - look));

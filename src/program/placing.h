@@ -1,30 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How an object is placed: by its own tracks, and by what it hangs on. (rules, section 5)
+// The placement of an object, by its own tracks and by its parent.
 #pragma once
 
 #include "program/compiled.h"
 
 namespace betwixt {
 
-// What the tracks of one object say about its place.
+// The values of an object's own transform.
 struct Said {
   Quat turn;
   Vec3 scale, pivot, position, attach;
-  std::optional<Mat4> own;     // what moves it in its own space first
-  std::optional<Mat4> motion;  // and what moves it where its position is
+  std::optional<Mat4> own;     // applied first, in its own space
+  std::optional<Mat4> motion;  // applied last, in the space of its position
 };
 
 Said said_by(const Node&, const double* numbers);
-// The same of one node alone; not `turned`: what says where it is.
+// The same for one node alone. Without `turned`, evaluates only what its position needs.
 Said said_at(const Program::Compiled&, const Node&, Time, Asking&, bool turned = true);
-// By these alone: scale and rotation about the pivot, then the move (R-H7).
+// Returns the own transform: scales and rotates about the pivot, then translates.
 Placed own_place(const Said&);
-// R-H1 to R-H5. `parent`: of hang, attach and couple, at this time.
+// Applies the attachment. `parent`: the parent's transform at this time, for hang, attach and couple.
 Placed hang(const Placed& own, Vec3 attach, const CompiledSpan*, const Frozen*, const Placed* parent);
 
-// The turning part of a matrix that turns and scales.
+// Returns the rotation part of a matrix that rotates and scales.
 Quat turn_of(const Mat4&);
 inline Mat4 linear_part(Mat4 m) {
   m(0, 3) = m(1, 3) = m(2, 3) = 0;

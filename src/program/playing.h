@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The loops of an evaluator that most of a frame is spent in: curves at a time, matrices from what curves say, matrices
-// from those that things hang on. Each gives the bits that its plain form gives (CurveSet::evaluate, own_place, hang),
-// on every kind of machine.
+// The hot loops of an evaluator: curves at a time, own matrices from numbers, world matrices from parents. Each gives
+// the same bits as its plain form (CurveSet::evaluate, own_place, hang) on every machine.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +15,7 @@
 
 namespace betwixt::playing {
 
-// Which of many are dirty, and how.
+// A set of dirty elements, with flags for each.
 class Marks {
  public:
   explicit Marks(std::size_t many) : how_(many), which_(many) {}
@@ -25,8 +24,8 @@ class Marks {
     how_[one] |= how;
   }
   std::uint8_t operator[](std::uint32_t one) const { return how_[one]; }
-  std::span<const std::uint32_t> all() const { return {which_.data(), count_}; }  // in the order of their coming
-  // Those below `end`, in order.
+  std::span<const std::uint32_t> all() const { return {which_.data(), count_}; }  // in the order they were added
+  // Lists those below `end`, sorted.
   void in_order(std::uint32_t end, std::vector<std::uint32_t>& out) const;
   void take_back(std::uint32_t one);
   void clear() {
@@ -40,40 +39,41 @@ class Marks {
   std::size_t count_ = 0;
 };
 
-// A curve where it is: the cubics of the segment that it is in, and what becomes of their numbers.
+// A curve's present segment, as cubics, and where its numbers go.
 struct Segment : CubicSegment {
-  Activity active;  // the last one it was found in
+  Activity active;  // the activity found last
   std::uint32_t offset = 0, node = 0;
   std::uint8_t channels = 0, affects = 0;
-  bool bounded = false;  // it is to stay within bounds, and is left to others
-  bool listed = false;   // among those that go on changing
+  bool bounded = false;  // must be clamped, so play() skips it
+  bool listed = false;   // in the list of changing curves
 };
 
-// The numbers at `t` of those segments (`which`) that it is in. Returns how many are left, their places in `which` in
-// `left`. Numbers have four more behind them.
+// Writes the numbers at `t` of those curves of `which` whose segment contains `t`. Returns how many it skipped; `left`
+// gets their indices in `which`. Needs four spare numbers at the end of the array.
 std::size_t play(const Segment*, std::span<const std::uint32_t> which, std::int64_t t, double* numbers, Marks&,
                  std::uint32_t* left);
 
-// Where an object's numbers are, and whether its rotation is four of them: an orientation.
+// The offsets of an object's numbers; the rotation has four of them if it is a quaternion.
 struct Offsets {
   std::uint32_t position = 0, rotation = 0, scale = 0, pivot = 0;
   bool orientation = false;
 };
-// Columns of an affine matrix, one behind the other, and how it turns.
+// The columns of an affine matrix, and its rotation.
 struct Own {
   double m[12];
   Quat turn;
 };
-// Of `nodes`, at most `block`, by position, rotation, scale and pivot alone. All or none are orientations.
+// Computes the matrices of `nodes`, at most `block`, from position, rotation, scale and pivot. Either all rotations are
+// quaternions or none is.
 inline constexpr std::size_t block = 64;
 void place(const Offsets*, std::span<const std::uint32_t> nodes, const double* numbers, Own* out);
 
-// What a node hangs on; a `plain` one's matrix is the other's times its own, moved by what it is attached with.
+// A node and its parent. The matrix of a `plain` link is the parent's times the own one, moved by the attach position.
 struct Link {
   std::uint32_t node = 0, parent = 0, attach = 0;  // attach: an offset
   bool plain = false;
 };
-// Of links all of which are plain, parents before children: worlds that differ from those there are marked.
+// Updates the worlds of plain links, sorted parents first. Marks those that change.
 void follow(std::span<const Link>, const double* numbers, const Own*, Mat4* worlds, Marks&);
 
 }  // namespace betwixt::playing

@@ -6,8 +6,8 @@
 
 #include "program/playing.h"
 
-// This file is compiled once for each kind of machine (with SSSE3 but no SSE4: until 2008). Vectors without a size of
-// their own cannot stand in arrays.
+// This file is compiled once for each instruction set, without SSSE3-only machines (until 2008), and without scalable
+// vectors, which cannot be array elements.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_RVV | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "program/playing_kernels.cpp"
@@ -22,20 +22,20 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Four numbers: a curve's channels, a matrix' column. Two at a time where there are no four.
+// Four numbers: a curve's channels or a matrix column. Narrow machines take two at a time.
 using Four = hn::CappedTag<double, 4>;
 using VFour = hn::Vec<Four>;
-// The same number of many objects.
+// The same number of several objects.
 constexpr std::size_t widest = 8;
 using Many = hn::CappedTag<double, widest>;
 using V = hn::Vec<Many>;
 
 HWY_INLINE VFour of_four(double x) { return hn::Set(Four(), x); }
 
-// Which of four lanes are below a count.
+// A mask of the lanes below a count.
 alignas(64) constexpr double below[5][4] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 1, 1, 0}, {1, 1, 1, 1}};
 
-// Writes those of four numbers that are below `count`; whether any bit was another.
+// Writes the first `count` of four numbers. Returns true if any bit changed.
 HWY_INLINE bool put(VFour now, std::size_t lane, std::size_t count, double* at) {
   const Four d;
   const hn::RebindToUnsigned<Four> u;
@@ -74,7 +74,7 @@ struct Turned {
   V sine, cosine;
 };
 
-// sine_cosine() of angles within a million, operation by operation.
+// Equals sine_cosine() for angles within a million, operation by operation.
 HWY_INLINE Turned sine_cosine_of(V angle) {
   const Many d;
   const hn::RebindToSigned<Many> i;
@@ -97,7 +97,7 @@ HWY_INLINE Turned sine_cosine_of(V angle) {
   c = step(z, c, -1.38888888888741095749e-03);
   c = step(z, c, 4.16666666666666019037e-02);
   const V cosine = hn::Sub(number(1), hn::Sub(hn::Mul(number(0.5), z), hn::Mul(hn::Mul(z, z), c)));
-  // The quarter is in the low bits of what was shifted.
+  // The quarter is in the low bits of the shifted number.
   const auto quarter = hn::BitCast(i, shifted), one = hn::Set(i, 1), two = hn::Set(i, 2);
   const auto si = hn::BitCast(i, sine), ci = hn::BitCast(i, cosine);
   const auto swapped = hn::And(hn::Xor(si, ci), hn::Neg(hn::And(quarter, one)));
@@ -122,7 +122,7 @@ HWY_INLINE Turn turn_of(const V* angles) {
           difference(xy.y, z.cosine, xy.x, z.sine), sum(xy.z, z.cosine, xy.w, z.sine)};
 }
 
-// The numbers of an object: position, rotation (three or four), scale, pivot; and what comes of them.
+// The numbers of an object: position, rotation (three or four), scale, pivot. Then the number of results.
 enum Input : std::size_t { position = 0, rotation = 3, scale = 7, pivot = 10, inputs = 13 };
 constexpr std::size_t outputs = 16;
 
@@ -167,7 +167,7 @@ void place_here(const Offsets* offsets, std::span<const std::uint32_t> nodes, co
     Turn q{in[rotation], in[rotation + 1], in[rotation + 2], in[rotation + 3]};
     if (!orientation) {
       q = turn_of(in + rotation);
-      // Larger angles are the library's.
+      // The scalar function takes larger angles.
       const auto large = [&](V a) HWY_ATTR { return hn::Not(hn::Lt(hn::Abs(half(a)), number(1e6))); };
       if (!hn::AllFalse(d, hn::Or(hn::Or(large(in[rotation]), large(in[rotation + 1])), large(in[rotation + 2])))) {
         alignas(64) double w[4][widest];

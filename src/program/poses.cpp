@@ -6,7 +6,7 @@
 namespace betwixt {
 namespace {
 
-// world(node): the matrix of a node, which is asked of the object and of what it hangs on.
+// `world` returns a node's world matrix, for the object and its parent.
 template <class World>
 Pose pose_of(const Program::Compiled& compiled, std::uint32_t object, Time t, Asking& asking, World&& world) {
   Pose pose;

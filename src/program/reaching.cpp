@@ -12,7 +12,7 @@ namespace {
 
 Vec3 across(Vec3 v, Vec3 along) { return v - dot(v, along) * along; }
 
-// At right angles to a direction: as near to the first of these as can be that is not along it.
+// Returns a unit vector perpendicular to `along`, nearest to `wanted`, or to a fixed axis if `wanted` is parallel.
 Vec3 sideways(Vec3 along, Vec3 wanted) {
   for (const Vec3 v : {wanted, Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}})
     if (const Vec3 side = across(v, along); length(side) > 1e-6 * length(v)) return normalize(side);
@@ -30,17 +30,18 @@ class Chain {
   }
 
   double total() const { return total_; }
-  double nearest() const { return std::max(0.0, 2 * bones_[longest_] - total_); }  // the end can come to its beginning
+  // The smallest distance from the root to the end.
+  double nearest() const { return std::max(0.0, 2 * bones_[longest_] - total_); }
   Vec3 span() const { return at.back() - at.front(); }
 
-  void turn(Quat q, std::size_t first, std::size_t last) {  // about the joint before the first of these
+  void turn(Quat q, std::size_t first, std::size_t last) {  // about the joint before `first`
     const Mat4 m = rotation(q);
     const Vec3 centre = at[first - 1];
     for (std::size_t i = first; i <= last; ++i) at[i] = centre + transform_vector(m, at[i] - centre);
   }
   void turn(Quat q) { turn(q, 1, at.size() - 1); }
 
-  // Which way its middle is off the straight way; nothing where it is straight.
+  // Returns the direction of the chain's bend, or zero if it is straight.
   Vec3 bend(Vec3 along) const {
     Vec3 sum;
     for (std::size_t i = 1; i + 1 < at.size(); ++i) sum = sum + across(at[i] - at.front(), along);
@@ -54,7 +55,7 @@ class Chain {
     at[2] = at[0] + far * along;
   }
 
-  // A straight one begins as an arc.
+  // Bends a straight chain into an arc.
   void bow(Vec3 along, Vec3 side) {
     const auto n = static_cast<double>(bones_.size());
     for (std::size_t i = 0; i < bones_.size(); ++i) {
@@ -76,7 +77,8 @@ class Chain {
     }
   }
 
-  // The end so far off along this, by bones that all turn towards directions in which it is farther, or nearer.
+  // Moves the end to a distance in a direction: all bones turn by one fraction towards directions that lengthen or
+  // shorten the chain. Finds the fraction by bisection.
   void opened(Vec3 along, double far, bool folded) {
     std::vector<Vec3> before;
     std::vector<Quat> turns;
@@ -98,7 +100,7 @@ class Chain {
     turn(shortest_turn(span(), along));
   }
 
-  // The same by turning about one joint as a triangle has it; false: none makes one.
+  // The same by bending one joint, as a triangle. Returns false if no joint can.
   bool bent_once(Vec3 along, double far, Vec3 side) {
     std::size_t best = 0;
     double room = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Chains that reach for a place: joints that turn so that the end of the last bone comes there.
+// Inverse kinematics: turns the joints of a chain so that the end of the last bone reaches a goal.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@ namespace betwixt {
 
 struct Reach {
   Vec3 goal;
-  std::optional<Vec3> pole;  // where the middle of the chain points to; none: where it points already
-  double share = 1;          // of the straight way of the end to the goal
-  Vec3 bend;                 // where a straight chain bends to
+  std::optional<Vec3> pole;  // direction of the chain's bend; nullopt to keep it
+  double share = 1;          // fraction of the straight path from the end to the goal
+  Vec3 bend;                 // direction in which a straight chain bends
 };
 
-// The turn of a shortest way from one direction to another.
+// Returns the shortest rotation from one direction to another.
 Quat shortest_turn(Vec3 from, Vec3 to);
-// The places of the joints and of the end, the first of which stays; bones keep their lengths. Where the goal is too
-// far or too near, the end is as near to it as can be. Two bones in closed form; more by FABRIK (Aristidou and Lasenby
-// 2011) from where they are, and the rest of the way in closed form, or by halving.
+// Returns the positions of the joints and of the end. The first stays, and bones keep their lengths. If the goal is out
+// of reach, the end comes as near as possible. Two bones have a closed form. More bones start from their present pose
+// with FABRIK (Aristidou and Lasenby 2011), then a closed form or bisection finishes.
 std::vector<Vec3> reached(std::vector<Vec3> chain, const Reach&);
 
 }  // namespace betwixt

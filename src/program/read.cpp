@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values read back, one or many at a time.
+// Reads values, one or many at a time.
 #include <algorithm>
 
 #include "base/still_wanted.h"
@@ -17,7 +17,7 @@ Value part(const Value& v, int component) {
   return component_of(v, component);
 }
 
-// All of a matrix, or one number of where it puts things.
+// Returns the whole matrix, or one coordinate of its translation.
 Value place_in(const Mat4& m, int component) {
   if (component < 0) return Matrix(m);
   return translation_of(m)[component];
@@ -32,7 +32,7 @@ void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const
         (*document.scene().procedures)[i].code->source);
 }
 
-// Of a sound, as it is heard at a time.
+// Reads a query of a sound at a time.
 Value Program::Compiled::heard(const Target& target, Time t, Asking& asking) const {
   const auto number = [&](FunctionId f) { return std::get<double>(read(Target(target.object, f), t, asking)); };
   const auto& sounds = *document.scene().sounds;
@@ -53,7 +53,7 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
   if (what.environment && query) {
     const Environment& e = *what.environment;
     const std::int64_t tick = document.scene().ticks.whole(t);
-    // Of the generation alive then; its last A where it has been killed.
+    // The generation alive at the tick. If it has been killed, its last A.
     const int generation = e.generation_at(tick).value_or(std::max(0, e.bind(tick).value_or(e.generations()) - 1));
     if (query == Query::motion) return Matrix(e.matrix(tick).value_or(Mat4{}));
     if (query == Query::interval) return static_cast<double>(e.interval(tick).value_or(0));
@@ -75,7 +75,7 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
   }
   const Binding& b = find(object, target.function);
   const Type type = spec_of(document.scene(), target.function).type;
-  if (type == Type::attachment) {  // before its first event it is what holds from the beginning
+  if (type == Type::attachment) {  // before its first event, the initial value holds
     AttachmentSpan now;
     for (const AttachmentSpan& a : attachments(document.scene().objects[object]))
       if (a.from <= t) now = a;
@@ -87,7 +87,7 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
     if (type == Type::aim && b.steps >= 0) {
       const Between w = between(b, t);
       if (w.a != w.b) {
-        // What is in focus is told as distances are held: before the camera.
+        // A focus is given as a distance in front of the camera.
         const bool focus = target.function == fn::focus;
         const auto own = focus ? inverse(placement(node_of[object], t, asking).in_world()) : std::nullopt;
         const auto there = [&](std::uint32_t node) {
@@ -122,7 +122,7 @@ std::vector<Value> read_all(const Program::Compiled& code, const std::vector<Tar
   const TwerperFailures failed;
   std::vector<Value> out;
   out.reserve(targets.size());
-  std::optional<Evaluator> all;  // many worlds are cheaper at once
+  std::optional<Evaluator> all;  // many world transforms are cheaper together
   const auto wants_world = [&](const Target& x) {
     return x.query() == Query::world && !code.document.scene().objects[x.object.index].environment;
   };
@@ -136,7 +136,7 @@ std::vector<Value> read_all(const Program::Compiled& code, const std::vector<Tar
   return out;
 }
 
-// Looks at all that there is, which is not counted.
+// Returns true for queries that read all objects, at a cost that is not counted.
 bool looks_far(const Target& t) { return t.query() == Query::touching || t.query() == Query::in_view; }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Skins: meshes whose vertices follow other objects, or go over to other shapes by weights.
+// Skins: meshes deformed by joints, or morphed to other shapes by weights.
 #include <algorithm>
 #include <cstring>
 
@@ -36,7 +36,7 @@ std::optional<Skin> compile_skin(const Program::Compiled& compiled, std::uint32_
   return moved ? std::optional(std::move(skin)) : std::nullopt;
 }
 
-// What takes the mesh of each skin to where its joints have it; those that differ from the time before are marked.
+// Computes the joint matrices of each skin, and marks the skins whose matrices have changed.
 void Evaluator::follow_joints() {
   palettes_.resize(compiled_.skins.size());
   for (std::size_t i = 0; i < palettes_.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The camera of films that have none.
+// The default camera of films without cameras.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 
 namespace betwixt {
 
-// A box around all that is seen during the film. Grounds and walls count only where there is nothing else.
+// Returns a box around everything visible during the film. Grounds and walls count only if there is nothing else.
 Extent Program::Compiled::stage() const {
   Extent things, grounds;
   const auto [from, to] = document.range();
@@ -49,8 +49,7 @@ const Camera& Program::Compiled::own_camera() const {
     }
     const Extent all = stage();
     c.fov = 2 * std::atan(36.0 / 70);
-    // Where nobody says a size: the widest picture people make is 16:9; what fits its height and width fits taller
-    // ones better.
+    // If the film gives no size, fits a picture of 16:9, the widest in common use; then taller pictures fit too.
     const Vec3 middle = 0.5 * (all.low + all.high), half = 0.5 * (all.high - all.low);
     const double across = std::tan(c.fov / 2), up = across / std::max(c.aspect, 16.0 / 9);
     const Mat4 turned = look_at(normalize(Vec3{0, 0.12, 1}), {});

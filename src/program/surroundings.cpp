@@ -5,8 +5,8 @@
 namespace betwixt {
 namespace {
 
-constexpr Color dark{0.08, 0.088, 0.1};        // behind drawings
-constexpr Color floor_color{0.6, 0.6, 0.585};  // where nobody says another
+constexpr Color dark{0.08, 0.088, 0.1};        // behind flat films
+constexpr Color floor_color{0.6, 0.6, 0.585};  // the default
 
 std::optional<Vec3> light(const std::optional<Color>& c) { return c ? std::optional(to_linear(*c)) : std::nullopt; }
 
@@ -15,7 +15,7 @@ std::optional<Vec3> light(const std::optional<Color>& c) { return c ? std::optio
 std::optional<Vec3> background_of(const Scene& s) {
   if (s.appearance.clear) return Vec3{};
   if (s.background) return to_linear(*s.background);
-  // What goes over into fog goes over into the same behind everything.
+  // Fog fades everything to its colour, so the background has it too.
   if (s.appearance.fog && !s.appearance.sky) return to_linear(s.appearance.fog->color);
   return s.appearance.flat ? std::optional(to_linear(dark)) : std::nullopt;
 }

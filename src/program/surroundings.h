@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a document says is around its things.
+// The background and surroundings of a document.
 #pragma once
 
 #include "betwixt/frame.h"

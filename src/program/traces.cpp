@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Traces: the line that a point of a thing has drawn by a time. Where it was is looked up once, from frame to frame
-// and, where it curves, in between; what a time asks for is a part of that, and where the point is now. Which times are
-// looked up depends on the document alone, so a picture has the same bits whatever was asked before.
+// Traces: the line that a point of an object has drawn by a time. Its positions are sampled once, at each frame and, on
+// curves, in between. A query takes part of them and adds the present position. The sample times depend on the document
+// alone, so earlier queries do not change a picture's bits.
 #include <algorithm>
 #include <cmath>
 
@@ -14,10 +14,10 @@
 namespace betwixt {
 namespace {
 
-constexpr int deepest = 7;                     // halvings between two frames
-constexpr int rough_looks = 64;                // for how far it goes at all
-constexpr double fineness = 1.0 / 8000;        // of that: a quarter of a pixel where it fills a picture of 1920
-constexpr std::int64_t most_frames = 200'000;  // beyond, it goes straight
+constexpr int deepest = 7;               // halvings between two frames
+constexpr int rough_looks = 64;          // samples for the size of the whole path
+constexpr double fineness = 1.0 / 8000;  // of that size: a quarter of a pixel if the path fills a picture 1920 wide
+constexpr std::int64_t most_frames = 200'000;  // after these, the line is straight
 constexpr std::size_t most_looks = 1'000'000;
 
 }  // namespace
@@ -40,7 +40,7 @@ class Tracer {
     step_ = std::max<std::int64_t>(1, flicks_per_second * rate.den / rate.num);
   }
 
-  // What has been drawn by then, in the world or in the space of what it is drawn in.
+  // Returns the points drawn by a time, in world space or in the space of `within`.
   std::vector<Vec3> by(Time t) {
     t = std::min(t, until_);
     const Time first = last_ > Time{} && t - last_ > from_ ? t - last_ : from_;
@@ -58,7 +58,7 @@ class Tracer {
     if (t > first && (looks_.empty() || std::prev(at)->time != t)) out.push_back(place(t));
     return out;
   }
-  // Whether the line of this time is another one a little later.
+  // Returns true if the line changes just after this time.
   bool goes_on(Time t) const { return node_ >= 0 && (t < until_ || (last_ > Time{} && t < until_ + last_)); }
   std::int32_t within() const { return within_; }
 
@@ -68,7 +68,7 @@ class Tracer {
     Vec3 place;
   };
 
-  struct Busy {  // whatever way out
+  struct Busy {  // resets the flag on every exit
     bool& on;
     explicit Busy(bool& flag) : on(flag) { on = true; }
     Busy(const Busy&) = delete;
@@ -90,7 +90,7 @@ class Tracer {
     return back ? transform_point(*back, at) : Vec3{};
   }
 
-  // How far off a piece of line may be, by how far the point goes in the film.
+  // Returns the largest permitted deviation of a segment, from the size of the whole path.
   double tolerance() {
     if (tolerance_ >= 0) return tolerance_;
     const Time end = std::clamp(until_, from_, std::max(from_, c_.document.range().second));
@@ -102,7 +102,7 @@ class Tracer {
     return tolerance_ = std::max(2 * length(all.half()) * fineness, 1e-9);
   }
 
-  // All frames up to a time.
+  // Samples all frames up to a time.
   void extend(Time t) {
     if (looks_.empty()) looks_.push_back({from_, place(from_)});
     while (done_ < most_frames && from_.flicks + (done_ + 1) * step_ <= t.flicks) {
@@ -111,21 +111,21 @@ class Tracer {
       const Time next{from_.flicks + (done_ + 1) * step_};
       try {
         between(looks_.back(), {next, place(next)}, 0);
-      } catch (...) {  // called off: half a frame's looks would be others the next time
+      } catch (...) {  // cancelled: drops the samples of an unfinished frame, which would differ next time
         looks_.resize(known);
         throw;
       }
       ++done_;
     }
   }
-  // The looks between two, and the second one: where the middle is off the straight way, both halves.
+  // Adds the samples between two, and the second. Halves the interval if its middle is off the straight line.
   void between(const Look& a, const Look& b, int depth) {
     const Look middle{{(a.time.flicks + b.time.flicks) / 2}, {}};
     if (depth < deepest && middle.time > a.time && looks_.size() < most_looks) {
       const Vec3 there = place(middle.time), way = b.place - a.place;
       const double along = dot(way, way) > 0 ? std::clamp(dot(there - a.place, way) / dot(way, way), 0.0, 1.0) : 0;
       if (length(there - a.place - along * way) > tolerance()) {
-        const Look first = a;  // looks_ may move
+        const Look first = a;  // a copy, because looks_ may reallocate
         between(first, {middle.time, there}, depth + 1);
         return between({middle.time, there}, b, depth + 1);
       }
@@ -139,7 +139,7 @@ class Tracer {
   Time from_, until_, last_;
   std::int64_t step_ = 1, done_ = 0;
   double tolerance_ = -1;
-  bool busy_ = false;  // what it draws asks for what it draws: inside there is nothing yet
+  bool busy_ = false;  // guards against a trace that depends on itself: inside, it has no points
   std::vector<Look> looks_;
 };
 
@@ -148,7 +148,7 @@ Tracer& Program::Compiled::tracer(std::uint32_t object) const {
     const std::lock_guard lock(tracers_in_use);
     if (const auto known = tracers.find(object); known != tracers.end()) return *known->second;
   }
-  auto made = std::make_shared<Tracer>(*this, object);  // may ask for another one
+  auto made = std::make_shared<Tracer>(*this, object);  // the constructor may need another tracer
   const std::lock_guard lock(tracers_in_use);
   return *tracers.emplace(object, std::move(made)).first->second;
 }
@@ -166,7 +166,7 @@ Points Program::Compiled::trace(std::uint32_t object, Time t, Asking& asking) co
   return points;
 }
 
-// The clock asks this: it does not wait for what is being drawn.
+// Called by the clock: takes no lock that drawing holds.
 bool Program::Compiled::tracing_at(Time t) const {
   const Scene& scene = document.scene();
   return std::any_of(drawables.begin(), drawables.end(), [&](const Drawable& d) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How fast values change.
+// Rates of change of values.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ Quat turn_of(const Value& v) {
   return q ? *q : from_angles(e ? e->xyz : Vec3{});
 }
 
-// The turning from one orientation to another, the short way, as a vector.
+// Returns the rotation vector from one orientation to another, the short way.
 Vec3 turning(const Value& from, const Value& to) {
   Quat d = turn_of(to) * conjugate(turn_of(from));
   if (d.w < 0) d = -d;
@@ -26,7 +26,7 @@ Vec3 turning(const Value& from, const Value& to) {
   return l > 1e-15 ? (2 * std::atan2(l, d.w) / l) * v : Vec3{};
 }
 
-// The slope at the first of three values, as long after each other; where that is below 0, before each other.
+// Returns the slope at the first of three equidistant values; negative `seconds` means they go backwards in time.
 std::optional<Value> slope(const Value (&v)[3], double seconds, Type type) {
   if (std::holds_alternative<Quat>(v[0]) || std::holds_alternative<Quat>(v[1]))
     return Value((1 / (2 * seconds)) * (4 * turning(v[0], v[1]) - turning(v[0], v[2])));
@@ -48,7 +48,7 @@ bool Program::Compiled::said_velocity(const LivePart& part, Time t, bool coming,
     const Curve& rate = reigns[static_cast<std::size_t>(p.reign)].velocity();
     set.evaluate(rate, coming ? just_before : t, out);
     if (!coming) return true;
-    double earlier[4] = {};  // and on to the time itself
+    double earlier[4] = {};  // extrapolates to the time itself
     set.evaluate(rate, {t.flicks - 2}, earlier);
     for (std::size_t i = 0; i < rate.channels; ++i) out[i] += out[i] - earlier[i];
     return true;
@@ -75,7 +75,7 @@ std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionI
     }
     return as_rate(n, b.orientation);
   }
-  if (b.live >= 0) {  // a reign says its velocity itself; so do the plain pieces about it
+  if (b.live >= 0) {  // a velocity in force gives the rate itself, and so do plain pieces
     const Live& live = lives[static_cast<std::size_t>(b.live)];
     const LiveStrand& own = live.strands[0];
     bool all = live.strands.size() == 1 && own.filters.empty() && !own.parts.empty();
@@ -86,7 +86,8 @@ std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionI
     }
     if (all) return as_rate(n, orientation);
   }
-  // Three values close by, from here on: values are continuous to the right. What comes from before ends just before.
+  // Takes three values close together. Values are continuous from the right, so the rate before t uses values that end
+  // just before it.
   const std::int64_t h = (coming ? -1 : 1) * (flicks_per_second / 8192);
   const auto at = [&](std::int64_t steps) -> Value {
     const Time when{t.flicks + steps * h - (coming ? 1 : 0)};

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The C interface of the Animation Imaging Model: calls become lines of the language on the server's socket, answers
-// are lines of JSON. It knows nothing of documents; whoever can open a socket could do the same.
+// The C interface of the Animation Imaging Model. Each call sends a line of the language to the server's socket and
+// reads an answer, a line of JSON. This file knows nothing of documents: any program that opens the socket could do the
+// same.
 #include "betwixt/aim.h"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ namespace {
 
 thread_local std::string connect_error;
 
-// A text of the language: in quotes, on one line.
+// Returns a string literal of the language: in quotes, on one line.
 std::string quoted(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -34,7 +35,7 @@ std::string quoted(std::string_view text) {
   return out + "\"";
 }
 
-// Row vectors turn into column vectors: the language writes the columns of `m` as rows.
+// The model multiplies row vectors, the language column vectors: so the columns of `m` become rows.
 std::string matrix_text(const double m[16]) {
   std::string out = "matrix(";
   for (int row = 0; row < 4; ++row)
@@ -50,7 +51,7 @@ bool finite(const double* numbers, int count) {
   return true;
 }
 
-// A call on a handle. What is thrown, of an answer that no server gives, say, ends here.
+// Runs a call on a handle and catches its exceptions, such as one for an answer that no imaging server gives.
 template <class Call>
 aim_status on(aim* h, Call call) {
   if (!h) return connect_error = "no handle: aim_connect gave none", AIM_E_CALL;
@@ -87,7 +88,7 @@ aim* aim_connect(const char* where, const char* token) {
     status = on(h, [&](aim& it) { return it.ask(std::string("token ") + token); });
     connect_error = h->error;
   }
-  // What listens there may be no imaging server.
+  // The program that listens there may be no imaging server.
   if (status == AIM_OK) {
     status = on(h, [](aim& it) { return it.ask("time"); });
     connect_error = h->error;
@@ -118,7 +119,7 @@ aim_status aim_edit_object(aim* h, int object) {
 aim_status aim_close_object(aim* h) {
   return on(h, [&](aim& it) {
     if (it.open == 0) return it.fail(AIM_E_CALL, "no object is open");
-    it.open = 0;  // the next command that is not a row ends the rows
+    it.open = 0;  // the next command that is not a row closes the display list
     it.error.clear();
     return AIM_OK;
   });

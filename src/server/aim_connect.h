@@ -6,7 +6,7 @@
 
 namespace betwixt {
 
-// A socket to whoever listens there, closed with the program that this one becomes; -1, and why, where nobody does.
+// Returns a connected socket that is closed on exec. If no server listens there, returns -1 and sets `why`.
 int connect_unix(const std::string& path, std::string& why);
 int connect_tcp(const std::string& host, const std::string& port, std::string& why);
 

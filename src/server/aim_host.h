@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The handle of a host in C: its connection, and what it must know between two calls.
+// The handle of a host in C: its connection, and its state between two calls.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,17 +24,18 @@ struct aim {
   static constexpr int names_at_once = 1000;
 
   int fd = -1;
-  std::string in;               // bytes that came behind the last answer
-  std::string error, warnings;  // of the last call
+  std::string in;               // bytes received after the last answer
+  std::string error, warnings;  // from the last call
   std::string said;
   Json answer;
-  std::vector<int> blocks;  // the first of each thousand numbers that names are made of
+  std::vector<int> blocks;  // the first number of each thousand that the server has given for names
   int objects = 0, tags = 0, environments = 0;
-  int open = 0, open_before_bundle = 0;  // the object; 0: none
-  bool interrupted = false;  // another command came between its rows; it must be opened again for the next one
+  int open = 0, open_before_bundle = 0;  // the object's number, 0 if none is open
+  // Another command came between the object's rows, so it must be opened again before the next row.
+  bool interrupted = false;
   bool replacing = false;
   bool bundling = false;
-  long stamp = LONG_MIN, now = LONG_MIN;  // when what was said last takes effect; the last tick that is known of
+  long stamp = LONG_MIN, now = LONG_MIN;  // ticks: when the last command takes effect, and the latest tick known
 
   ~aim() {
     if (fd >= 0) ::close(fd);
@@ -76,12 +77,12 @@ struct aim {
     }
   }
 
-  // Sends a line and waits for its answer; what the server tells of its own accord in between is passed over.
+  // Sends a line and waits for its answer. Skips the events that arrive before it.
   aim_status ask(const std::string& line, bool answered_in_bundles = false) {
     error.clear(), warnings.clear();
     if (fd < 0) return fail(AIM_E_CONNECTION, "the connection is closed");
     if (!send(line + "\n")) return lost("the server has gone");
-    return bundling && !answered_in_bundles ? AIM_OK : hear();  // a bundle is answered as a whole
+    return bundling && !answered_in_bundles ? AIM_OK : hear();  // a bundle has one answer, at its end
   }
   aim_status hear() {
     std::string text;
@@ -96,7 +97,7 @@ struct aim {
     return fail(AIM_E_REFUSED, why);
   }
 
-  // The one word of a line; none where there are more.
+  // Returns the word of a line that has only one. Otherwise returns an empty string.
   static std::string lone_word(std::string_view line) {
     constexpr std::string_view blanks = " \t\r,";
     line = line.substr(0, line.find('#'));
@@ -115,7 +116,7 @@ struct aim {
     }
   }
 
-  // A command of the language that is no row: it ends the rows of an open object.
+  // Sends a command that is not a row. The server then closes the open display list.
   aim_status say(const std::string& line, std::initializer_list<int> names = {}) {
     if (const aim_status status = named(names); status != AIM_OK) return status;
     interrupted = true;
@@ -138,13 +139,14 @@ struct aim {
     interrupted = false;
     return ask("  " + text);
   }
-  // About environments: it takes effect a little later than it is said.
+  // Sends a command about environments. It takes effect a little later than it arrives.
   aim_status stamped(const std::string& line, std::initializer_list<int> names = {}) {
     const aim_status status = say(line, names);
     if (status == AIM_OK && !bundling) stamp = answer.value("tick", stamp);
     return status;
   }
-  // One value of an environment; of what was just said, as it will be.
+  // Reads one value of an environment. Reads it at the tick at which the last command takes effect, if that is still
+  // ahead.
   aim_status value(int environment, const char* what, Json& out) {
     if (bundling) return fail(AIM_E_CALL, "nothing can be asked in a bundle");
     if (const aim_status status = named({environment}); status != AIM_OK) return status;
@@ -180,7 +182,7 @@ struct aim {
     bundling = false, open = open_before_bundle;
     return stamped("end");
   }
-  // A line of the language. What begins and ends bundles is answered otherwise than all else.
+  // Sends a line of the language. The server answers the words that begin and end bundles in their own way.
   aim_status command(const std::string& line) {
     const std::string word = lone_word(line);
     if (word == "bundle") return begin_bundle();
@@ -193,7 +195,7 @@ struct aim {
     out = answer.value(member, 0L);
     return AIM_OK;
   }
-  // The server gives every number once, a thousand at a time; kinds of things may have the same.
+  // The server gives every number once, a thousand at a time. An object, a tag and an environment may share a number.
   aim_status name(int* out, int& count) {
     if (!out) return fail(AIM_E_CALL, "no place for the name");
     const auto block = static_cast<std::size_t>(count / names_at_once);

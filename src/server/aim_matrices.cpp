@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Matrices as the Animation Imaging Model has them: rows, points multiplied from the left.
+// Matrices as the Animation Imaging Model defines them: row vectors, multiplied from the left.
 #include <cmath>
 #include <cstring>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What answers to hosts are made of.
+// The parts of answers to hosts.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace betwixt {
 
-// The member of an answer that says something; nothing for nothing.
+// Returns the member "said" of an answer, or an empty string if the text is empty.
 inline std::string said(const std::string& text) { return text.empty() ? "" : ",\"said\":" + json_text(text); }
 
 inline Error one_word_too_many(const std::string& word, std::string_view usage) {
@@ -22,7 +22,7 @@ inline Error one_word_too_many(const std::string& word, std::string_view usage) 
               fmt::format("usage: {}", usage));
 }
 
-// To who is no host yet.
+// The answer to a connection that is not a host yet.
 inline std::string no_room(std::size_t hosts) {
   return fmt::format(
       "{{\"line\":0,\"ok\":false,\"error\":\"there are {} hosts already\",\"hint\":\"betwixt serve --hosts N lets more "

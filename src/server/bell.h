@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wakes one thread, until an absolute moment at the latest. There is no lock: who rings never keeps from running who is
-// rung, whatever their priorities are. What was rung while nobody slept is heard by the next wait.
+// Wakes one thread, at an absolute moment at the latest. There is no lock, so the thread that rings never blocks the
+// thread that waits, whatever their priorities are. If the bell rings while no thread waits, the next wait returns at
+// once.
 #pragma once
 
 #include <atomic>
@@ -14,7 +15,8 @@ namespace betwixt {
 class Bell {
  public:
   void ring();
-  // Of one thread. False: the moment (of CLOCK_MONOTONIC, in nanoseconds) has come and nobody has rung.
+  // Waits for a ring. Only one thread may call it. Returns false if the moment (CLOCK_MONOTONIC, in nanoseconds) comes
+  // first.
   bool wait(std::optional<std::int64_t> until = {});
 
  private:

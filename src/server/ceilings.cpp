@@ -24,7 +24,7 @@ std::size_t events_of(const Object& o) {
   return n;
 }
 
-// That have not been killed for good.
+// Counts the environments that have not been killed for good.
 std::size_t environments(const Scene& s) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < s.objects.size(); ++i) {
@@ -34,14 +34,14 @@ std::size_t environments(const Scene& s) {
   return n;
 }
 
-// Objects only ever join at the end, so that nothing is counted where none has.
+// Objects are only added at the end, so an unchanged number of them needs no count.
 bool too_many_environments(std::size_t most, const Scene& before, const Scene& after) {
   if (after.objects.size() == before.objects.size() || after.objects.size() <= most) return false;
   const std::size_t n = environments(after);
   return n > most && n > environments(before);
 }
 
-// Adds up the bytes of values, shared ones once.
+// Adds up the bytes of values; a shared value counts once.
 class Held {
  public:
   std::size_t bytes = 0;
@@ -56,7 +56,7 @@ class Held {
     if (const auto* names = std::get_if<Names>(&v); names && first(names->at.get()))
       for (const std::string& name : **names) bytes += sizeof name + name.size();
     if (const auto* code = std::get_if<Procedure>(&v); code && code->code && first(code->code.get()))
-      bytes += 3 * code->code->source.size();  // compiled, too
+      bytes += 3 * code->code->source.size();  // the source and its compiled form
   }
 
  private:

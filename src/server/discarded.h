@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frees what takes long to free (a document of a million objects takes half a second) on a thread of its own, so that
-// nobody waits for it.
+// Frees large things on a thread of its own, so that no other thread waits for it: a document of a million objects
+// takes half a second.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,16 @@ namespace betwixt {
 class Discarded {
  public:
   Discarded();
-  ~Discarded();  // does not wait until all is free
+  ~Discarded();  // does not wait until everything is freed
   Discarded(const Discarded&) = delete;
   Discarded& operator=(const Discarded&) = delete;
 
-  // Frees it soon; at once where no thread is to be had.
+  // Frees the object soon, or at once if no thread can be started.
   void take(std::shared_ptr<const void>);
 
  private:
   struct Shared;
-  const std::shared_ptr<Shared> shared_;  // with the thread, which may outlive us
+  const std::shared_ptr<Shared> shared_;  // owned by the thread too, which may outlive this object
 };
 
 }  // namespace betwixt

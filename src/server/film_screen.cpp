@@ -14,10 +14,10 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_pictures_waiting = 8;  // pictures that the encoder has not taken
+constexpr std::size_t most_pictures_waiting = 8;  // for the encoder
 
-// The encoder has a thread of its own, so that the clock never waits for it. Where it cannot follow, pictures are left
-// out, and the one before stands longer: the film's time is right.
+// The encoder has its own thread, so the clock never waits for it. If it is too slow, pictures are dropped and the one
+// before is shown longer: the film's time stays right.
 class Film final : public Screen {
  public:
   Film(std::unique_ptr<Renderer> renderer, std::unique_ptr<Sink> sink, Rate rate, std::function<void(const Error&)> t)
@@ -54,7 +54,7 @@ class Film final : public Screen {
 
   void encode() {
     Parcel standing;
-    std::int64_t next = 0;  // of the film
+    std::int64_t next = 0;  // frame of the film
     Status s = Nothing{};
     const auto until = [&](std::int64_t frame) {
       for (; s && !standing.picture.rgba.empty() && next < frame; ++next)
@@ -101,7 +101,8 @@ NewScreen film_screen(const std::string& path, const RenderOptions& picture, Rat
                       std::function<void(const Error&)> trouble) {
   return [=]() -> Result<std::unique_ptr<Screen>> {
     FilmOptions o;
-    o.path = path, o.rate = rate, o.frames = 1'000'000;  // nobody knows yet; it says how palettes are made
+    // The length is unknown; this number only decides how palettes are made.
+    o.path = path, o.rate = rate, o.frames = 1'000'000;
     o.width = picture.width, o.height = picture.height;
     const Result<Output> place = read_output(path);
     if (!place) return place.error();

@@ -20,11 +20,11 @@
 namespace betwixt {
 namespace {
 
-constexpr int fifo_priority = 20;    // before everything ordinary, behind what the system itself needs
-constexpr Nanos earliest = 500'000;  // that it is woken before a moment
+constexpr int fifo_priority = 20;    // above every ordinary thread, below the system's own
+constexpr Nanos earliest = 500'000;  // the most that it wakes before a moment
 constexpr Nanos second = 1'000'000'000;
-constexpr Nanos soon = second / 10;  // what is drawn when all ends is shown if its moment is not later
-constexpr int maker_nice = -10;      // before what is ordinary, and yet it leaves a tenth of a processor to that
+constexpr Nanos soon = second / 10;  // at the end, a finished frame is still shown if it is due within this time
+constexpr int maker_nice = -10;      // above ordinary threads, yet it leaves a tenth of a processor to them
 
 void ring(int event) {
   const std::uint64_t one = 1;
@@ -35,7 +35,7 @@ void hush(int event) {
   [[maybe_unused]] const ssize_t n = ::read(event, &ignored, sizeof ignored);
 }
 
-// As the system numbers it.
+// Returns the thread's number in the system.
 id_t this_thread() { return static_cast<id_t>(::syscall(SYS_gettid)); }
 
 }  // namespace
@@ -122,21 +122,21 @@ void FrameClock::take_priority() {
 }
 
 Status FrameClock::open_screen() {
-  if (options_.screen) {  // what a screen starts itself stays ordinary
+  if (options_.screen) {  // threads that the screen starts keep the ordinary priority
     auto screen = options_.screen();
     if (!screen) return screen.error();
     screen_ = *std::move(screen);
   }
   ::prctl(PR_SET_TIMERSLACK, 1);
-  if (options_.priority != Priority::ordinary) ::setpriority(PRIO_PROCESS, this_thread(), maker_nice);  // if granted
+  if (options_.priority != Priority::ordinary) ::setpriority(PRIO_PROCESS, this_thread(), maker_nice);  // if permitted
   return Nothing{};
 }
 
-// ---- to others, and from them
+// ---- exchange with other threads
 
 void FrameClock::publish(Edition edition) {
   for (Posted* p = done_.exchange(nullptr); p;) delete std::exchange(p, p->next);
-  delete post_.exchange(new Posted{std::move(edition)});  // not null: it was never looked at
+  delete post_.exchange(new Posted{std::move(edition)});  // not null if the maker never took it
   maker_.ring();
 }
 
@@ -176,7 +176,7 @@ std::string FrameClock::stats() const {
 
 // ---- the clock
 
-// Whatever is due: none where nothing will be.
+// Returns the number of the next frame that is due, or nullopt if the film does not change any more.
 std::optional<std::int64_t> FrameClock::due_after(const Program& program, std::int64_t number) const {
   const std::optional<Time> change = program.next_change(time_of(number));
   if (!change) return std::nullopt;
@@ -195,7 +195,7 @@ void FrameClock::keep_time() {
     }
 }
 
-// A frame from when it is begun to when it is shown.
+// Follows a frame from when it is begun until it is shown.
 void FrameClock::accompany() {
   const Edition& of = current_->edition;
   const std::int64_t number = making_.shown.number;
@@ -209,7 +209,7 @@ void FrameClock::accompany() {
   overdue_ = true;
   if (stage_ != Stage::ready && of.transport.running && wanted) {
     miss(number);
-    // The one before is seen on, and each moment at which there should have been another one counts.
+    // The frame before stays visible. Each moment at which another frame should have come counts as missed.
     for (auto due = due_after(of.program, number); due; due = due_after(of.program, *due)) {
       if (await_ready(of.transport.when(time_of(*due)))) break;
       miss(*due);
@@ -222,8 +222,8 @@ void FrameClock::accompany() {
   maker_.ring();
 }
 
-// Sleep ends a little late, by more the busier the machine is. Who has been granted the first place wakes so much
-// earlier and looks at the clock until it is time. False: all ends before that.
+// Waits for a moment. A sleep ends a little late, by more the busier the machine is. With fifo priority, the thread
+// wakes that much earlier and then polls the clock. Returns false if the clock stops before the moment.
 bool FrameClock::await(Nanos moment) {
   const Nanos wake = moment - early_;
   while (wake > monotonic_now()) {
@@ -239,7 +239,7 @@ bool FrameClock::await(Nanos moment) {
   return true;
 }
 
-// The frame; false: the moment has come before it.
+// Waits for the frame. Returns false if the moment comes first.
 bool FrameClock::await_ready(std::optional<Nanos> until) {
   while (stage_ != Stage::ready) {
     const bool rung = clock_.wait(until);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The clock's other thread: it takes what is published and makes the next frame that can be ready in time. One frame is
-// on its way at a time: the next one is begun when it has been shown, from what is published by then.
+// The clock's maker thread. It takes the published edition and makes the next frame that can be ready in time. Only one
+// frame is in progress: the maker begins the next one, from the newest edition, when the clock has shown it.
 #include <algorithm>
 
 #include "server/frame_clock.h"
@@ -12,7 +12,7 @@ namespace betwixt {
 void FrameClock::take_post() {
   Posted* const next = post_.exchange(nullptr);
   if (!next) return;
-  if (Posted* const old = current_.release()) {  // freed by who made it: that may take long
+  if (Posted* const old = current_.release()) {  // the publisher frees it, because that may take long
     old->next = done_.load();
     while (!done_.compare_exchange_weak(old->next, old)) {
     }
@@ -37,13 +37,13 @@ void FrameClock::make_frames() {
     if (!next)
       doze(std::nullopt);
     else if (next->deadline - now > 2 * period_ + cost_)
-      doze(next->deadline - period_ - cost_);  // it is drawn shortly before, by what is published then
+      doze(next->deadline - period_ - cost_);  // draw shortly before the deadline, from the newest edition
     else
       make(*std::move(next));
   }
 }
 
-// The next frame that is due, and its moment; none: nothing will be, as things are.
+// Returns the next frame that is due and its deadline, or nullopt if none is due.
 std::optional<FrameClock::Making> FrameClock::plan(Nanos now) const {
   const Transport& t = current_->edition.transport;
   const Program& program = current_->edition.program;
@@ -54,7 +54,7 @@ std::optional<FrameClock::Making> FrameClock::plan(Nanos now) const {
     m.shown.number = number_at(t.at), m.shown.time = t.at, m.deadline = now;
     return m;
   }
-  // The first one that can be ready in time.
+  // The first frame that can be ready in time.
   std::int64_t number = std::max(number_at(t.time(now + cost_)) + 1, last_ ? *last_ + 1 : number_at(t.at));
   if (last_) {
     const auto due = due_after(program, *last_);
@@ -93,13 +93,14 @@ void FrameClock::draw() {
   expect_cost(monotonic_now() - begun - quarantine_.waited());
 }
 
-// Until when answers may come: then there is time left to draw what they say.
+// Returns the moment until which the maker waits for answers. It leaves enough time to draw them.
 Nanos FrameClock::patience(Nanos begun) const {
   if (!current_->edition.transport.running) return begun + period_;
   return std::clamp(making_.deadline - cost_ - period_ / 8, begun + period_ / 8, begun + period_);
 }
 
-// What frames have taken of late, at most; one alone that took long, as the first one does, says nothing of the next.
+// Updates the expected cost of a frame, from the median of the last three. So one slow frame alone, such as the first,
+// does not raise it.
 void FrameClock::expect_cost(Nanos took) {
   std::rotate(took_.begin(), took_.begin() + 1, took_.end());
   took_.back() = took;

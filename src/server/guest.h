@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Who is connected to a server: what has come from there, and what is on its way there.
+// A connection to a server, with its receive and send buffers.
 #pragma once
 
 #include <atomic>
@@ -17,41 +17,42 @@ namespace betwixt {
 
 struct Guest {
   int file = -1;
-  std::optional<Imaging::Host> host;  // none: has not said the token yet
+  std::optional<Imaging::Host> host;  // nullopt until it has sent the token
   Nanos came = 0;
   int guesses = 0;
-  std::string in;                 // what has come and has not been looked at
-  std::size_t seen = 0;           // bytes of it that hold no end of a line
-  bool skipping = false;          // a line that is too long
-  bool last_word = false;         // nothing more is read; it goes when it has its answers
-  bool half_closed = false;       // it will say no more
-  Nanos moved = 0;                // when it last read some of its answers
-  bool in_hand = false;           // a thread works on what it said; nobody else touches it
-  std::atomic<bool> gone{false};  // meanwhile: it takes back what it asked
+  std::string in;                 // bytes received but not processed
+  std::size_t seen = 0;           // bytes of `in` known to hold no end of a line
+  bool skipping = false;          // the current line is too long, so its rest is skipped
+  bool last_word = false;         // reads no more; the connection closes when its answers are sent
+  bool half_closed = false;       // the peer has closed its sending side
+  Nanos moved = 0;                // when the peer last read some of its answers
+  bool in_hand = false;           // a thread works on its line; no other thread touches the guest
+  std::atomic<bool> gone{false};  // the connection was lost while a thread worked for it: a cancellation token
   bool kept = false;              // its next line waits until another host's is done
-  Nanos parting = 0;       // when it closed its end while it was in hand, or was last asked whether it is still there
-  std::uint64_t lost = 0;  // events that it was not told of
+  Nanos parting = 0;              // when it closed its side while a thread worked for it, or when it was last probed
+  std::uint64_t lost = 0;         // events dropped because it reads too slowly
   std::uint32_t watched = 0;
 
-  static constexpr std::size_t chunk = 1 << 16;         // bytes that are read in one turn
-  static constexpr std::size_t most_waiting = 4 << 20;  // bytes of answers; behind them nothing more is looked at
-  static constexpr std::size_t most_sent = 1 << 20;     // bytes that are sent in one turn
+  static constexpr std::size_t chunk = 1 << 16;  // bytes read in one turn
+  // Bytes of answers. Above this the server stops reading from the connection (back-pressure).
+  static constexpr std::size_t most_waiting = 4 << 20;
+  static constexpr std::size_t most_sent = 1 << 20;  // bytes sent in one turn
   std::size_t waiting() const { return waiting_; }
   bool full() const { return waiting() > most_waiting; }
-  // What has come; false: it has gone for good.
+  // Reads what has arrived. Returns false if the connection is lost.
   bool read();
-  // So much of it has been looked at.
+  // Removes processed bytes from the buffer.
   void drop(std::size_t bytes);
-  // Puts a text behind what is on its way there. Nothing is copied of one that is long, and hosts may share it.
+  // Appends a text to the send buffer. Does not copy a long text, and hosts may share one.
   void say(std::string text);
   void say(std::shared_ptr<const std::string> text);
-  // Sends some of it; false: the host has gone.
+  // Sends part of the buffer. Returns false if the connection is lost.
   bool send();
 
  private:
   std::deque<std::shared_ptr<const std::string>> out_;
-  std::shared_ptr<std::string> open_;   // the last of these, while short texts join it
-  std::size_t sent_ = 0, waiting_ = 0;  // bytes of the first that have been sent; of all that have not
+  std::shared_ptr<std::string> open_;   // the last element of `out_`, while short texts are appended to it
+  std::size_t sent_ = 0, waiting_ = 0;  // bytes sent of the first element; bytes of all that remain
 };
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How many of a number of numbers lie where, to 3 %, in a fixed memory. One thread adds, any may look.
+// A histogram with a precision of 3 % in fixed memory. One thread adds; any thread may read.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class Histogram {
     if (value > largest_.load(std::memory_order_relaxed)) largest_.store(value, std::memory_order_relaxed);
   }
   std::uint64_t largest() const { return largest_.load(std::memory_order_relaxed); }
-  // The value that a part of all, 0 to 1, does not exceed; 0 where there are none.
+  // Returns the value that a fraction `part` of all, 0 to 1, does not exceed, or 0 if the histogram is empty.
   std::uint64_t quantile(double part) const {
     std::uint64_t all = 0;
     for (const auto& c : counts_) all += c.load(std::memory_order_relaxed);
@@ -32,7 +32,7 @@ class Histogram {
   }
 
  private:
-  static constexpr unsigned bits = 5;  // of every number that are looked at, below its highest
+  static constexpr unsigned bits = 5;  // of each number's precision, below its highest bit
   static constexpr std::uint64_t fine = 1u << bits;
   static std::size_t place(std::uint64_t v) {
     if (v < fine) return v;

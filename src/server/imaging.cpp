@@ -22,18 +22,18 @@
 namespace betwixt {
 namespace {
 
-constexpr int most_open_lines = 10'000;    // of one command
-constexpr int most_attempts = 3;           // while others change the document, before they wait …
-constexpr Nanos most_waited = 50'000'000;  // … for what takes no more of a processor than this
-constexpr int most_in_vain = 12;           // attempts at what takes longer
+constexpr int most_open_lines = 10'000;    // in one command
+constexpr int most_attempts = 3;           // tries while others change the document, before they must wait …
+constexpr Nanos most_waited = 50'000'000;  // … if the work takes no more processor time than this
+constexpr int most_in_vain = 12;           // tries for work that takes longer
 constexpr auto most_at_once = std::chrono::milliseconds(5);
 
-// What this thread takes: of a processor, and of time while it waits for another process or for a file. The time in
-// which it only waits for a processor does not count.
+// Measures the thread's processor time; if the thread waits for another process or a file, measures elapsed time.
+// Waiting for a processor does not count.
 class Effort {
  public:
   Nanos taken() const {
-    constexpr long few = 3;  // a lock
+    constexpr long few = 3;  // such as for a lock
     const auto busy = StillWanted::used() - used_;
     const auto all = std::chrono::steady_clock::now() - begun_;
     return std::chrono::nanoseconds(waits() - waits_ > few ? all : busy).count();
@@ -50,7 +50,7 @@ class Effort {
   const long waits_ = waits();
 };
 
-// Does what is nearly always short; false: this time it is not, and nothing is done.
+// Does work that is usually short. Returns false if it takes longer this time; then the work is abandoned.
 bool at_once(const std::function<void()>& work) {
   static const std::atomic<bool> stays{false};
   static const std::atomic<int> everybody{1};
@@ -93,7 +93,7 @@ void Imaging::leave(Host host) { hosts_.erase(host), later_.erase(host); }
 
 std::int64_t Imaging::tick(Nanos now) const { return document().scene().ticks.whole(transport_.time(now)); }
 
-// While it lives nobody else changes the document, unless somebody else is being waited for already.
+// While this object lives, other hosts cannot change the document, unless another host already has that right.
 class Imaging::Alone {
  public:
   explicit Alone(Imaging& all) : all_(all) {}
@@ -102,11 +102,11 @@ class Imaging::Alone {
   }
   Alone(const Alone&) = delete;
   Alone& operator=(const Alone&) = delete;
-  // … and nobody has waited for the one before, and not been heard yet.
+  // Takes the right, unless another host has it or a host from the last time still waits for its turn.
   void ask(Host host) {
     if (!all_.alone_ && all_.later_.empty()) all_.alone_ = host, mine_ = true;
   }
-  // Somebody else is alone, and must not be disturbed.
+  // Returns true if another host has the right.
   bool others() const { return all_.alone_ && !mine_; }
 
  private:
@@ -142,7 +142,7 @@ Program Imaging::program() {
   return made;
 }
 
-// Does nothing if a newer program is there already.
+// Does nothing if a newer program has been stored.
 void Imaging::keep_program(Program made, std::uint64_t version) {
   if (version <= compiled_) return;
   Program before = std::exchange(program_, std::move(made));
@@ -150,7 +150,7 @@ void Imaging::keep_program(Program made, std::uint64_t version) {
   compiled_ = version;
 }
 
-// Patterns, and names that stand for many.
+// Returns true if a line contains a pattern, or an alias for several objects.
 bool Imaging::speaks_of_many(std::string_view text) const {
   if (text.find_first_of("*?{[") != std::string_view::npos) return true;
   const auto& aliases = *document().scene().aliases;
@@ -161,7 +161,8 @@ bool Imaging::speaks_of_many(std::string_view text) const {
   });
 }
 
-// Whether a line may do more than change a few things: it speaks of many, reads files, runs code or draws lists.
+// Returns true if a line may do more than change a few things: it names many objects, reads files, runs code or draws
+// lists.
 bool Imaging::takes_long(const Visitor& h, const SaidLine& line) const {
   static constexpr std::string_view quick[] = {"set",  "at",     "create", "note",    "attach",
                                                "hang", "couple", "detach", "letgo",   "show",
@@ -212,7 +213,7 @@ Imaging::Reply Imaging::not_worked(const Visitor& h, Worked how, Nanos now) {
 
 // ---- answers
 
-// Does not copy the members again: they may be long.
+// Takes the members without copying them, because they may be long.
 Imaging::Reply Imaging::yes(const Visitor& h, Nanos now, std::string members, std::optional<std::int64_t> at) {
   members.insert(0, fmt::format("{{\"line\":{},\"ok\":true,\"tick\":{}", h.line, at.value_or(tick(now))));
   members += "}\n";
@@ -220,7 +221,7 @@ Imaging::Reply Imaging::yes(const Visitor& h, Nanos now, std::string members, st
 }
 
 Result<std::string> Imaging::asked(const std::function<Result<std::string>(Film&)>& answer) {
-  constexpr std::size_t more = 200;  // bytes that an answer begins and ends with
+  constexpr std::size_t more = 200;  // bytes for the start and end of an answer
   Film film(document(), program_, compiled_ == version_);
   const std::uint64_t version = version_;
   Result<std::string> out = std::string();
@@ -289,21 +290,21 @@ Imaging::Reply Imaging::enter_next(Visitor& h, std::string_view line, Nanos now)
               fail(ErrorCode::range, "this command goes on for too long", "a bracket or a \"\"\" is never closed"));
   if (!said.open) try {
       return enter_whole(h, said, now);
-    } catch (const std::bad_alloc&) {  // it was worked out on a copy
+    } catch (const std::bad_alloc&) {  // no harm: the work was done on a copy
       return no(h, now, fail(ErrorCode::machine, "there is not enough memory for this"));
     }
   h.open = line, h.open_lines = lines + 1;
   return yes(h, now, ",\"more\":true");
 }
 
-// A word of the server; none: it is a command. One that is both (`notes`, `start`) is a command where more words
-// follow.
+// Returns the server's own word, or nullptr for a command of the language. A name that is both (`notes`, `start`) is a
+// command if more words follow.
 const Imaging::Word* Imaging::word_of(const Visitor& h, const SaidLine& line) {
   const bool row = line.indented && h.sheet;
   return row || (!line.alone() && is_verb(line.verb)) ? nullptr : find_word(line.verb);
 }
 
-// Whether carrying it out may; lines that others follow are only kept.
+// Returns true if running the line may change the document. A line that is only collected does not.
 bool Imaging::changes_document(const Visitor& h, std::string_view line) {
   if (line.size() > longest_line) return false;
   if (h.open_lines > 0 && !h.bundling) return true;
@@ -323,7 +324,7 @@ Imaging::Reply Imaging::enter_whole(Visitor& h, const SaidLine& line, Nanos now)
   if (!word->run) return step(h, word->step, now);
   auto done = (this->*word->run)(h, line.words, now);
   if (!done) return no(h, now, done.error());
-  if (h.bundling) return {};  // its end has the answer
+  if (h.bundling) return {};  // the bundle's end has the answer
   return {yes(h, now, *std::move(done)).line, h.leaving};
 }
 
@@ -358,7 +359,7 @@ Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t event
   return c;
 }
 
-// The sum counts all values that were made, also those that are gone. If it is too large, the document is measured.
+// Counts all values ever made, also those since removed. If the sum exceeds the limit, measures the document.
 Result<std::size_t> Imaging::values_in(const Scene& after, std::size_t made) const {
   const std::size_t before = values_, most = options_.ceilings.values;
   if (made == 0 || before + made <= most) return before + made;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The imaging server without its sockets and its clock: one document, any number of hosts, lines in, answers out. It
-// is given the time with every line, so that it can be asked about any.
+// The imaging server without its sockets and its clock: one document, any number of hosts, lines in, answers out. The
+// caller passes the time with every line, so a test can choose any.
 //
-// Source: Animation Imaging Model 3.2, 3.3; 3.3.3 (its locks are a pointer here: R-E14); 4.1.2 (simulated time).
+// Source: Animation Imaging Model 3.2, 3.3; 3.3.3 (its locks are one swapped pointer here); 4.1.2 (simulated time).
 #pragma once
 
 #include <atomic>
@@ -33,28 +33,28 @@
 
 namespace betwixt {
 
-using Nanos = std::int64_t;  // of a clock that only goes forward
+using Nanos = std::int64_t;  // of a monotonic clock
 
-// How the document's time goes with the clock.
+// Maps the clock to the document's time.
 struct Transport {
   bool running = false;
-  Nanos since = 0;  // it has been running since then …
-  Time at;          // … and was here
+  Nanos since = 0;  // running since this moment …
+  Time at;          // … when the document's time was this
   Time time(Nanos now) const;
-  Nanos when(Time) const;  // the first moment at which the document's time is this
+  Nanos when(Time) const;  // the first moment at which the document's time is `t`
   friend bool operator==(const Transport&, const Transport&) = default;
 };
 
-// A value of the film that has begun, or ceased, to take longer than frames have.
+// A value whose evaluation has begun, or stopped, to take longer than a frame has.
 struct SlowTurn {
   std::string target;
   bool slow = false;
-  double late = 0;  // milliseconds of the film: how old what is shown is
+  double late = 0;  // milliseconds of the film: the age of the shown value
 };
 
-// A frame that was put where frames go.
+// A frame that the screen has shown.
 struct Shown {
-  std::int64_t number = 0;  // of the frame at the server's rate; the one at time 0 has number 1
+  std::int64_t number = 0;  // at the server's rate; the frame at time 0 has number 1
   Time time;
   Nanos late = 0;
   std::vector<std::string> problems;
@@ -65,118 +65,121 @@ class Imaging {
  public:
   enum class Claim : std::uint8_t { fair, first };
   struct Options {
-    std::int64_t latency = 1;  // ticks: a command about environments takes effect so long after it came
+    std::int64_t latency = 1;  // ticks from a command about environments to its effect
     Ceilings ceilings;
-    UndoDepth undo{1000, 128 << 20};    // commands that can be undone, and bytes that they hold
-    std::size_t checkpoint = 16 << 20;  // bytes of log from one checkpoint to the next
-    bool sweep = false;                 // what is fast is noticed even where it slips through between two frames
+    UndoDepth undo{1000, 128 << 20};    // commands that can be undone, and the bytes kept for them
+    std::size_t checkpoint = 16 << 20;  // bytes of log between two checkpoints
+    bool sweep = false;                 // finds contacts between two frames, too (continuous detection)
     ContactOptions contacts;
-    bool wait = false;        // the clock stands at 0 until a host says `start`
-    bool from_start = false;  // time begins at 0, not where it was in the history
+    bool wait = false;        // the clock waits at 0 until a host sends `start`
+    bool from_start = false;  // begins at time 0 instead of the history's time
     LoadOptions load;
-    std::function<std::string()> stats;  // members of a JSON object, of what stands around
-    // Does work that may take long, and lets other lines be entered meanwhile; it may be begun several times over,
-    // unless it is done first, before all that waits. False: who asked for it has gone. None: all is done at once.
+    std::function<std::string()> stats;  // more members of the JSON object that `stats` returns
+    // Runs work that may take long. Other lines can be entered before it ends. May start the work several times, unless
+    // the claim is `first`: that work runs once, before all that waits. Returns false if the host has left. If empty,
+    // all work is done at once.
     std::function<bool(const std::function<void()>&, Claim)> beside;
     // Frees large things on another thread. Without it, they are freed at once.
     std::function<void(std::shared_ptr<const void>)> discard;
-    std::function<void(const std::string&)> warn;  // whoever runs the server
+    std::function<void(const std::string&)> warn;  // warns the user who runs the server
   };
   using Host = std::uint64_t;
   struct Reply {
     std::string line;  // one line of JSON with its end; empty inside a bundle
     bool quit = false;
-    bool later = false;  // it was not looked at, and is to be entered again when nobody is waited for any more
+    bool later = false;  // not processed: enter the line again when waits() is false
   };
-  static constexpr std::size_t longest_line = 1 << 20;      // bytes
-  static constexpr std::size_t longest_question = 1 << 16;  // of a line that begins with a word of the server
+  static constexpr std::size_t longest_line = 1 << 20;  // bytes
+  // Bytes of a line that begins with one of the server's own words.
+  static constexpr std::size_t longest_question = 1 << 16;
 
   explicit Imaging(Options);
 
-  // Begins with a script, "" without; keeps the history in a file and the journal beside it, "": does not.
+  // Starts with a script, or with an empty document if `file` is "". Keeps the history in the file `save` and a journal
+  // beside it, unless `save` is "".
   Result<Diagnostics> begin(const std::string& file, const std::string& save, bool overwrite, Nanos now);
 
   Host arrive();
   void leave(Host);
-  // One line, with or without its end.
+  // Enters one line, with or without its end.
   Reply enter(Host, std::string_view line, Nanos now);
-  // Somebody is being waited for: lines of others that change the document are for later.
+  // Returns true while one host has the document to itself: lines of others that change it must wait.
   bool waits() const { return alone_.has_value(); }
-  // A line that is too long to be looked at.
+  // Refuses a line that is too long to be read.
   Reply enter_too_long(Host, Nanos now);
-  // Everything that was answered is on the disk, the time too. An error: it may not be, and the server must end.
+  // Writes the time and every accepted command to the disk. On an error they may be lost, and the server must end.
   Status sync(Nanos now = 0);
-  // When that must be done again, though nothing is said: the time goes on. None: it stands, or no history is kept.
+  // Returns when sync() must run next because the time runs, or nullopt if it is paused or no history is kept.
   std::optional<Nanos> sync_again() const;
-  // The server ends: the file is the whole history. Errors: file, machine; then the journal has it.
+  // Writes the whole history into its file at the server's end. Errors: file, machine; then the journal still has it.
   Status finish(Nanos now = 0);
 
   void work_beside(decltype(Options::beside) how, decltype(Options::discard) discard = {}) {
     options_.beside = std::move(how), options_.discard = std::move(discard);
   }
 
-  // An event for a host that subscribed. Hosts share one text.
+  // An event for a subscribed host. Hosts share one text.
   struct Event {
     Host to = 0;
     std::shared_ptr<const std::string> line;
   };
   std::vector<Event> events() { return std::exchange(events_, {}); }
-  void shown(const std::vector<Shown>&);  // in their order
-  bool frames_wanted() const;             // a host has subscribed to something that frames tell
+  void shown(const std::vector<Shown>&);  // in the order they were shown
+  bool frames_wanted() const;             // a host has subscribed to events that come with frames
 
   const Document& document() const { return editor_.now().document; }
-  Program program();   // of this document; it can change during the call
-  bool large() const;  // so much that compiling and freeing it takes long
+  Program program();   // compiles the document; other threads may change it during the call
+  bool large() const;  // so large that compiling and freeing it takes long
   const Transport& transport() const { return transport_; }
-  std::uint64_t version() const { return version_; }  // another one: the document or the transport is another
+  std::uint64_t version() const { return version_; }  // changes with the document and the transport
   std::string history() const { return as_script(editor_.base(), editor_.steps()); }
   std::int64_t tick(Nanos now) const;
 
  private:
   enum Topic : unsigned { changes = 1, notes = 2, frames = 4, contacts = 8, slow = 16 };
   struct Bundled {
-    std::int64_t number = 0;  // of the line
+    std::int64_t number = 0;  // of its line
     std::string text;
-    bool alone = false;  // a word by itself
-    bool open = false;   // it goes on
+    bool alone = false;  // a single word
+    bool open = false;   // the command continues on the next line
   };
   struct Visitor {
     Host host = 0;
     std::int64_t line = 0;
-    std::shared_ptr<const OpenSheet> sheet;  // that its rows go to; null: none is open
-    std::string open;                        // lines of a command that is not whole yet
+    std::shared_ptr<const OpenSheet> sheet;  // the open sheet that takes the host's rows; null if none is open
+    std::string open;                        // the first lines of an unfinished command
     int open_lines = 0;
-    int attempts = 0;  // at its line, that were in vain …
-    Nanos took = 0;    // … and what the last one took of a processor
+    int attempts = 0;  // tries for its current line …
+    Nanos took = 0;    // … and the processor time of the last one
     bool bundling = false, leaving = false;
     std::vector<Bundled> bundle;
     std::size_t bundle_size = 0;
     std::optional<Error> bundle_broken;
     unsigned topics = 0;
   };
-  // Commands of a bundle, so far.
+  // A bundle's commands, carried out on a copy.
   struct Together;
-  // A command on a copy, and what there is to say to a host.
+  // A command carried out on a copy, and its answer.
   struct Carried {
     Deed deed;
-    std::size_t events = 0;  // of the document after it
-    std::size_t values = 0;  // bytes of them, at most
-    std::size_t bytes = 0;   // that undo keeps for it
+    std::size_t events = 0;  // in the document after it
+    std::size_t values = 0;  // bytes of them, an upper bound
+    std::size_t bytes = 0;   // kept for undo
     std::string said;        // warnings
-    bool kept = true;        // in the history: not what only opens a sheet
+    bool kept = true;        // false if it only opens a sheet, so the history does not need it
   };
   struct Word {
     std::string_view word, usage, sentence;
-    std::size_t most;                                                                       // words behind it
-    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);  // null: undo, redo
-    std::string_view more = {};  // lines that its help ends with
-    Did step = Did::command;     // back, or on again
+    std::size_t most;  // maximum number of words after it
+    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);  // null for undo and redo
+    std::string_view more = {};  // the last lines of its help
+    Did step = Did::command;     // undo or redo
   };
   static std::span<const Word> words();
   static const Word* find_word(std::string_view);
-  static bool starts_show(std::string_view verb);  // a time that stands goes on with it
+  static bool starts_show(std::string_view verb);  // starts a paused clock
 
-  // `from` has the sheet that the host's rows go to.
+  // `from` holds the sheet that takes the host's rows.
   Result<Carried> carry_out(const Point& from, std::size_t events, std::string_view line, std::int64_t stamp) const;
   Reply enter_next(Visitor&, std::string_view line, Nanos now);
   Reply enter_whole(Visitor&, const SaidLine&, Nanos now);
@@ -185,14 +188,14 @@ class Imaging {
   static bool ends_bundle(const Visitor&, const SaidLine&);
   bool takes_long(const Visitor&, const SaidLine&) const;
   bool speaks_of_many(std::string_view text) const;
-  // Works something out from how things are. Where that may take long others go on meanwhile, and it is worked out
-  // again if the document is another one then; what would change that waits in the end, but only where it is short.
-  // gone: nobody wants it any more; later: somebody else must not be disturbed; in_vain: the others never rested.
+  // Computes a result from the present document. If that may take long, other hosts can change the document first; then
+  // the work is done again. After some tries other hosts must wait, but only if the work is short.
+  // gone: the host has left; later: another host must not be disturbed; in_vain: the document changed during every try.
   enum class Worked { done, gone, later, in_vain };
   Reply not_worked(const Visitor&, Worked, Nanos now);
-  // What is refused, or only asks, has changed nothing, and is right of the document that it was worked out from:
-  // `work` says whether there is anything to lose.
-  // Bytes of values in `after`, which adds `made` bytes to the document. Errors: range.
+  // `work` returns true if its result changes the document. A refusal or a question needs no second try: it holds for
+  // the document that it was computed from.
+  // values_in() returns the bytes of values in `after`, which adds `made` bytes to the document. Errors: range.
   Result<std::size_t> values_in(const Scene& after, std::size_t made) const;
   Worked work_out(Visitor&, bool takes_long, const std::function<bool(const Point&, std::size_t events)>& work);
   class Alone;
@@ -221,7 +224,7 @@ class Imaging {
   void tell(const Shown&);
   void tell_contacts(const Shown&);
   void recount(const Document& before);
-  void changed(Host by, const std::string& commands, Nanos now);  // as JSON
+  void changed(Host by, const std::string& commands, Nanos now);  // `commands` is JSON
   void keep_program(Program, std::uint64_t version);
   template <class T>
   void discard(T gone) {
@@ -251,38 +254,38 @@ class Imaging {
 
   Options options_;
   std::string name_, save_;
-  LoadOptions author_;  // what the script's author may
+  LoadOptions author_;  // rights of the script's author
   Editor editor_;
   History history_;
-  std::optional<Checkpoint> checkpoint_;  // while one is made
+  std::optional<Checkpoint> checkpoint_;  // while one is written
   std::size_t checkpoint_at_ = 0;         // bytes of log
-  std::set<std::int64_t> names_given_;    // thousands of numbers that the script has names of
+  std::set<std::int64_t> names_given_;    // thousands of numbers that the script already uses for names
   std::int64_t next_names_ = 1;
-  std::size_t event_count_ = 0;         // of the document
-  std::atomic<std::size_t> values_{0};  // bytes of them, at most
-  std::atomic<std::size_t> making_{0};  // by commands that are being worked out
-  struct Overview {                     // what `help` says, as long as nobody adds words
+  std::size_t event_count_ = 0;         // in the document
+  std::atomic<std::size_t> values_{0};  // bytes of them, an upper bound
+  std::atomic<std::size_t> making_{0};  // bytes made by commands in progress
+  struct Overview {                     // the text of `help`, valid until new words are defined
     decltype(Scene::defined) defined;
     decltype(Scene::procedures) procedures;
     std::string text;
   };
   std::optional<Overview> overview_;
   Transport transport_;
-  Nanos latest_ = 0;  // that somebody has said it is
+  Nanos latest_ = 0;  // the latest moment passed by a caller
   std::optional<TimeFile> time_file_;
-  Transport kept_transport_;  // as that file has it …
-  KeptTime kept_time_;        // … with a time that nobody has been told yet, while it goes on
+  Transport kept_transport_;  // the transport that the file holds …
+  KeptTime kept_time_;        // … and its time, ahead of the present one while the clock runs
   std::uint64_t version_ = 1, compiled_ = 0;
   Program program_;
-  bool long_to_compile_ = false;  // it was, the last time
-  std::optional<Host> alone_;     // who is waited for; 0: nobody's host …
-  std::set<Host> later_;          // … and who waits
+  bool long_to_compile_ = false;  // the last time
+  std::optional<Host> alone_;     // the host that has the document to itself …
+  std::set<Host> later_;          // … and the hosts that wait for that
   std::map<Host, Visitor> hosts_;
   Host last_host_ = 0;
-  std::deque<Shown> shown_;              // frames of which nobody has been told yet …
-  bool telling_ = false;                 // … and somebody is at it
-  std::shared_ptr<ContactWatch> watch_;  // while anybody wants to know
-  Time told_;                            // notes up to here have been told
+  std::deque<Shown> shown_;              // frames whose events have not been sent …
+  bool telling_ = false;                 // … and whether a thread is sending them
+  std::shared_ptr<ContactWatch> watch_;  // while a host has subscribed to contacts
+  Time told_;                            // notes up to here have been sent
   std::vector<Event> events_;
   Nanos begun_ = 0;
   std::uint64_t lines_ = 0, commands_ = 0, refused_ = 0, bytes_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bundles: commands that are done together, all at one moment or none.
+// Bundles: commands that take effect together, all at one moment or none.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ constexpr std::size_t largest_bundle = 16 << 20;  // bytes
 struct Imaging::Together {
   Point point;
   std::size_t events = 0, values = 0;  // in the document after it
-  std::size_t bytes = 0;               // that undo keeps for it
-  std::vector<std::string> lines;      // as they stand in a history
+  std::size_t bytes = 0;               // kept for undo
+  std::vector<std::string> lines;      // in the form of the history
   std::string warnings, errors, told;
   std::optional<Error> first;
   bool stamped = false, starts = false;
@@ -48,7 +48,8 @@ Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
   const SaidLine said = look_at(line, longest_question);
   const bool lone = said.alone() && !said.indented && !goes_on;
   if (ends_bundle(h, said)) return end_bundle(h, now);
-  if (lone && said.verb == "names") {  // it changes nothing, and hosts may need more of them here
+  // Allowed inside a bundle: it changes nothing, and a host may need more numbers here.
+  if (lone && said.verb == "names") {
     const auto given = names(h, said.words, now);
     return given ? yes(h, now, *given) : no(h, now, given.error());
   }
@@ -72,7 +73,7 @@ Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
   return {};
 }
 
-// A command of a bundle, after those before it; or why it cannot be done.
+// Carries out a bundle's command after the ones before it. Returns an error if it is refused.
 std::optional<Error> Imaging::carry_out(const Bundled& line, Together& all, std::int64_t stamp) const {
   const std::string_view verb = first_word(line.text);
   auto& sheet = all.point.script.left;
@@ -115,7 +116,7 @@ Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
       all.values = *values;
     else if (!all.first)
       all.first = values.error();
-    if (all.first) all.point = {};  // what is large is let go of here, not where others wait
+    if (all.first) all.point = {};  // frees a large copy here, on the worker's thread
     if (!all.first) all.bytes = Editor::bytes_kept(from, all.point);
     if (!all.first) all.told = json_text(fmt::format("{}\n", fmt::join(all.lines, "\n")));
     all.warnings = said(all.warnings);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What hosts that subscribed are told: what changed, and what frames tell.
+// Events for subscribed hosts: changes of the document, and events that frames bring.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,8 @@ bool Imaging::frames_wanted() const {
                      [](const auto& h) { return (h.second.topics & ~unsigned{changes}) != 0; });
 }
 
-// One after the other: while contacts are looked for others go on, and may bring the next frame.
+// Sends the events of one frame after the other. Other threads can run while contacts are computed, and may add a
+// frame.
 void Imaging::shown(const std::vector<Shown>& frames) {
   shown_.insert(shown_.end(), frames.begin(), frames.end());
   if (telling_) return;
@@ -76,21 +77,21 @@ void Imaging::tell(const Shown& f) {
   });
 }
 
-// Here, not on the clock's thread: it is never kept from the next frame. Nobody knows before how long it takes, so it
-// is done beside; who watched before may be gone when it is done.
+// Runs here, not on the clock's thread, so it never delays the next frame. It may take long, so it runs beside; the
+// subscribers may have left when it ends.
 void Imaging::tell_contacts(const Shown& f) {
   const auto watches = [](const auto& h) { return (h.second.topics & contacts) != 0; };
   if (std::none_of(hosts_.begin(), hosts_.end(), watches)) return watch_.reset();
   if (!watch_) watch_ = std::make_shared<ContactWatch>(options_.contacts, options_.sweep);
   const auto watch = watch_;
-  const Program film = options_.beside ? program_ : program();  // what has been published, and shown
+  const Program film = options_.beside ? program_ : program();  // the published and shown program
   std::vector<ContactEvent> events;
   const auto look = [&] { events = watch->step(film.frame(f.time)); };
   if (options_.beside)
     options_.beside(look, Claim::first);
   else
     look();
-  if (watch != watch_) return;  // whoever watches now begins anew
+  if (watch != watch_) return;  // another watch has been started since
   tell_all(contacts, [&] {
     std::string all;
     for (const ContactEvent& e : events) all += to_json(e, film.document()) + "\n";

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the server keeps of what was said: the beginning with a script or with an earlier server's history, the words
-// about it, and checkpoints, so that neither log nor memory grows for ever.
+// The server's history: the start from a script or from an earlier server's history, the words about it, and the
+// checkpoints that keep log and memory small.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -19,12 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Hosts make names from numbers that the server gives them, so many at once: O3000 (betwixt/aim.h).
+// Hosts build names such as O3000 from numbers that the server gives them, a thousand at once (betwixt/aim.h).
 constexpr std::int64_t names_at_once = 1000, last_name = 2'147'483'647;
-constexpr Time time_ahead{2 * flicks_per_second};  // so much at most is left out where a server is killed
+constexpr Time time_ahead{2 * flicks_per_second};  // the most that the clock jumps ahead after the server was killed
 constexpr std::string_view name_letters = "EOT";
 
-// One path for one file, whether it is there or not.
+// Returns one path for each file, also if the file does not exist.
 fs::path real(const std::string& file) {
   std::error_code ignored;
   return fs::weakly_canonical(fs::absolute(file, ignored), ignored);
@@ -35,13 +35,13 @@ bool is_there(const std::string& file) {
   return fs::exists(file, ignored);
 }
 
-// What a text has of such names stays as it is: the thousands that they are of.
+// Collects the thousands of the numbers that a text already uses in names, so that hosts never get them.
 void find_names(std::string_view text, std::set<std::int64_t>& thousands) {
   const auto part_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
   for (std::size_t i = text.find_first_of(name_letters); i < text.size(); i = text.find_first_of(name_letters, i + 1)) {
     if (i > 0 && part_of_name(text[i - 1])) continue;
     std::int64_t number = 0;
-    std::from_chars(text.data() + i + 1, text.data() + text.size(), number);  // too high for it: nobody's, and 0
+    std::from_chars(text.data() + i + 1, text.data() + text.size(), number);  // stays 0 if it is too large
     if (number >= names_at_once && number <= last_name) thousands.insert(number / names_at_once);
   }
 }
@@ -50,7 +50,7 @@ Diagnostic remark(const std::string& text) { return {Severity::warning, fail(Err
 
 }  // namespace
 
-// The script that the server begins with, and what an earlier one did to it.
+// Reads the script to start with, and the history that an earlier server left.
 Result<Kept> Imaging::gather(const std::string& from, bool goes_on, bool overwrite) {
   std::optional<std::string> text = "";
   if (!from.empty()) {
@@ -73,7 +73,7 @@ Result<Kept> Imaging::gather(const std::string& from, bool goes_on, bool overwri
   if (!goes_on && overwrite) return kept;
   auto found = history_.found(goes_on ? text : std::nullopt);
   if (!found || goes_on) return found;
-  kept.remarks = found->remarks;  // a journal whose script is not there any more
+  kept.remarks = found->remarks;  // a journal whose script no longer exists
   return kept;
 }
 
@@ -88,7 +88,7 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   const auto kept = gather(from, goes_on, overwrite);
   if (!kept) return kept.error();
   author_ = options_.load;
-  // Behind the author's text strangers speak.
+  // From here on, hosts write to the document, and they have fewer rights than the script's author.
   options_.load.read_anywhere = options_.load.tex = false;
   options_.load.read_nothing = name_.empty();
   std::vector<SetAside> aside;
@@ -113,7 +113,7 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   return all;
 }
 
-// A text that an earlier server left had no errors then: lines that have one now are set aside.
+// An earlier server's text had no errors then. Lines that have one now are set aside.
 Result<Diagnostics> Imaging::begin_script(const Kept& kept, bool goes_on, std::vector<SetAside>& aside) {
   std::string text = kept.base;
   Diagnostics all = editor_.begin(text, name_);
@@ -180,7 +180,7 @@ Status Imaging::open_time() {
   return Nothing{};
 }
 
-// It is the history's: it goes on, or stands, as it did when the server before ended.
+// The clock starts from the history: at its time, running or paused as the last server left it.
 Status Imaging::begin_time(const Kept& kept, bool goes_on, Nanos now) {
   transport_ = {!options_.wait, now, Time{}};
   if (Status s = open_time(); !s || !time_file_) return s;
@@ -190,7 +190,7 @@ Status Imaging::begin_time(const Kept& kept, bool goes_on, Nanos now) {
   return keep_time();
 }
 
-// While it goes on the file is ahead of it: what is there is written once for all answers up to then.
+// While the clock runs, the time in the file is ahead of it. So one write covers all answers up to that time.
 Status Imaging::keep_time() {
   if (!time_file_) return Nothing{};
   const Time time = transport_.time(latest_);
@@ -206,7 +206,7 @@ std::optional<Nanos> Imaging::sync_again() const {
   return transport_.when(kept_time_.at);
 }
 
-// Where little is allowed, half of it.
+// Half of the limit on the history, if that is smaller.
 std::size_t Imaging::checkpoint_every() const { return std::min(options_.checkpoint, options_.ceilings.history / 2); }
 
 Status Imaging::sync(Nanos now) {
@@ -222,7 +222,7 @@ Status Imaging::sync(Nanos now) {
   return history_.sync();
 }
 
-// The text that others wrote has come; what was said meanwhile follows it.
+// Takes over the finished checkpoint. Steps accepted since it began follow it.
 void Imaging::take_checkpoint() {
   const std::size_t n = checkpoint_->steps();
   const auto& script = checkpoint_->script();
@@ -260,13 +260,13 @@ Imaging::Reply Imaging::step(Visitor& h, Did what, Nanos now) {
   return yes(h, now, "");
 }
 
-// How many events there are after steps were taken back or done again.
+// Counts the events after an undo or redo.
 void Imaging::recount(const Document& before) {
   const Scene &was = before.scene(), &is = document().scene();
   if (is.objects.size() >= was.objects.size())
     event_count_ = count_events(was, event_count_, is);
   else
-    event_count_ -= count_events(is, 0, was);  // what is not there any more
+    event_count_ -= count_events(is, 0, was);  // events of the objects that are gone
   values_ = bytes_of_values(is);
 }
 
@@ -283,7 +283,7 @@ Result<std::string> Imaging::set_aside_word(Visitor&, const std::vector<std::str
   return said(text->value_or(""));
 }
 
-// Of a thousand at once none is given twice, nor any that somebody has chosen.
+// Gives a thousand numbers. Never gives one twice, nor one that a name in the document already uses.
 Result<std::string> Imaging::names(Visitor&, const std::vector<std::string>&, Nanos) {
   const Scene& scene = document().scene();
   const auto taken = [&](std::int64_t thousand) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The words that are the server's own: questions, the clock, events, the history.
+// The server's own words: questions, the clock, events, the history.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace betwixt {
 namespace {
 
-constexpr int slots = 30;  // of the source's counter (C97)
+constexpr int slots = 30;  // size of the source's slot counter
 constexpr std::size_t any_number = 1 << 30;
 constexpr std::size_t longest_answer = 64 << 20;  // bytes
 
@@ -40,7 +40,7 @@ Result<unsigned> topics_of(const std::vector<std::string>& w) {
   return topics;
 }
 
-// An environment that lived before this time, and does not now.
+// Returns true for an environment that lived before this time and is dead at it.
 bool killed_by(const Scene& scene, const Target& target, Time t) {
   const auto& e = scene.objects[target.object.index].environment;
   const std::int64_t tick = scene.ticks.whole(t);
@@ -54,7 +54,7 @@ struct HashTarget {
   }
 };
 
-// What an `eval` is about: each target once, in the order of the words.
+// The targets and the time of an `eval`. Each target appears once, in the order of the words.
 struct Question {
   std::vector<Target> targets;
   Time time;
@@ -92,7 +92,7 @@ Result<Question> question(const std::vector<std::string>& w, const Document& doc
   return q;
 }
 
-// The members of an answer that give values: of some targets after the other.
+// Builds the members of an answer to `eval`. Targets can be added in several parts.
 class Values {
  public:
   Values(const Document& document, Time t)
@@ -203,10 +203,11 @@ Result<std::string> Imaging::not_for_hosts(Visitor&, const std::vector<std::stri
               "see start, pause, go, seek");
 }
 
-// A few values of things that are named, without code or a look at all that there is.
+// Answers an `eval` of a few named targets if that needs no code and no pass over all objects. Otherwise returns
+// nullopt.
 std::optional<Result<std::string>> Imaging::known_at_once(const std::vector<std::string>& words, Time now) {
   constexpr std::size_t few = 16, short_word = 200;
-  constexpr std::uint64_t steps = 100'000;  // a millisecond
+  constexpr std::uint64_t steps = 100'000;  // about a millisecond
   if (words.size() > few || (large() && compiled_ != version_)) return std::nullopt;
   for (std::size_t i = 1; i < words.size(); ++i)
     if (words[i].size() > short_word || speaks_of_many(words[i])) return std::nullopt;
@@ -278,7 +279,8 @@ Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string
   const auto topics = topics_of(w);
   if (!topics) return topics.error();
   if (*topics == 0) return fail(ErrorCode::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes|slow");
-  if (*topics & contacts && !(h.topics & contacts)) watch_.reset();  // all begins anew, for whoever knows nothing yet
+  // Starts anew, so that the new subscriber gets the contacts of now.
+  if (*topics & contacts && !(h.topics & contacts)) watch_.reset();
   h.topics |= *topics;
   return std::string();
 }
@@ -290,7 +292,7 @@ Result<std::string> Imaging::unsubscribe(Visitor& h, const std::vector<std::stri
   return std::string();
 }
 
-// The source's StartAniProc (C80). A clock that goes is nobody's to turn back: what moves goes on moving.
+// The source's StartAniProc. Does nothing if the clock runs: no host may turn a running clock back.
 void Imaging::start_clock(Nanos now) {
   if (transport_.running) return;
   transport_ = {true, now, transport_.at};

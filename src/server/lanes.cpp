@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto look_again = 10ms;  // for threads that are late
+constexpr auto look_again = 10ms;  // from one look for overdue threads to the next
 
 }  // namespace
 
@@ -57,10 +57,10 @@ bool Lanes::run(const std::function<void()>& work, const std::atomic<bool>& gone
   return job.state == Job::State::done && !gone && !ended_;
 }
 
-// Waits its turn and for its end; or until nobody wants it any more.
+// Waits for the job's turn and its end, or until it is cancelled.
 void Lanes::enter(std::unique_lock<std::mutex>& lock, std::size_t lane, Job& job) {
   job.state = Job::State::waits;
-  if (!staffed(lane)) {  // no thread is to be had: here, then
+  if (!staffed(lane)) {  // no thread can be started: work on this one
     lock.unlock();
     const Job::State end = work(job, lane);
     lock.lock();
@@ -78,7 +78,7 @@ void Lanes::enter(std::unique_lock<std::mutex>& lock, std::size_t lane, Job& job
       job.changed.wait(lock);
       continue;
     }
-    job.changed.wait_for(lock, look_again);  // the first of those who wait looks for all
+    job.changed.wait_for(lock, look_again);  // the first in the queue looks for overdue threads
     if (!over() && job.state == Job::State::waits)
       look_for_late(lane), staffed(lane), lanes_[lane].changed.notify_one();
   }
@@ -91,7 +91,7 @@ void Lanes::leave(std::size_t at, std::deque<Job*>::iterator job) {
   if (!lane.waiting.empty()) lane.waiting.front()->changed.notify_one();
 }
 
-// Marks the threads whose work takes too long: others take their places.
+// Marks the threads that overstay, and lowers their priority. Other threads take their places.
 void Lanes::look_for_late(std::size_t at) {
   const auto now = Clock::now();
   for (Worker& w : lanes_[at].workers) {
@@ -101,7 +101,7 @@ void Lanes::look_for_late(std::size_t at) {
   }
 }
 
-// There is somebody in the lane who works, sooner or later.
+// Returns true if the lane has a worker for the job, now or later. Starts one if needed.
 bool Lanes::staffed(std::size_t at) {
   std::list<Worker>& workers = lanes_[at].workers;
   std::erase_if(workers, [](Worker& w) {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where work is done that may take long. Nobody knows before how long: it begins in the first lane; what takes more
-// than is given there, and keeps others from beginning, begins anew in a later one, where at least ten times as much is
-// given, with less claim to a processor. So what is short never waits for what is long, and few work at a time.
+// Lanes: a multilevel queue for work of unknown length. Each job begins in the first lane. If it uses up that lane's
+// time while others wait, it is aborted and starts anew in a later lane, with at least ten times the time and a lower
+// priority. So short work never waits for long work, and few jobs run at once.
 //
-// Some work cannot be interrupted: code is compiled, another process reads a file. If it keeps its place for too long,
-// another thread takes that place, and the first one goes on with as little claim to a processor as in the last lane.
+// Some work cannot be interrupted: compiling code, or waiting for another process. If it holds its place for too long,
+// a new thread takes that place, and the old one continues at the last lane's low priority.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ namespace betwixt {
 class Lanes {
  public:
   using Clock = std::chrono::steady_clock;
-  // How long work keeps its place in each lane, by the clock on the wall.
+  // How long a job may hold its place in each lane, in elapsed time.
   using Patience = std::array<std::chrono::milliseconds, 4>;
   static constexpr Patience usual{{std::chrono::milliseconds(20), std::chrono::milliseconds(100),
                                    std::chrono::seconds(2), std::chrono::seconds(5)}};
@@ -38,12 +38,12 @@ class Lanes {
   Lanes(const Lanes&) = delete;
   Lanes& operator=(const Lanes&) = delete;
 
-  // Does the work on a thread of the lanes: it may be begun several times over. False: `gone` was raised, or all was
-  // ended, before it was done. What it throws is thrown here.
+  // Runs the work on a thread of the lanes; it may start several times. Returns false if `gone` (the cancellation
+  // token) was set or end() was called first. Rethrows what the work throws.
   bool run(const std::function<void()>& work, const std::atomic<bool>& gone);
-  // `gone` of somebody has been raised.
+  // Wakes the waiting jobs whose `gone` has been set.
   void look();
-  // Nothing is wanted any more.
+  // Cancels all work.
   void end();
 
  private:
@@ -51,30 +51,30 @@ class Lanes {
     const std::function<void()>* work;
     const std::atomic<bool>* gone;
     enum class State { waits, runs, done, unfinished } state = State::waits;
-    std::chrono::nanoseconds used{};  // of a processor, the last time
+    std::chrono::nanoseconds used{};  // processor time of the last run
     std::exception_ptr failed;
     std::condition_variable changed;
   };
-  // A thread, and since when it has been at its work.
+  // A thread, and since when it has run its present job.
   struct Worker {
     std::thread thread;
     std::optional<Clock::time_point> since;
-    int id = 0;          // of the thread, for the system
-    bool late = false;   // another one has taken its place; it ends with its work
-    bool ended = false;  // it only has to be joined
+    int id = 0;          // the thread's number in the system
+    bool late = false;   // another thread has taken its place; it ends after its job
+    bool ended = false;  // ready to be joined
   };
   struct Lane {
     std::deque<Job*> waiting;
     std::list<Worker> workers;
     std::condition_variable changed;
-    std::atomic<int> others{0};  // who wait
+    std::atomic<int> others{0};  // jobs that wait; a running job reads it to see whether it may stay
   };
   struct Terms {
-    std::chrono::milliseconds most;  // 0: as long as it takes
+    std::chrono::milliseconds most;  // processor time; 0: no limit
     int nice;
   };
-  static constexpr std::size_t side_by_side = 2;   // in each lane, but for those that are late
-  static constexpr std::size_t most_workers = 64;  // of a lane, late ones among them
+  static constexpr std::size_t side_by_side = 2;   // threads in each lane, without the overdue ones
+  static constexpr std::size_t most_workers = 64;  // threads of a lane, with the overdue ones
   static const std::array<Terms, 4> terms;
 
   void enter(std::unique_lock<std::mutex>&, std::size_t lane, Job&);

@@ -44,7 +44,7 @@ void Leaders::serve() {
       lead_on(lock);
       try {
         round_(lock);
-      } catch (...) {  // memory, above all
+      } catch (...) {  // mostly std::bad_alloc
         if (!lock.owns_lock()) lock.lock();
         failed_ = std::current_exception();
         stop();
@@ -57,7 +57,7 @@ void Leaders::serve() {
   }
 }
 
-// A lock is not fair: who leads would take it again before those who come back with what they have worked out.
+// A mutex is not fair: without this, the leader would lock it again before the threads that return with a result.
 void Leaders::lead_on(Lock& lock) {
   back_.wait(lock, [&] { return returning_ == 0; });
 }
@@ -79,7 +79,7 @@ void Leaders::beside(const std::function<void()>& work) {
   mutex_.lock();
   if (--returning_ == 0) back_.notify_one();
   --working_;
-  if (stop_) changed_.notify_all();  // whoever waits for the end
+  if (stop_) changed_.notify_all();  // for run(), which waits for the work to end
   if (failed) std::rethrow_exception(failed);
 }
 

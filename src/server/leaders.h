@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Threads that do one thing after another under one lock. One leads; where something takes long another one leads
-// meanwhile, and the first comes back with what it has worked out. What is quick costs no change of threads.
+// A leader/follower thread pool: its threads do one thing after another under one lock. One thread leads. When it
+// starts long work, another thread takes the lead, and the first returns with its result. Short work needs no change of
+// threads.
 #pragma once
 
 #include <atomic>
@@ -18,29 +19,31 @@ namespace betwixt {
 class Leaders {
  public:
   using Lock = std::unique_lock<std::mutex>;
-  // `round`: what the leader does again and again, holding the lock; it gives it up while it waits for something to do.
+  // `round`: the step that the leader repeats, holding the lock. It releases the lock while it waits for events.
   explicit Leaders(std::function<void(Lock&)> round) : round_(std::move(round)) {}
 
-  // Leads, with other threads, until stop(). Work that is not done then is not waited for, half a second later:
-  // `give_up` ends the process; where there is none, it is. False: no thread is to be had. What a round throws ends it
-  // all, and is thrown here; what work throws comes out of beside().
+  // Leads, with other threads, until stop(). Then waits half a second for unfinished work and calls `give_up`, which
+  // ends the process; without `give_up`, waits for the work to end. Returns false if no thread can be started. An
+  // exception in a round ends the pool and is rethrown here; an exception in the work leaves beside().
   bool run(const std::function<void()>& give_up);
-  // Of those that lead: the last round.
+  // Makes the present round the last. Call it from a thread of the pool.
   void stop();
   bool stopped() const { return stop_; }
-  bool leads() const { return leader_ == std::this_thread::get_id(); }  // this thread
-  // Of those that lead, holding the lock: does the work without it. Everything may have changed then.
+  bool leads() const { return leader_ == std::this_thread::get_id(); }  // the calling thread leads
+  // Does work without the lock. Call it from a thread of the pool that holds the lock. Everything may have changed when
+  // it returns.
   void beside(const std::function<void()>& work);
 
  private:
-  static constexpr std::size_t most = 4000;  // threads; nearly all of them wait
+  static constexpr std::size_t most = 4000;  // threads, nearly all of which wait
   bool hire();
   void lead_on(Lock&);
   void serve();
 
   const std::function<void(Lock&)> round_;
   std::mutex mutex_;
-  std::condition_variable lead_, back_, changed_;  // somebody shall lead; nobody waits to come back; all ends
+  // Signals: a thread must take the lead; no thread waits to return; the pool ends.
+  std::condition_variable lead_, back_, changed_;
   std::atomic<int> returning_{0};
   std::vector<std::thread> threads_;
   std::thread::id leader_;

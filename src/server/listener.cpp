@@ -45,7 +45,8 @@ Error system_said(ErrorCode code, const std::string& what, int why) {
   return fail(code, fmt::format("{}: {}", what, std::strerror(why)));
 }
 
-// What a server that was killed has left behind goes; what lives, or is no socket, stays.
+// Removes the socket that a killed server has left behind. Returns an error if a server still listens there, or if the
+// file is no socket.
 Status make_room(const std::string& path, const sockaddr_un& address) {
   struct stat there {};
   if (::lstat(path.c_str(), &there) != 0) return Nothing{};
@@ -90,7 +91,7 @@ Result<Listener> Listener::unix_socket(const std::string& path) {
   if (Status s = make_room(path, address); !s) return s.error();
   File file(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (file.get() < 0) return system_said(ErrorCode::machine, "no socket can be had", errno);
-  const mode_t before = ::umask(0177);  // it is never there with other rights than these
+  const mode_t before = ::umask(0177);  // so that the socket never exists with wider permissions
   const int bound = ::bind(file.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
   const int why = errno;
   ::umask(before);

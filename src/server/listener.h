@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where hosts come in: a socket of the file system that only its owner may open, or TCP, which asks for a token.
+// Where hosts connect: a Unix socket that only its owner may open, or TCP, which needs a token.
 #pragma once
 
 #include <sys/types.h>
@@ -15,19 +15,19 @@ namespace betwixt {
 
 class Listener {
  public:
-  // Errors: file (taken by another server, no socket in its place), machine.
+  // Opens a Unix socket. Errors: range (length of the path), file (in use by another server, or no socket), machine.
   static Result<Listener> unix_socket(const std::string& path);
-  // "HOST:PORT", "[::1]:0"; a port of 0 is any that is free. Errors: range (no such address; one that others can
-  // reach, without `anywhere`), file (taken).
+  // Opens a TCP port, given as "HOST:PORT" or "[::1]:0"; port 0 means any free port. Errors: range (no such address, or
+  // one that other machines can reach without `anywhere`), file (in use).
   static Result<Listener> tcp(const std::string& where, bool anywhere);
   ~Listener();
   Listener(Listener&& other) noexcept;
   Listener& operator=(Listener&&) = delete;
 
   int file() const { return file_; }
-  const std::string& name() const { return name_; }  // what hosts connect to
-  bool asks() const { return asks_; }                // for a token
-  // The next connection; -1: none. Never waits.
+  const std::string& name() const { return name_; }  // the address that hosts connect to
+  bool asks() const { return asks_; }                // hosts must send a token
+  // Returns the next connection, or -1 if there is none. Never blocks.
   int accept() const;
 
  private:
@@ -35,16 +35,16 @@ class Listener {
   int file_ = -1;
   std::string name_;
   bool asks_ = false;
-  dev_t device_ = 0;  // of the socket that is ours to remove
+  dev_t device_ = 0;  // identifies the socket file, so that the destructor removes no other
   ino_t inode_ = 0;
 };
 
-// $XDG_RUNTIME_DIR/betwixt.sock; empty where there is no such folder.
+// Returns $XDG_RUNTIME_DIR/betwixt.sock, or an empty string if the variable is not set.
 std::string default_socket();
 
-// 32 hexadecimal digits that nobody can guess.
+// Returns a random token of 32 hexadecimal digits.
 Result<std::string> new_token();
-// Takes as long for a near miss as for any other of its length.
+// Compares in constant time for a given length, so that timing reveals nothing.
 bool same_token(std::string_view said, std::string_view token);
 
 }  // namespace betwixt

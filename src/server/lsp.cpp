@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_used = std::size_t{64} << 20;  // bytes of a file in which names are looked for
+constexpr std::size_t longest_used = std::size_t{64} << 20;  // bytes of a file that is searched for names
 
-// Where a diagnostic stands. One that says no place is about the whole film, and begins with what it is about: it
-// stands where that is made.
+// Returns the span of a diagnostic. A diagnostic without a place begins with a name: it gets the place where the script
+// makes that name.
 Span place_of(const Diagnostic& d, const TextLines& lines) {
   if (d.what.place.line > 0) return span_of(lines, d.what.place);
   const std::string_view name = std::string_view(d.what.message).substr(0, d.what.message.find_first_of(" .,'"));
@@ -69,7 +69,7 @@ void LanguageServer::State::answer(const Json& id, const LspAnswer& answer) {
   send(message);
 }
 
-// The editor does not want the answer any more.
+// Takes a waiting cancellation of this request. Returns false if there is none.
 bool LanguageServer::State::cancelled(const Json& id) {
   const auto asks = [&](const Json& m) {
     return text_member(m, "method") == "$/cancelRequest" && member(member(m, "params"), "id") == id;
@@ -86,7 +86,8 @@ void LanguageServer::State::handle(const Json& message) {
   const auto id = message.find("id");
   const Json& params = member(message, "params");
   if (id == message.end()) return notified(method, params);
-  if (method.empty() && (message.contains("result") || message.contains("error"))) return;  // nobody has asked
+  // An answer that the server never asked for.
+  if (method.empty() && (message.contains("result") || message.contains("error"))) return;
   if (!id->is_string() && !id->is_number_integer())
     return answer(nullptr, LspRefusal{LspRefusal::bad_request, "a request has a number or a text for its id"});
   if (cancelled(*id)) return answer(*id, LspRefusal{LspRefusal::cancelled, "the request was cancelled"});
@@ -151,27 +152,27 @@ void LanguageServer::State::did_close(const Json& params) {
   if (!script) return;
   const std::string uri = script->uri, real = script->real;
   for (auto& [_, other] : open)
-    if (script->uses.contains(other.real)) other.unsaid = true;  // it may be a film of its own now
+    if (script->uses.contains(other.real)) other.unsaid = true;  // it may be the root of a film again
   open.erase(uri);
   const auto said = published.extract(uri);
   if (!said.empty())
     for (const auto& [file, _] : said.mapped()) publish(file);
-  changed(real);  // what is on the disk counts again
+  changed(real);  // the file on disk counts again
 }
 
-// Of all that scripts name the files are what they are now.
+// Reloads every film, because files that it reads may have changed.
 void LanguageServer::State::files_changed() {
   for (auto& [_, script] : open) script.film = {}, script.stale = script.unsaid = true;
 }
 
-// The films of all that use a text are others.
+// Marks as stale the films that use a text.
 void LanguageServer::State::changed(const std::string& real) {
   if (real.empty()) return;
   for (auto& [_, script] : open)
     if (script.uses.contains(real)) script.stale = script.unsaid = true;
 }
 
-// The film of a script where some texts, by their real paths, are others than in the editor.
+// Loads a script's film. `said` replaces texts, by their real paths; other texts come from the editor or the disk.
 Loaded LanguageServer::State::load(const OpenScript& script,
                                    const std::vector<std::pair<std::string, std::string>>& said,
                                    std::set<std::string>* uses) {
@@ -196,13 +197,13 @@ void LanguageServer::State::refresh(OpenScript& script) {
   if (!script.stale) return;
   std::set<std::string> uses;
   Loaded film = load(script, {}, &uses);
-  for (auto& [_, other] : open)  // it has become a part of this film, or is one of its own now
+  for (auto& [_, other] : open)  // marks texts that have joined this film or left it
     if (uses.contains(other.real) != script.uses.contains(other.real)) other.unsaid = true;
   script.names.reset(), script.texts.clear();
   script.film = std::move(film), script.uses = std::move(uses), script.stale = false;
 }
 
-// Whether another script that is open uses it. Of two that use each other the one counts that comes first.
+// Returns true if another open script uses this one. If two use each other, the first by URI is the root.
 bool LanguageServer::State::is_part(const OpenScript& script) const {
   return std::ranges::any_of(open, [&](const auto& o) {
     const OpenScript& other = o.second;
@@ -245,7 +246,7 @@ std::string LanguageServer::State::uri_of(const std::string& path) const {
   return uri_of_path(fs::path(path).lexically_normal().string());
 }
 
-// Says what there is to say of one text of which nothing was said. False: there is none.
+// Publishes the diagnostics of one text. Returns false if all have been published.
 bool LanguageServer::State::say_one() {
   for (auto& [_, script] : open) {
     if (!script.unsaid) continue;
@@ -275,13 +276,14 @@ void LanguageServer::State::say(OpenScript& script) {
   for (const std::string& file : files) publish(file);
 }
 
-// All that scripts have said of a file.
+// Publishes what all films say about a file.
 void LanguageServer::State::publish(const std::string& uri) {
   Json all = Json::array();
   for (const auto& [_, files] : published) {
     const auto found = files.find(uri);
     if (found == files.end()) continue;
-    const auto others = static_cast<std::ptrdiff_t>(all.size());  // two that use one say the same of it
+    // Two films that use one file give the same diagnostic only once.
+    const auto others = static_cast<std::ptrdiff_t>(all.size());
     for (const Json& d : found->second)
       if (std::find(all.begin(), all.begin() + others, d) == all.begin() + others) all.push_back(d);
   }
@@ -292,13 +294,13 @@ void LanguageServer::State::publish(const std::string& uri) {
   send({{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}});
 }
 
-// Lists in lists of a message. A deeper one would overflow the stack where it is copied, answered or freed.
+// The deepest nesting of a message. Deeper JSON would overflow the stack when it is copied, answered or freed.
 constexpr std::size_t deepest = 200;
 
 LanguageServer::LanguageServer(const LoadOptions& options, const std::atomic<bool>* called_off)
     : state_(std::make_unique<State>()) {
   state_->options = options, state_->called_off = called_off;
-  state_->options.tex = false;  // a script that is only written runs no programs
+  state_->options.tex = false;  // an unfinished script must not run programs
 }
 LanguageServer::~LanguageServer() = default;
 

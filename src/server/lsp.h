@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an editor asks of scripts that somebody writes, in the Language Server Protocol. Bytes in, bytes out: it knows
-// no pipe and no thread.
+// A server for the Language Server Protocol: answers an editor's requests about scripts. Bytes in, bytes out: it knows
+// neither pipes nor threads.
 #pragma once
 
 #include <atomic>
@@ -17,19 +17,19 @@ namespace betwixt {
 class LanguageServer {
  public:
   struct State;
-  // What is said of texts when nothing else is to do is left off, for later, where `called_off` is raised meanwhile.
+  // `called_off` is a cancellation token: while it is set, work() stops publishing diagnostics and does so later.
   explicit LanguageServer(const LoadOptions& = {}, const std::atomic<bool>* called_off = nullptr);
   ~LanguageServer();
 
-  void come(std::string_view bytes);  // of the editor
-  // Answers what has waited longest, or, where nothing waits, says what there is to say of a text. False: it was left
-  // off, or there is nothing to do.
+  void come(std::string_view bytes);  // from the editor
+  // Answers the oldest request. If none waits, publishes the diagnostics of one text. Returns false if that was
+  // cancelled or there is nothing to do.
   bool work();
-  bool idle() const;  // nothing waits
-  // What the editor is to be told by now.
+  bool idle() const;  // no message waits
+  // Returns the bytes to send to the editor, and forgets them.
   std::string take_out();
 
-  bool over() const;  // the editor has said `exit`
+  bool over() const;  // the editor has sent `exit`
   int exit_code() const;
 
  private:

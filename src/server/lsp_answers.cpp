@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an editor can ask, a row each.
+// The requests of the protocol, one row each.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 using State = LanguageServer::State;
 
-constexpr std::size_t most_words = 1000;  // that are offered at once
+constexpr std::size_t most_words = 1000;  // offered at once
 
 LspRefusal no_text() { return {LspRefusal::bad_parameters, "no such text is open, or no place in it is said"}; }
 
@@ -33,7 +33,7 @@ Json shut_down(State& s, const Json&) {
   return nullptr;
 }
 
-// A place in a text, and the film that it is a part of.
+// A position in a text, and the film that the text belongs to.
 struct Asked {
   OpenScript& script;
   OpenScript& root;
@@ -46,7 +46,7 @@ std::optional<Asked> asked(State& s, const Json& params) {
   if (!place) return std::nullopt;
   return Asked{*script, s.root_of(*script), *place};
 }
-// The same with the names of the film, and what stands there.
+// The same, with the names of the film and the name at the position.
 struct AskedName {
   Asked at;
   const TextNames& names;
@@ -73,7 +73,7 @@ Json locations(const State& s, const OpenScript& root, const std::vector<TextSpa
 
 Json as_code(const std::string& said) { return {{"kind", "markdown"}, {"value", "```betwixt\n" + said + "```"}}; }
 
-// Kinds of completions and of symbols, as the protocol counts them.
+// Kinds of completions and of symbols, by the protocol's numbers.
 int kind_of_word(std::string_view word, const Document& d) {
   constexpr int function = 3, variable = 6, type = 7, property = 10, keyword = 14, color = 16, file = 17, member = 20;
   if (word.ends_with('=') || word.find('.') != std::string_view::npos) {
@@ -259,7 +259,7 @@ LspAnswer color_presentations(State& s, const Json& params) {
   return all;
 }
 
-// One edit of the lines that differ, with the ends of lines as the text has them.
+// Returns one edit of the lines that differ. Keeps the text's line ends.
 Json edit_between(const TextLines& lines, std::string after) {
   const std::string& before = lines.text();
   if (before.find("\r\n") != std::string::npos)
@@ -286,7 +286,7 @@ LspAnswer format_range(State& s, const Json& params) {
   return edit_between(script->lines, tidied_in(script->lines, *span));
 }
 
-// What the author may have meant, where a diagnostic says it.
+// Offers the replacement that a diagnostic suggests.
 LspAnswer code_actions(State& s, const Json& params) {
   OpenScript* const script = s.find(params);
   if (!script) return no_text();

@@ -12,9 +12,9 @@ namespace betwixt {
 namespace {
 
 constexpr std::size_t longest_head = 16'384;
-constexpr std::size_t longest_line = 64;  // that says a length
+constexpr std::size_t longest_line = 64;  // for "Content-Length: N"
 
-// Where the empty line below the first lines is, and how many bytes it and the end of the line above it take.
+// Returns the end of a head: the position of the line end before the empty line, and the bytes that both ends take.
 std::pair<std::size_t, std::size_t> end_of_head(std::string_view bytes) {
   for (std::size_t at = bytes.find('\n'); at != std::string_view::npos; at = bytes.find('\n', at + 1)) {
     if (bytes.substr(at + 1, 1) == "\n") return {at, 2};
@@ -26,7 +26,7 @@ std::pair<std::size_t, std::size_t> end_of_head(std::string_view bytes) {
 constexpr std::string_view key = "content-length:";
 bool same(char letter, char of_key) { return std::tolower(static_cast<unsigned char>(letter)) == of_key; }
 
-// Where the first line "Content-Length: N" begins, from a place on.
+// Returns where the next line "Content-Length: N" begins, at or after `from`.
 std::size_t find_length_line(std::string_view bytes, std::size_t from) {
   for (;; from += key.size()) {
     const auto at =
@@ -51,7 +51,7 @@ std::optional<std::size_t> content_length(std::string_view head) {
 
 }  // namespace
 
-// Passes over everything before the next head; false: it has not come yet.
+// Skips everything before the next head. Returns false if none has arrived.
 bool LspFrames::find_head() {
   const std::size_t at = find_length_line(bytes_, begun_);
   const std::size_t kept = std::min(bytes_.size() - begun_, longest_head);

@@ -11,7 +11,7 @@
 namespace betwixt {
 namespace {
 
-// One character at least, so that what is no UTF-8 is passed byte by byte.
+// Returns at least one byte, so that invalid UTF-8 is read byte by byte.
 std::size_t bytes_at(std::string_view line, std::size_t i) {
   return std::max<std::size_t>(1, character_length(line, i));
 }
@@ -63,7 +63,7 @@ std::optional<std::size_t> place_of(const TextLines& lines, const Json& position
   for (std::size_t units = 0; i < text.size();) {
     const std::size_t bytes = bytes_at(text, i);
     units += bytes == 4 ? 2 : 1;
-    if (units > *unit) break;  // within a character: where that begins
+    if (units > *unit) break;  // inside a character: use its start
     i += bytes;
   }
   return lines.start(*line) + i;
@@ -90,7 +90,7 @@ Span span_of(const TextLines& lines, const Place& place) {
 std::optional<std::string> path_of_uri(std::string_view uri) {
   if (!uri.starts_with("file://")) return std::nullopt;
   uri.remove_prefix(7);
-  uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // the name of a machine: it is this one
+  uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // the host name, which is taken to be this machine
   uri = uri.substr(0, uri.find_first_of("?#"));
   std::string path;
   for (std::size_t i = 0; i < uri.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The texts that an editor has open, the films that they make, and what waits to be answered.
+// The state of the language server: the open texts, their films, and the messages that wait.
 #pragma once
 
 #include <deque>
@@ -22,28 +22,28 @@
 
 namespace betwixt {
 
-// What is said by a key; null where nothing is.
+// Returns the member of an object, or null if there is none.
 const Json& member(const Json& object, const char* key);
 std::string text_member(const Json& object, const char* key);
 
-// Without links and dots, where that can be told.
+// Resolves links and dots. Returns the path unchanged if that fails.
 std::string real_path(const std::string& path);
 
-// A text that is open in the editor, and what it makes as a script.
+// A text that is open in the editor, and its film.
 struct OpenScript {
-  std::string uri, path;  // path: empty where it is no file
+  std::string uri, path;  // empty for a text without a file
   std::string real;       // path without links
   Json version;
   TextLines lines;
-  bool stale = true, unsaid = true;  // the film is of an older text; nothing has been said of it yet
+  bool stale = true, unsaid = true;  // the film is older than the text; its diagnostics have not been published
   Loaded film;
-  std::set<std::string> uses;  // real paths of scripts, as it was loaded last
-  // Of the film's texts, this one first; made where somebody asks for names.
+  std::set<std::string> uses;  // real paths of the scripts that the last load read
+  // The film's texts, this one first. Filled at the first request that needs names.
   std::vector<FilmText> texts;
   std::unique_ptr<TextNames> names;
 };
 
-// Why there is no answer, with a code of the protocol.
+// Why a request has no answer, with a code of the protocol.
 struct LspRefusal {
   static constexpr int bad_message = -32700, bad_request = -32600, unknown = -32601, bad_parameters = -32602,
                        not_begun = -32002, cancelled = -32800, failed = -32803;
@@ -60,8 +60,9 @@ struct LanguageServer::State {
   std::string out;
   bool begun = false, shut = false, over = false;
 
-  std::map<std::string, OpenScript> open;                                     // by URI
-  std::map<std::string, std::map<std::string, std::vector<Json>>> published;  // by URI of the script, and the file's
+  std::map<std::string, OpenScript> open;  // by URI
+  // By URI of the root script, then of the file.
+  std::map<std::string, std::map<std::string, std::vector<Json>>> published;
 
   void send(const Json& message) {
     out += LspFrames::framed(message.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -83,20 +84,20 @@ struct LanguageServer::State {
   // Films
   Loaded load(const OpenScript&, const std::vector<std::pair<std::string, std::string>>& said,
               std::set<std::string>* uses = nullptr);
-  void refresh(OpenScript&);  // the film is that of the text
+  void refresh(OpenScript&);  // loads the film if its text has changed
   bool is_part(const OpenScript&) const;
-  OpenScript& root_of(OpenScript&);  // the script whose film the text is a part of
+  OpenScript& root_of(OpenScript&);  // the script whose film contains the text
   const TextNames& names_of(OpenScript& root);
-  std::size_t text_in(const OpenScript& root, const OpenScript&) const;  // its number among the film's texts
+  std::size_t text_in(const OpenScript& root, const OpenScript&) const;  // its index among the film's texts
   std::string uri_of(const std::string& path) const;
 
-  // What there is to say
+  // Diagnostics
   bool say_one();
   void say(OpenScript&);
   void publish(const std::string& uri);
 };
 
-// A request, and the answer.
+// A kind of request, and the function that answers it.
 struct LspRequest {
   std::string_view method;
   LspAnswer (*answer)(LanguageServer::State&, const Json& params);

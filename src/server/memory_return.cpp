@@ -25,7 +25,7 @@ void MemoryReturn::soon() {
   changed_.notify_all();
   if (!thread_.joinable()) try {
       thread_ = std::thread([this] { serve(); });
-    } catch (const std::system_error&) {  // no thread is to be had: later, perhaps
+    } catch (const std::system_error&) {  // no thread can be started: the next call tries again
       wanted_ = false;
     }
 }

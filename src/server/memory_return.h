@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gives back to the system what was needed once: each thread's heap keeps that for itself. A second after it is asked
-// for, so that it comes after what took the memory has freed it, too, and on a thread of its own with nobody's claim
-// given up: whoever is kept waiting while it holds a heap's lock must not keep others waiting.
+// Returns freed memory to the system, because each thread's heap keeps it otherwise. Waits a second first, so that the
+// work that used the memory has freed it. Runs on a thread of its own at ordinary priority: a low-priority thread that
+// holds a heap's lock would block all others.
 #pragma once
 
 #include <condition_variable>
@@ -27,7 +27,7 @@ class MemoryReturn {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool wanted_ = false, ended_ = false;
-  std::thread thread_;  // from the first time on
+  std::thread thread_;  // started by the first call
 };
 
 }  // namespace betwixt

@@ -24,11 +24,11 @@ namespace betwixt {
 namespace {
 
 constexpr std::size_t all_workers = 10;
-constexpr std::size_t slow_workers = 2;  // how many work out slow values anew
-constexpr std::size_t kept_free = 3;     // for values that are known to be quick
-constexpr int quick_again = 3;           // answers in a row
-constexpr Nanos longest = 32;            // in shares, by the clock: four frames
-constexpr std::size_t most_named = 20;   // in the statistics
+constexpr std::size_t slow_workers = 2;  // workers that answer slow questions again
+constexpr std::size_t kept_free = 3;     // workers reserved for values known to be quick
+constexpr int quick_again = 3;           // quick answers in a row before a value leaves the quarantine
+constexpr Nanos longest = 32;            // shares of elapsed time: four frames
+constexpr std::size_t most_named = 20;   // values named in the statistics
 
 Nanos processor_time(std::thread& thread) {
   clockid_t clock{};
@@ -55,7 +55,7 @@ bool Quarantine::ask(const Program& program, Time t) {
   if (c.lives.empty() && c.slow_shapes.empty()) return forget(), false;
   if (sources_.empty() || &program_.compiled() != &c) adopt(program);
   time_ = t, ++turn_;
-  for (const auto& w : workers_)  // one may still be at a question of the frame before
+  for (const auto& w : workers_)  // it may still work on a question of the last frame
     if (!w->slow && overstays(*w)) leave_behind(*w);
   const bool came = gather(), answered = ask_quick();
   ask_slow();
@@ -63,7 +63,7 @@ bool Quarantine::ask(const Program& program, Time t) {
   return came || answered;
 }
 
-// The same function of the same object keeps its pace and its last answer.
+// A function of an object keeps its pace and its last answer in the next program.
 void Quarantine::adopt(const Program& program) {
   const Program::Compiled& c = program.compiled();
   const Scene& scene = c.document.scene();
@@ -113,7 +113,7 @@ void Quarantine::forget() {
   count_late();
 }
 
-// A worker does it: the last one to let go of a program frees it, which may take long.
+// Gives the program to a worker, because freeing it may take long.
 void Quarantine::release(Program program) {
   Worker* const w = idle_worker();
   if (!w) return;
@@ -137,7 +137,7 @@ bool Quarantine::quick(const Question& q) const {
   return i < sources_.size() && sources_[i].pace == Pace::quick;
 }
 
-// Takes the late answers that have come.
+// Takes the late answers that have arrived.
 bool Quarantine::gather() {
   bool news = false;
   for (Source& s : sources_)
@@ -168,7 +168,8 @@ std::shared_ptr<Quarantine::Batch> Quarantine::batch_of(const std::vector<std::s
   return batch;
 }
 
-// Questions that were never answered come last: they may be slow. Before them, the one with the oldest answer is first.
+// Returns the questions to ask, the one with the oldest answer first. Those never answered come last, because they may
+// be slow.
 std::vector<std::size_t> Quarantine::quick_ones() {
   std::vector<std::size_t> quick, unknown;
   const bool room = busy_slow() + kept_free < workers_.size();
@@ -198,7 +199,7 @@ bool Quarantine::ask_quick() {
   return close(batch);
 }
 
-// The next worker continues the batch of one that is left behind.
+// The next worker continues the batch of a worker that was left behind.
 void Quarantine::await(const std::shared_ptr<Batch>& batch) {
   while (batch->next < batch->items.size()) {
     Worker* const w = idle_worker();
@@ -218,7 +219,7 @@ void Quarantine::await(const std::shared_ptr<Batch>& batch) {
   }
 }
 
-// It has used its share of processor time twice, or it has used little in a long time and waits for something.
+// Returns true if the worker has used more than its share of processor time, or has waited too long for something.
 bool Quarantine::overstays(Worker& w) {
   const Nanos begun = w.begun;
   if (begun == 0) return false;
@@ -239,7 +240,7 @@ void Quarantine::leave_behind(Worker& w) {
   if (source < sources_.size()) set_pace(sources_[source], Pace::slow);
 }
 
-// Stops the batch, and takes its answers. Questions that have begun stay open.
+// Closes the batch and takes its answers. Questions already begun stay pending.
 bool Quarantine::close(const std::shared_ptr<Batch>& batch) {
   batch->closed = true;
   const std::size_t size = batch->items.size(), begun = std::min(batch->next.exchange(size), size);
@@ -326,14 +327,14 @@ std::size_t Quarantine::busy_slow() {
       std::count_if(workers_.begin(), workers_.end(), [](const auto& w) { return w->slow && !w->rests(); }));
 }
 
-// Returns null if all are at work.
+// Returns nullptr if all are busy.
 Quarantine::Worker* Quarantine::idle_worker() {
   for (const auto& w : workers_)
     if (w->rests()) return w.get();
   return nullptr;
 }
 
-// Starts all of them at once. A new thread may have to wait for the process's memory; later frames do not.
+// Starts all workers at once: a new thread may block on the process's memory lock, and later frames must not.
 void Quarantine::engage() {
   if (!workers_.empty()) return;
   for (std::size_t i = 0; i < all_workers; ++i) {
@@ -347,8 +348,8 @@ void Quarantine::engage() {
   }
 }
 
-// A slow one comes behind hosts' lines, but not far: one that hardly runs keeps the process's memory locked. If the
-// system does not let a worker come back, it stays as it is.
+// Sets a worker's priority. A slow one ranks below hosts' lines, but only a little: a thread that hardly runs would
+// keep the process's memory locked. If the system refuses to raise a priority again, it stays unchanged.
 void Quarantine::step(const Worker& w) const {
   constexpr int slow_nice = 5;
   if (w.steps) ::setpriority(PRIO_PROCESS, static_cast<id_t>(w.id.load()), w.slow ? slow_nice : options_.nice);
@@ -360,7 +361,7 @@ void Quarantine::give(Worker& w, std::shared_ptr<Batch> batch) {
     const std::lock_guard lock(w.mutex);
     w.given.swap(batch), w.idle = false;
   }
-  if (batch) batch->leave();  // the worker has not begun it
+  if (batch) batch->leave();  // the worker had not started it
   w.bell.ring();
 }
 
@@ -399,7 +400,7 @@ void Quarantine::serve(Worker& w, Batch& batch) {
     item.took = (size == 1 ? StillWanted::used().count() : options_.now()) - before;
     w.begun = 0;
     item.done = true;
-    if (w.slow) return;  // the rest is for the next worker
+    if (w.slow) return;  // the next worker takes the rest
   }
 }
 
@@ -410,7 +411,7 @@ void Quarantine::work_out_item(Item& item, const Batch& batch) const {
     if (item.answer.shape) item.answer.mesh = realise(*item.answer.shape).mesh;
     item.answered = true;
   } catch (const NotWanted&) {
-  } catch (const std::exception&) {  // memory is short: the last answer stays
+  } catch (const std::exception&) {  // out of memory: keeps the last answer
   }
 }
 

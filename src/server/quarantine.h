@@ -6,7 +6,7 @@
 //
 // Before each frame the maker puts all quick questions into a batch. One worker answers them in turn, and the maker
 // waits as long as the frame allows. If a question takes more than its share of processor time, the maker lowers that
-// worker's priority and leaves it behind; a new worker goes on with the batch. The question is now in quarantine: slow
+// worker's priority and leaves it behind; a new worker continues the batch. The question is now in quarantine: slow
 // workers answer it again and again, each time for the newest moment, and frames show the last answer. After three
 // quick answers in a row it leaves the quarantine.
 //
@@ -60,7 +60,7 @@ class Quarantine final : public Beside {
     std::size_t source = nobody;  // whose it is
     std::uint64_t edition = 0;    // of the program
     Answer answer;
-    bool answered = false;          // not if it was called off, or memory was short
+    bool answered = false;          // not if it was cancelled, or memory was short
     Nanos took = 0;                 // of a processor
     std::atomic<bool> done{false};  // then it is the maker's
     std::atomic<bool> unwanted{false};

@@ -22,11 +22,11 @@ struct Head {
   char magic[8];
   std::uint32_t version, pictures_at, width, height, count, picture_head;
   std::uint64_t stride;
-  std::atomic<std::uint64_t> written;  // pictures so far: the last one is at (written - 1) mod count
-  std::atomic<std::uint32_t> over;     // 1: the server has ended
+  std::atomic<std::uint64_t> written;  // number of pictures written; the last one is at (written - 1) mod count
+  std::atomic<std::uint32_t> over;     // 1 after the server has ended
 };
 struct PictureHead {
-  std::atomic<std::uint64_t> sequence;  // odd while it is being written
+  std::atomic<std::uint64_t> sequence;  // odd during writing (a seqlock)
   std::int64_t flicks, number, moment;
   char unused[32];
 };
@@ -82,8 +82,8 @@ Error not_had(const std::string& name) {
   return fail(ErrorCode::machine, fmt::format("the ring '{}' cannot be had: {}", name.substr(1), std::strerror(errno)));
 }
 
-// A fresh piece of shared memory of this name, held as long as its file is open; what a server that was killed has left
-// behind goes.
+// Creates shared memory of this name and locks its file while the server runs. Replaces what a killed server left
+// behind.
 Result<int> take_name(const std::string& name) {
   if (const int old = ::shm_open(name.c_str(), O_RDWR, 0); old >= 0) {
     const bool held = ::flock(old, LOCK_EX | LOCK_NB) != 0;
@@ -114,7 +114,7 @@ NewScreen ring_screen(const std::string& plain, const RenderOptions& picture) {
     if (!file) return file.error();
     const std::size_t pixels = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     const std::size_t stride = (sizeof(PictureHead) + pixels + page - 1) / page * page, size = page + count * stride;
-    // Allocated at once: memory that is not there later would end the process.
+    // Allocates all memory now: a page that cannot be had later would end the process.
     errno = ::posix_fallocate(*file, 0, static_cast<off_t>(size));
     void* const at = errno ? MAP_FAILED : ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, *file, 0);
     if (at == MAP_FAILED) {
@@ -128,7 +128,7 @@ NewScreen ring_screen(const std::string& plain, const RenderOptions& picture) {
     head->width = static_cast<std::uint32_t>(picture.width), head->height = static_cast<std::uint32_t>(picture.height);
     head->stride = stride;
     std::atomic_thread_fence(std::memory_order_release);
-    std::memcpy(head->magic, "BTWXRING", sizeof head->magic);  // last: until then it is none
+    std::memcpy(head->magic, "BTWXRING", sizeof head->magic);  // last, because readers wait for it
     return std::unique_ptr<Screen>(std::make_unique<Ring>(*std::move(renderer), name, *file, at, size, stride));
   };
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where an imaging server's frames go. A frame is drawn while the one before it stands, and shown at its moment: what
-// looks on never sees half a picture. (C103, C129)
+// Where the server's frames go. A frame is drawn while the one before is still visible, and shown at its moment (double
+// buffering): a viewer never sees half a picture.
 #pragma once
 
 #include <functional>
@@ -15,19 +15,20 @@
 
 namespace betwixt {
 
-// One thread makes it, draws and ends it; another one shows what was drawn. Never two at a time.
+// One thread creates, draws on and destroys a screen; another one shows the drawn frame. Never both at once.
 class Screen {
  public:
   virtual ~Screen() = default;
   virtual Status draw(const Evaluation&) = 0;
-  virtual Status show(const Shown&) = 0;  // what was drawn last; quick, and without the graphics interface
+  virtual Status show(const Shown&) = 0;  // the frame drawn last; fast, and without graphics calls
 };
 using NewScreen = std::function<Result<std::unique_ptr<Screen>>()>;
 
-// A film, every picture of which stands until the next; it is whole when the screen ends, else `trouble` was called,
-// from another thread. Errors of the makers: those of renderers, of films, and machine (no shared memory).
+// Writes a film file; each picture lasts until the next. The file is complete when the screen is destroyed. If writing
+// fails, another thread calls `trouble`. Errors of both functions: the renderer's, the film's, machine (no shared
+// memory).
 NewScreen film_screen(const std::string& path, const RenderOptions&, Rate, std::function<void(const Error&)> trouble);
-// Pictures in shared memory: docs/server.md says how they lie there.
+// Writes pictures to shared memory, in the layout of docs/server.md.
 NewScreen ring_screen(const std::string& name, const RenderOptions&);
 
 }  // namespace betwixt

@@ -30,17 +30,18 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_events_waiting =
-    1 << 20;                                 // bytes that a host has not read, beyond which it is told of no more
-constexpr int turn_lines = 64;               // of a host in one turn …
-constexpr Nanos turn_time = 4'000'000;       // … unless they take longer than this, …
-constexpr Nanos all_turns = 20'000'000;      // … or all turns of a round than this
-constexpr Nanos patience = 10'000'000'000;   // for a token, and for whoever reads nothing of much
-constexpr Nanos parting_time = 200'000'000;  // from one question whether somebody is still there to the next
-constexpr std::chrono::nanoseconds longest_rest = std::chrono::milliseconds(100);  // of who compiles for the clock
+constexpr std::size_t most_events_waiting = 1
+                                            << 20;  // bytes that a host has not read; above this it gets no more events
+constexpr int turn_lines = 64;                      // from one host in a turn …
+constexpr Nanos turn_time = 4'000'000;              // … unless they take longer than this, …
+constexpr Nanos all_turns = 20'000'000;             // … or all turns of a round take longer than this
+constexpr Nanos patience = 10'000'000'000;   // with a stranger's token, and with a host that does not read its answers
+constexpr Nanos parting_time = 200'000'000;  // from one probe of a half-closed connection to the next
+// For the thread that compiles for the clock.
+constexpr std::chrono::nanoseconds longest_rest = std::chrono::milliseconds(100);
 constexpr std::size_t longest_token_line = 4096;
 constexpr int most_guesses = 3;
-constexpr std::size_t most_strangers = 64;  // who have not said it yet
+constexpr std::size_t most_strangers = 64;  // connections that have sent no token yet
 
 class Server {
  public:
@@ -79,12 +80,13 @@ class Server {
   }
 
  private:
-  static inline thread_local Guest* served = nullptr;  // whose line this thread carries out
+  static inline thread_local Guest* served = nullptr;  // the guest whose line this thread runs
 
-  // See Imaging::Options::beside.
+  // Implements Imaging::Options::beside.
   bool beside(const std::function<void()>& work, Imaging::Claim claim) {
     Guest* const g = served;
-    if (!g) return leaders_.beside(work), !leaders_.stopped();  // what is shown does not wait for what hosts ask
+    // No host asked, so this does not queue behind hosts' questions.
+    if (!g) return leaders_.beside(work), !leaders_.stopped();
     g->in_hand = true, watch(g->file, g->watched = EPOLLRDHUP, EPOLL_CTL_MOD);
     bool done = true;
     leaders_.beside([&] {
@@ -103,7 +105,7 @@ class Server {
     leaders_.stop();
   }
 
-  // Whoever leads waits for what comes; there is something to do that did not come.
+  // Wakes the leader out of epoll_wait().
   void wake() {
     const std::uint64_t one = 1;
     [[maybe_unused]] const ssize_t n = ::write(wake_, &one, sizeof one);
@@ -113,13 +115,14 @@ class Server {
     wait(lock);
     const Nanos most = std::min<Nanos>(turn_time, all_turns / static_cast<Nanos>(busy_.size() + 1));
     for (const int file : std::set(busy_)) {
-      if (busy_.erase(file) == 0) continue;  // somebody else has led meanwhile
+      if (busy_.erase(file) == 0) continue;  // another thread has led in between
       const auto found = guests_.find(file);
       if (found != guests_.end() && !found->second.in_hand && !leaders_.stopped()) take_turn(found->second, most);
     }
     if (leaders_.stopped()) return;
     for (auto& e : imaging_.events()) tell(e);
-    if (Status s = imaging_.sync(monotonic_now()); !s) {  // nothing is answered that is not safe
+    // The answers must not go out before their commands are on the disk.
+    if (Status s = imaging_.sync(monotonic_now()); !s) {
       failed_ = s.error();
       return stop(), wake();
     }
@@ -139,7 +142,7 @@ class Server {
     ::epoll_ctl(epoll_, how, file, &e);
   }
 
-  // Milliseconds until there is something to do that nobody tells; -1: there will not be.
+  // Returns the milliseconds until the next timed work, or -1 if there is none.
   int patience_now() const {
     if (!busy_.empty()) return 0;
     int most = !parting_.empty() ? 100 : strangers_ > 0 || resting_ || !full_.empty() ? 500 : -1;
@@ -178,11 +181,12 @@ class Server {
     }
     if (strangers_ > 0) tire();
     if (!parting_.empty()) ask_the_parting();
-    if (shown) hear_clock();  // last: while it looks for contacts others may go on, and what was said above is old
+    // Last: other threads may lead while it computes contacts, and the events above would be out of date.
+    if (shown) hear_clock();
   }
 
-  // Of whom a thread works for, or who waits for another host, nothing but its end is heard. That there is something to
-  // read may still be said of it: its line can have been taken in hand since the kernel looked.
+  // If a thread works for a guest, or the guest waits for another host, only the end of its connection matters. An
+  // event for its input may still arrive, if the kernel queued it before the line was taken.
   void hear(Guest& g, std::uint32_t events) {
     if (!g.in_hand && !g.kept)
       busy_.insert(g.file);
@@ -192,7 +196,7 @@ class Server {
       g.parting = monotonic_now(), parting_.insert(g.file), watch(g.file, g.watched = 0, EPOLL_CTL_MOD);
   }
 
-  // Who has closed its end may be waiting for its answers, or be gone: the system tells only when something is sent.
+  // A host that has closed its side may still wait for answers, or be gone. Only a failed send tells, so sends a probe.
   void ask_the_parting() {
     const Nanos now = monotonic_now();
     for (const int file : parting_) {
@@ -203,7 +207,7 @@ class Server {
     }
   }
 
-  // ---- coming and going
+  // ---- connections
 
   void welcome(const Listener& at) {
     for (int n = 0; n < 64; ++n) {
@@ -228,13 +232,13 @@ class Server {
     }
   }
 
-  // Who has not said the token yet takes no host's place; there is at least one.
+  // A connection without a token takes no host's place. Returns the oldest one; there must be one.
   Guest& oldest_stranger() {
     const auto came = [](const auto& g) { return g.second.host ? INT64_MAX : g.second.came; };
     return std::ranges::min_element(guests_, {}, came)->second;
   }
 
-  // No more files are to be had: the door is shut for a moment, not knocked at in a loop.
+  // Out of file descriptors: stops accepting for a moment instead of spinning.
   void rest(bool on) {
     resting_ = on;
     for (const Listener& l : listeners_) watch(l.file(), on ? 0u : static_cast<std::uint32_t>(EPOLLIN), EPOLL_CTL_MOD);
@@ -245,7 +249,7 @@ class Server {
     files_[*g.host] = g.file;
   }
   void leave(Guest& g) {
-    if (g.in_hand) {  // it takes back what it asked; whoever works on that sees to the rest
+    if (g.in_hand) {  // cancels its work; the thread that does it cleans up
       g.gone = true, parting_.erase(g.file);
       lanes_.look();
       watch(g.file, 0, EPOLL_CTL_DEL);
@@ -260,7 +264,7 @@ class Server {
     guests_.erase(g.file);
   }
 
-  // Who does not say the token in time goes.
+  // Disconnects those that have not sent the token in time.
   void tire() {
     const Nanos now = monotonic_now();
     std::vector<int> late;
@@ -271,7 +275,7 @@ class Server {
 
   // ---- lines
 
-  // One host's turn: bounded, so that none waits long for another.
+  // Serves one host for a bounded time, so that no other waits long.
   void take_turn(Guest& g, Nanos most) {
     if (!g.last_word && !g.half_closed && g.seen == g.in.size() && !g.read()) return leave(g);
     const Nanos until = monotonic_now() + most;
@@ -286,7 +290,7 @@ class Server {
     if (!g.last_word && !g.full()) busy_.insert(g.file);
   }
 
-  // The next whole line; false: there is none yet.
+  // Takes the next whole line. Returns false if none has arrived.
   bool take_line(Guest& g) {
     const std::size_t end = g.in.find('\n', g.seen);
     const std::size_t longest = g.host ? Imaging::longest_line : longest_token_line;
@@ -310,7 +314,7 @@ class Server {
     return answer(g, reply);
   }
 
-  // What it says next is for later; nothing is read meanwhile.
+  // Holds back the host's next line, and reads no more from it until then.
   void keep(Guest& g) {
     g.kept = true, kept_.insert(g.file);
     watch(g.file, g.watched = 0, EPOLL_CTL_MOD);
@@ -372,7 +376,8 @@ class Server {
     if (wanted != g.watched) watch(g.file, g.watched = wanted, EPOLL_CTL_MOD);
   }
 
-  // Of whom much waits nothing is heard until it has read that. One answer may be larger than all that may wait.
+  // Back-pressure: reads no more from a host until it has read its waiting answers. A single answer may exceed the
+  // limit. Returns true if the host has read nothing for too long.
   bool stops_reading(Guest& g) {
     if (g.full()) {
       if (full_.insert(g.file).second) g.moved = monotonic_now();
@@ -394,14 +399,15 @@ class Server {
       tell_user(fmt::format("betwixt: warning: frames go nowhere any more: {}\n", trouble->message));
   }
 
-  // The newest document for the clock.
+  // Returns the newest document for the clock.
   FrameClock::Edition edition() {
     published_ = imaging_.version(), looked_ = imaging_.frames_wanted();
     Program film = imaging_.program();  // other threads can lead during this call
     return {std::move(film), imaging_.transport(), looked_};
   }
-  // One thread at a time. For a large film another thread leads in the meantime. After that the thread rests as long as
-  // it worked: a host that changes a large document all the time does not take a whole processor.
+  // Publishes to the clock; only one thread at a time does. For a large film another thread leads until it is done.
+  // Then this thread rests as long as it worked, so that a host that keeps changing a large document does not take a
+  // whole processor.
   void publish() {
     if (publishing_) return;
     publishing_ = true;
@@ -410,7 +416,7 @@ class Server {
       FrameClock::Edition next = edition();
       if (imaging_.large())
         leaders_.beside([&] {
-          clock_.publish(std::move(next));  // frees what the clock has done with
+          clock_.publish(std::move(next));  // frees the editions that the clock has used
           std::this_thread::sleep_for(std::min(StillWanted::used() - begun, longest_rest));
         });
       else
@@ -424,12 +430,12 @@ class Server {
   const std::vector<Listener>& listeners_;
   const ServeOptions& options_;
   const int epoll_, wake_;
-  std::unordered_map<int, Guest> guests_;  // by their files
+  std::unordered_map<int, Guest> guests_;  // by file descriptor
   std::unordered_map<Imaging::Host, int> files_;
-  std::set<int> busy_;     // with lines that have not been looked at
-  std::set<int> kept_;     // … and whose next one is for later
-  std::set<int> full_;     // who have much to read before they are heard again
-  std::set<int> parting_;  // who have closed their end while a thread works for them
+  std::set<int> busy_;     // may have lines to process
+  std::set<int> kept_;     // hold back their next line
+  std::set<int> full_;     // must read their answers before they may send more
+  std::set<int> parting_;  // closed their side while a thread works for them
   Lanes lanes_;
   Discarded discarded_;
   Leaders leaders_{[this](Leaders::Lock& lock) { round(lock); }};

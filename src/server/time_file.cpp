@@ -14,7 +14,8 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t half = 512;  // there are two, written in turns, each with a checksum: one is always whole
+// There are two halves, written in turn, each with a checksum, so one is always valid.
+constexpr std::size_t half = 512;
 
 Error time_not_kept(const std::string& path) {
   return fail(ErrorCode::machine, fmt::format("'{}' cannot be written: {}", path, std::strerror(errno)));

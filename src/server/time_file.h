@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What time it is in a history, on the disk beside it, so that another server goes on from there.
+// The time of a history, in a file beside it, so that the next server continues from there.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace betwixt {
 
-// A time that goes on or stands.
+// A time, and whether the clock runs.
 struct KeptTime {
   bool running = false;
   Time at;
@@ -24,16 +24,16 @@ struct KeptTime {
 
 class TimeFile {
  public:
-  // The file beside a script. Errors: machine.
+  // Opens the file beside a script. Errors: machine.
   static Result<TimeFile> open(const std::string& script);
 
-  // What an earlier server left; none: nothing that is whole.
+  // Returns what an earlier server left, or nullopt if no half is valid.
   const std::optional<KeptTime>& found() const { return found_; }
-  // … as it ended with this text, or with one that it begins with.
+  // Returns true if that server ended with this text, or with the beginning of it.
   bool is_of(std::string_view text) const;
   std::size_t text_size() const { return of_.size; }
 
-  // It is on the disk when this returns, or what was there before still is. `of`: what the script holds.
+  // Writes to the disk before it returns. If it fails, the earlier content remains. `of`: the content of the script.
   Status write(const KeptTime&, const Fingerprint& of);
 
  private:
@@ -42,7 +42,7 @@ class TimeFile {
 
   std::string path_;
   OpenFile file_;
-  std::uint64_t number_ = 0;  // of the one that was written last
+  std::uint64_t number_ = 0;  // number of the last write
   std::optional<KeptTime> found_;
   Fingerprint of_;
 };
