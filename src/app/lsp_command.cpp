@@ -36,20 +36,19 @@ class Inbox {
       const std::lock_guard lock(mutex_);
       if (n > 0) bytes_.append(bytes.data(), static_cast<std::size_t>(n));
       if (n <= 0) ended_ = true;
-      any_ = true;
+      if (n > 0) any_ = true;
       came_.notify_one();
       if (n <= 0) return;
     }
   }
 
-  // Takes the input; with `wait`, waits until there is some. Returns false at the end of the input.
+  // Takes the input; with `wait`, waits until there is some. Returns false if it waited and the input has ended.
   bool take(std::string& out, bool wait) {
     std::unique_lock lock(mutex_);
-    if (wait) came_.wait(lock, [&] { return any_.load(); });
+    if (wait) came_.wait(lock, [&] { return any_ || ended_; });
     out = std::exchange(bytes_, {});
-    const bool more = !ended_ || !out.empty();
-    any_ = ended_;
-    return more;
+    any_ = false;  // after the end, nothing new interrupts the work on what came before
+    return !wait || !ended_ || !out.empty();
   }
 
  private:

@@ -218,7 +218,7 @@ verdict 'no inf or nan in JSON' "$(! grep -qiE 'inf|nan' "$out" && echo yes)" "$
 call 'eval of nobody' 1 "there is no object 'bal'" eval bounce.bx --at 1f bal.position --json
 call 'eval of no function' 1 "did you mean 'position'?" eval bounce.bx --at 1f ball.postion
 call 'eval of a velocity that is not' 1 'has no velocity' eval bounce.bx --at 1f ball.display.velocity --json
-call 'eval without a time' 2 '--at' eval bounce.bx ball.position
+call 'eval without a time: the first frame' 0 '' eval bounce.bx ball.position
 call 'eval at a word' 2 "'soon' is not a time" eval bounce.bx --at soon ball.position
 call 'eval at a bare number: a frame' 0 '' eval bounce.bx --at 24 ball.position
 call 'eval without a file' 2 'FILE' eval --at 1f
