@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands of a history that cannot be carried out again. A file beside the script keeps them, so that nothing is lost
-// and the other commands can be carried out.
+// Commands of a history that fail when they are carried out again. A file beside the script keeps them, so that nothing
+// is lost and the other commands can run.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ std::string set_aside_path(const std::string& script);
 // Adds commands to that file, each below a remark with the reason. A command that the file has already is not added
 // again. The file is on the disk when this returns. Errors: file, machine.
 Status set_aside(const std::string& script, std::span<const SetAside> commands);
-// A text without the lines that have errors, each with its rows.
+// A text without the lines that have errors and without their rows.
 struct Mended {
   std::string text;
   std::vector<SetAside> lines;
