@@ -15,11 +15,11 @@ namespace betwixt {
 
 // The context of a line.
 struct LineAround {
-  bool in_shell = false;  // complete the words of the shell too
+  bool in_shell = false;                  // complete the words of the shell too
   bool sheet_open = false, list = false;  // rows may follow; the sheet is a display list
   std::string sheet = {};                 // the target of the sheet
-  std::filesystem::path folder = ".";  // file names are relative to it
-  std::vector<std::string> styles = {};  // the styles that exist
+  std::filesystem::path folder = ".";     // file names are relative to it
+  std::vector<std::string> styles = {};   // the styles that exist
 };
 
 // Returns the offset at which the last word of a line begins.

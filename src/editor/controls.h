@@ -43,7 +43,7 @@ class Take {
   struct Touched {
     Target target;
     Time from, last, held;  // its first message, its last change, its last message
-    Value value;  // since the last change
+    Value value;            // since the last change
   };
   struct Covered {
     Target target;

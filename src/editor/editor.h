@@ -37,12 +37,12 @@ struct Point {
 struct Deed {
   bool done = false;  // if false, the line is wrong and `said` has the diagnostics
   Point after;
-  std::string line;  // as the history records it
-  std::string sheet;  // the sheet's lines, if the line is a row
-  bool stamped = false;  // the time in `line` is the time at which it came
-  bool opens = false;  // the line opens a sheet
+  std::string line;         // as the history records it
+  std::string sheet;        // the sheet's lines, if the line is a row
+  bool stamped = false;     // the time in `line` is the time at which it came
+  bool opens = false;       // the line opens a sheet
   std::size_t touched = 0;  // the number of things its pattern matches, if more than one
-  Diagnostics said;  // a diagnostic without a file is about the line itself
+  Diagnostics said;         // a diagnostic without a file is about the line itself
 };
 
 // A step of an earlier session that can no longer be carried out.
@@ -79,7 +79,7 @@ class Editor {
   void allow(const LoadOptions& options) { options_ = options; }
 
   const Point& now() const { return now_; }
-  void count(const Counts& counts) { now_.counts = counts; }  // of the current document
+  void count(const Counts& counts) { now_.counts = counts; }                  // of the current document
   const std::string& base() const { return base_; }                           // the author's text
   std::span<const Step> steps() const { return {steps_.data(), standing_}; }  // steps that can be undone …
   std::span<const Step> undone() const {
@@ -138,10 +138,10 @@ class Editor {
   Point now_;
   std::vector<Step> steps_;
   std::size_t standing_ = 0;
-  std::deque<Past> before_;  // of the last standing steps; the newest is the last
+  std::deque<Past> before_;   // of the last standing steps; the newest is the last
   std::vector<Past> undone_;  // after the undone steps; the next redo is the last
-  std::size_t bytes_ = 0;  // of before_ and undone_
-  bool heavy_ = false;  // the last forgotten state was dropped because of its bytes
+  std::size_t bytes_ = 0;     // of before_ and undone_
+  bool heavy_ = false;        // the last forgotten state was dropped because of its bytes
 };
 
 }  // namespace betwixt

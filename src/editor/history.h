@@ -19,7 +19,7 @@ namespace betwixt {
 
 // Steps without their documents.
 struct StepList {
-  std::vector<Step> all;  // standing steps, then the undone ones; the next redo comes first
+  std::vector<Step> all;     // standing steps, then the undone ones; the next redo comes first
   std::size_t standing = 0;  // the number of standing steps
   std::span<const Step> stand() const { return {all.data(), standing}; }
   std::span<const Step> undone() const { return std::span(all).subspan(standing); }
@@ -30,9 +30,9 @@ struct StepList {
 struct Kept {
   std::string base;  // the text before the steps: the script, or the part of it before the steps that were saved
   StepList steps;
-  std::string remarks;  // one line each
+  std::string remarks;   // one line each
   bool goes_on = false;  // the journal has these steps, and can be appended to
-  std::string script;  // the whole text of the file
+  std::string script;    // the whole text of the file
 };
 
 // Finishes a checkpoint that was interrupted after the script was replaced and before the journal was: rewrites the
@@ -100,7 +100,7 @@ class History {
   std::string path_;
   std::unique_ptr<Journal> journal_;
   std::optional<Fingerprint> known_;  // of the file when it was last read or written; nullopt if there was none
-  bool others_ = false;  // the file existed before this history
+  bool others_ = false;               // the file existed before this history
   std::size_t bytes_ = 0, length_ = 0;
 };
 

@@ -68,9 +68,9 @@ class Journal {
   }  // the text before the records; nullopt if there was no journal
   const std::vector<Record>& records() const { return records_; }
   void forget() { records_ = {}; }
-  bool foreign() const { return foreign_; }  // the file is no journal
+  bool foreign() const { return foreign_; }   // the file is no journal
   std::size_t torn() const { return torn_; }  // bytes of an incomplete record at the end
-  bool damaged() const { return damaged_; }  // the incomplete record was not just cut off
+  bool damaged() const { return damaged_; }   // the incomplete record was not just cut off
 
   // Replaces the journal by another. On failure the old one is unchanged.
   Status begin(const Fingerprint& base, std::span<const Record> records = {});

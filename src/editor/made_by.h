@@ -13,11 +13,11 @@
 namespace betwixt {
 
 struct MadeBy {
-  bool said = false;  // if false, it has its rest value
-  bool events = false;  // it has any, on the whole or on its components
+  bool said = false;        // if false, it has its rest value
+  bool events = false;      // it has any, on the whole or on its components
   bool event_here = false;  // … at this time
-  std::string code;  // the author's code if it computes the value, or ""
-  std::string words;  // "between 1f and 24f, filter noise"; "" at rest
+  std::string code;         // the author's code if it computes the value, or ""
+  std::string words;        // "between 1f and 24f, filter noise"; "" at rest
 };
 // The target must be a whole function of an object.
 MadeBy made_by(const Document&, const Target&, Time);

@@ -15,7 +15,7 @@ struct SaidLine {
   std::string_view text, verb;
   std::vector<std::string> words;  // empty for a comment or a blank line; of a long line only the first words
   bool indented = false;
-  bool open = false;  // a bracket or a """ is open: the line continues
+  bool open = false;     // a bracket or a """ is open: the line continues
   bool several = false;  // the text has more than one line
   bool alone() const { return words.size() == 1; }
 };

@@ -59,10 +59,11 @@ struct Session::State {
   bool in_place = false;  // edits change the author's text; if false, they are appended to it
   PlacedText placed;
   Diagnostics of_text;  // diagnostics of the author's text
-  std::size_t journal_knows = 0, journal_undid = 0;  // how many of the last standing steps, and of the undone ones, the journal has
-  int lines = 0;  // entered until now
-  Program program;  // of the last document in which code was tried
-  bool quiet = false;  // does not report the number of matches of a pattern
+  std::size_t journal_knows = 0,
+              journal_undid = 0;   // how many of the last standing steps, and of the undone ones, the journal has
+  int lines = 0;                   // entered until now
+  Program program;                 // of the last document in which code was tried
+  bool quiet = false;              // does not report the number of matches of a pattern
   std::set<std::string> problems;  // of code, already reported
   std::map<std::string, int, std::less<>> failed;  // names that refused lines would have made, with the line numbers
 
@@ -119,7 +120,7 @@ struct Session::State {
 
   // session_opening.cpp: beginning a session, or continuing an earlier one
   struct Opening {
-    std::string name, text;  // the current text of the file
+    std::string name, text;            // the current text of the file
     std::optional<Fingerprint> print;  // … nullopt if the file does not exist
     std::string said;
   };

@@ -25,7 +25,7 @@ enum class Did : char { command = 'c', undo = 'u', redo = 'r', save = 's', check
 bool stands_below(const Step&, const Step* above);
 // Returns the lines of a step one by one: its sheet first, unless the step continues the one above.
 std::vector<std::string> lines_of(const Step&, const Step* above);
-std::size_t bytes_of(const Step&);  // of its text
+std::size_t bytes_of(const Step&);   // of its text
 std::size_t memory_of(const Step&);  // of the step and all that it owns
 
 // Returns the author's text, followed by every step.

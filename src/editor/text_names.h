@@ -45,7 +45,7 @@ struct MadeName {
 struct NameAt {
   std::string name;  // man/arm if the cursor is on `arm` of man/arm/hand
   NameKind kind = NameKind::thing;
-  Span span;  // of the whole name
+  Span span;             // of the whole name
   bool pattern = false;  // it is a pattern, and not a name itself
 };
 

@@ -40,9 +40,9 @@ Completions completions_at(const TextLines&, std::size_t place, const Document&,
 
 // The symbols of a text in order: names that lines define, and sheets.
 struct TextSymbol {
-  std::string name, detail;  // as in the text
+  std::string name, detail;      // as in the text
   std::optional<NameKind> made;  // nullopt for a sheet
-  Span word, whole;  // `whole`: full lines, with the rows below
+  Span word, whole;              // `whole`: full lines, with the rows below
 };
 std::vector<TextSymbol> symbols(const TextLines&);
 
