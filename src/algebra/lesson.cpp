@@ -71,7 +71,7 @@ std::string symbols_json(const Motion& motion) {
                      json_list(symbols->sums, sum));
 }
 
-// The same for one factor, with the letters that it has in the whole string.
+// Returns the same for one factor, with the letters that it has in the whole string.
 std::string symbols_json(const Motion& motion, std::size_t factor) {
   Motion alone = motion;
   for (std::size_t i = 0; i < alone.factors.size(); ++i)

@@ -64,7 +64,7 @@ class OpenFile {
 
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
 
-// Whether a file was read, or why not.
+// The reason why a file could not be read, or none.
 enum class Hindrance { none, missing, folder, special, too_large, system };
 struct FileContents {
   Hindrance hindrance = Hindrance::none;

@@ -63,7 +63,8 @@ class Tape {
     };
     if (samples_)
       (void)decode_sound(
-          path, keep, static_cast<double>(length_) / sound_rate);  // what has no room, or has gone meanwhile, is silent
+          path, keep,
+          static_cast<double>(length_) / sound_rate);  // samples that do not fit or cannot be read stay silent
     const std::lock_guard lock(mutex_);
     ended_ = true;
     changed_.notify_all();
