@@ -13,7 +13,7 @@
 
 namespace betwixt {
 
-// File descriptors for the child's standard input, output and error; -1: no change.
+// File descriptors for the child's standard input, output and error; -1: /dev/null.
 struct ChildFiles {
   int in = -1, out = -1, err = -1;
 };

@@ -26,7 +26,7 @@ class Checkpoint {
   const Result<std::string>& script() const;
   std::string take_script();
   const std::optional<ScriptBeside>& beside() const;  // nullopt if there is no path
-  // Frees steps on a thread of their own, because that may take long.
+  // Frees steps on another thread, because that may take long.
   static void free_beside(std::vector<Step>);
   std::size_t steps() const { return steps_; }
 

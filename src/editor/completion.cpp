@@ -32,9 +32,7 @@ struct Begun {
   bool timed = false, layered = false;
   bool row = false, in_list = false;
   bool timed_next() const { return !words.empty() && words.back() == "at"; }
-  std::size_t place() const {
-    return words.empty() ? 0 : words.size() - 1;
-  }  // the index among the words after the verb
+  std::size_t place() const { return words.empty() ? 0 : words.size() - 1; }  // index after the verb
 };
 
 // Words that depend only on the verb and on the place after it.

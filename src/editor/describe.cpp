@@ -109,7 +109,7 @@ std::string in_brief(const Document& d, const Object& o, FunctionId f) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-// The objects around environments and layers, by number. Found once for all objects that are described.
+// Members of environments, and objects under layers, by object number. Found once for everything that is described.
 using Lists = std::unordered_map<std::uint32_t, std::string>;
 struct About {
   const Program& program;

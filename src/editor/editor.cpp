@@ -69,7 +69,7 @@ std::optional<Point> Editor::carried_out(const Point& from, const std::string& l
   Scene scene = from.document.scene();
   Diagnostics said;
   Script script(scene, said, options_, from.script, home_);
-  script.live = false;  // many lines have the same diagnostics
+  script.live = false;  // caches pay off: many lines look up the same names
   read_line(scene, script, lines, home_.name);
   if (has_errors(said)) return std::nullopt;
   return Point{Document(std::make_shared<const Scene>(std::move(scene))), script};

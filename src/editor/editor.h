@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The undo stack of a document. A command is carried out on a copy, then taken; it can be undone and redone. The shell
-// and the clients of a server use the same editor. A sink may record every step.
+// The undo stack of a document. A command is carried out on a copy, then taken; it can be undone and redone. A step
+// stands until it is undone. The shell and the clients of a server use the same editor. A sink may record every step.
 #pragma once
 
 #include <cstddef>
@@ -81,7 +81,7 @@ class Editor {
   const Point& now() const { return now_; }
   void count(const Counts& counts) { now_.counts = counts; }                  // of the current document
   const std::string& base() const { return base_; }                           // the author's text
-  std::span<const Step> steps() const { return {steps_.data(), standing_}; }  // steps that can be undone …
+  std::span<const Step> steps() const { return {steps_.data(), standing_}; }  // not undone
   std::span<const Step> undone() const {
     return {steps_.begin() + static_cast<std::ptrdiff_t>(standing_), steps_.end()};
   }

@@ -99,7 +99,7 @@ std::string about(const NamedProcedure& p) {
   return out + ".";
 }
 
-// "frequency=2 damping=0.3"; a parameter without a default has no number
+// Returns "frequency=2 damping=0.3"; an infinite default is left out.
 std::string written_parameters(const FilterSpec& f) {
   std::string out;
   for (const FilterParameter& p : f.parameters) {

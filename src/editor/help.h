@@ -24,7 +24,7 @@ struct HelpEntry {
 
 std::span<const HelpEntry> help_entries();
 std::vector<std::string_view> words_with_help();  // including those that only lead to other words; for near misses
-std::vector<HelpEntry> shell_entries();           // those for which the shell has its own text
+std::vector<HelpEntry> shell_entries();           // of the words that only the shell has
 
 // Returns the sentence about a word, or about a key with its sign; "" if it is unknown.
 std::string_view sentence_of(std::string_view word);

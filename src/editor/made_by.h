@@ -24,14 +24,15 @@ MadeBy made_by(const Document&, const Target&, Time);
 
 // Returns the events of a function, or of any of its components, nearest to a time: the one before and the one after.
 std::pair<std::optional<Time>, std::optional<Time>> events_beside(const Document&, const Target&, Time);
-// Returns true if each component has a track of its own.
+// Returns true if a component has a track of its own.
 bool in_components(const Document&, const Target&);
-// Returns the twerper word for a new event, with a blank before it: " auto" if the track is smooth there, which it may
-// be far from its events; the word of the event before, if that is a plain word; "" if none is needed.
+// Returns the twerper word for a new event, with a blank before it: that of the event before, if it is a plain word;
+// otherwise " auto" if the default is smooth, as a smooth curve can overshoot its events far; "" if none is needed.
 std::string way_of_new_event(const Document&, const Target&, Time);
 // Returns "at 24f ball.radius 2 auto" if the function has events, "set ball.radius 2" otherwise.
 std::string line_that_sets(const Document&, const Target&, Time, const std::string& value);
-// Returns "couple ball to hand keep-world", with the time after the film's first frame and if attachments vary in time.
+// Returns a line such as "couple ball to hand keep-world". It has `at TIME` after the film's first frame, for `letgo`,
+// and if the object has attachment events.
 std::string line_that_holds(const Document&, ObjectId, Time, const Attachment&);
 
 }  // namespace betwixt

@@ -29,7 +29,7 @@ struct Changed {
 };
 struct Changes {
   std::vector<Changed> events;
-  std::vector<std::pair<Target, std::string>> set;  // values set
+  std::vector<std::pair<Target, std::string>> set;  // targets and new values
 };
 
 // Compares the events of a target in two documents. Events with a shared value are equal and are skipped.
@@ -120,7 +120,7 @@ class Placing {
   }
 
  private:
-  using Place = std::pair<SheetText*, std::size_t>;  // the index of a row in its sheet
+  using Place = std::pair<SheetText*, std::size_t>;  // a row: its sheet and its index
 
   // Returns all rows that give the event, in the order of the text.
   std::vector<Place> rows_of(const Target& t, Time time) {

@@ -116,9 +116,9 @@ Result<std::vector<TextSpan>> renaming(std::span<const FilmText> texts, const Te
   const bool alias = scene.aliases->contains(name.name);
   const bool stands = scene.names.find(name.name) || scene.lists->contains(name.name);
   const bool same =
-      errors_in(then) <= errors_in(film) && (name.kind != NameKind::thing || alias ||
-                                             (stands ? makes_the_same(texts, name, to, then, load)
-                                                     : then.document == film.document));  // the text deletes it again
+      errors_in(then) <= errors_in(film) &&
+      (name.kind != NameKind::thing || alias ||
+       (stands ? makes_the_same(texts, name, to, then, load) : then.document == film.document));  // deleted later
   if (same) return places;
   return fail(
       ErrorCode::name,

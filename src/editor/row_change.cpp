@@ -54,7 +54,7 @@ class Looking {
   }
 
  private:
-  // Written in flicks, because every time is a whole number of them.
+  // Formats the time; reads_back() checks that the text is exact.
   std::string exact(Time t) const { return format_time(t, document_); }
   bool reads_back(Time t) const {
     const auto again = parse_time(exact(t), document_);

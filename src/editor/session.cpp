@@ -56,8 +56,7 @@ std::optional<std::size_t> Session::State::choose(const std::string& question,
     const std::string_view word = trimmed(*answer);
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < choices.size(); ++i)
-      if (!word.empty() && choices[i].starts_with(word))
-        found = i;  // if several choices match, the count below rejects them
+      if (!word.empty() && choices[i].starts_with(word)) found = i;  // valid if the count below is 1
     for (std::size_t i = 0; i < choices.size(); ++i)
       if (choices[i] == word) return i;
     const auto begins = [&](std::string_view c) { return !word.empty() && c.starts_with(word); };

@@ -52,20 +52,19 @@ struct Session::State {
   Tally tally;
   std::optional<Fingerprint> known;  // of the file when it was last read or written; nullopt if there was none
   std::unique_ptr<Journal> journal;
-  std::vector<std::string> drawn;  // files written by this session are replaced without a question
+  std::vector<std::string> drawn;  // plots of this session, replaced without a question
   bool looks_only = false;
   bool sheet_refused = false;  // the last sheet was refused, so its rows are refused too
   bool ended = false;
   bool in_place = false;  // edits change the author's text; if false, they are appended to it
   PlacedText placed;
-  Diagnostics of_text;  // diagnostics of the author's text
-  std::size_t journal_knows = 0,
-              journal_undid = 0;   // how many of the last standing steps, and of the undone ones, the journal has
-  int lines = 0;                   // entered until now
-  Program program;                 // of the last document in which code was tried
-  bool quiet = false;              // does not report the number of matches of a pattern
-  std::set<std::string> problems;  // of code, already reported
-  std::map<std::string, int, std::less<>> failed;  // names that refused lines would have made, with the line numbers
+  Diagnostics of_text;                               // diagnostics of the author's text
+  std::size_t journal_knows = 0, journal_undid = 0;  // last standing and undone steps that the journal has
+  int lines = 0;                                     // entered until now
+  Program program;                                   // of the last document in which code was tried
+  bool quiet = false;                                // does not report the number of matches of a pattern
+  std::set<std::string> problems;                    // of code, already reported
+  std::map<std::string, int, std::less<>> failed;    // names that refused lines would have made, with the line numbers
 
   const Document& document() const { return editor.now().document; }
   bool sheet_open() const { return editor.now().script.left != nullptr; }

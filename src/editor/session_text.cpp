@@ -127,7 +127,7 @@ Session::Answer Session::State::rewrite(std::string_view line) {
   return done(has_errors(of_text) ? "the script has errors\n" : "");
 }
 
-// Begins a new journal after the file changed, with the difference between the file and the session's text.
+// Begins a new journal on the current file, with one record that turns it into the session's text.
 Status Session::State::go_on_from_file() {
   if (looks_only || file.empty()) return Nothing{};
   const auto there = read_script(file);

@@ -98,8 +98,7 @@ Answer Session::State::eval(const Words& w) {
       patterns.push_back(w[i]);
       continue;
     }
-    const bool bare =
-        w[i].find_first_not_of("0123456789.-") == std::string::npos;  // a bare number is a frame, as for `play`
+    const bool bare = w[i].find_first_not_of("0123456789.-") == std::string::npos;  // frames, as for `play`
     const Result<Time> t = parse_time(bare ? w[i] + "f" : w[i], document());
     if (!t) return refused(t.error());
     times.emplace_back(w[i], *t);
