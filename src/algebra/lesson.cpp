@@ -31,7 +31,7 @@ std::string json_rows(const Mat4& m) {
   return json_list(numbers);
 }
 
-// Reads a motion, whether it can be shown or not.
+// Reads a motion, even one that cannot be shown.
 Result<Motion> understood(std::string_view text) {
   auto motion = parse_motion(text);
   if (!motion) return motion;

@@ -10,7 +10,7 @@
 
 namespace betwixt {
 
-// Returns whether a byte begins a character, and does not continue one.
+// Returns true if a byte begins a character.
 inline bool begins_character(char byte) { return (byte & 0xC0) != 0x80; }
 
 std::size_t count_characters(std::string_view);

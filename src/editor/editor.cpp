@@ -168,8 +168,8 @@ Status Editor::redo() {
   return Nothing{};
 }
 
-// Keeps no document between two steps, so that they take as long as a script with the same lines. If one step fails,
-// each half is carried out by itself.
+// Keeps no document between two steps, so that they are as fast as a script with the same lines. If a step fails,
+// carries out each half separately.
 void Editor::settle_all(std::span<const Step> steps, std::size_t number, std::vector<LeftOut>& left_out) {
   if (steps.empty()) return;
   if (steps.size() == 1) {

@@ -114,7 +114,7 @@ struct Reading {
     if (verb == "create" && place == 2 && find_kind(w)) return Meaning::kind;
     if (verb == "define" && place == 1) return Meaning::function;
     if (verb == "filter" && place == 2 && find_filter(w)) return Meaning::twerper;
-    if (row && find_verb(w)) return Meaning::verb;  // attach to hand
+    if (row && find_verb(w)) return Meaning::verb;  // as in `attach to hand`
     if (is_option(w)) return Meaning::option;
     if (is_twerper(w, scene)) return Meaning::twerper;
     if (named_color(w)) return Meaning::color;

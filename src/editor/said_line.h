@@ -23,7 +23,7 @@ struct SaidLine {
 SaidLine look_at(std::string_view text, std::size_t most = std::string_view::npos);
 
 bool is_verb(std::string_view word);  // of the language
-// Whether a bracket or a """ is open.
+// Returns true if a bracket or a """ is open.
 bool goes_on(std::string_view text);
 
 }  // namespace betwixt
