@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a browser shows between two lists of CSS transforms, and when one is added to the other.
+// Computes what a browser shows between two lists of CSS transforms, and the sum of two lists.
 #include <algorithm>
 
 #include "algebra/matrix_parts.h"

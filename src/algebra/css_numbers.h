@@ -36,7 +36,7 @@ struct CssNumbers : Cursor {
   bool number(double&);
   std::string_view unit();
   bool pixels(double& number, std::string_view unit, std::size_t from, std::size_t unit_from, Part percent_of);
-  // Whether calc() or the like follows.
+  // Returns true if calc() or the like is next.
   bool at_function() const;
   bool worked_out(double&, Type wanted, Part percent_of);
   bool function(Value&, Part percent_of);

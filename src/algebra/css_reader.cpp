@@ -90,7 +90,7 @@ struct ListReader : algebra::CssNumbers {
     value = a.radians, turned = a;
     return true;
   }
-  // Returns 1 / distance of the eye, of which the least is a pixel.
+  // Reads the distance of the eye, taken as at least one pixel, and sets `nearness` to its inverse.
   bool distance(double& nearness) {
     const std::size_t from = at;
     if (algebra::same_in_css(word(), "none")) return true;

@@ -31,7 +31,7 @@ std::string json_rows(const Mat4& m) {
   return json_list(numbers);
 }
 
-// Reads a motion, whether it can be shown or not.
+// Reads a motion, even one that cannot be shown.
 Result<Motion> understood(std::string_view text) {
   auto motion = parse_motion(text);
   if (!motion) return motion;
@@ -71,7 +71,7 @@ std::string symbols_json(const Motion& motion) {
                      json_list(symbols->sums, sum));
 }
 
-// The same for one factor, with the letters that it has in the whole string.
+// Returns the same for one factor, with the letters that it has in the whole string.
 std::string symbols_json(const Motion& motion, std::size_t factor) {
   Motion alone = motion;
   for (std::size_t i = 0; i < alone.factors.size(); ++i)

@@ -19,7 +19,7 @@ struct MatrixParts {
   std::array<double, 4> sight{0, 0, 0, 1};  // the fourth row of the perspective
 };
 
-// Returns whether a matrix leaves z unchanged.
+// Returns true if the matrix leaves z unchanged.
 bool in_plane(const Mat4&);
 // Decomposes a matrix; nullopt if it is singular. A reflection is along one axis in the plane, in space along all
 // three.

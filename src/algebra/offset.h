@@ -27,7 +27,7 @@ struct Term {
   bool like(const Term& o) const {
     return drift == o.drift && turns == o.turns && log_x == o.log_x && log_y == o.log_y;
   }
-  // Whether the block maps a term to a term.
+  // Returns true if the block maps a term to a term.
   bool takes(const Block& b) const {
     if (b.linear) return !drift && turns.none() && log_x == 0 && log_y == 0;
     return b.turns.none() || log_x == log_y;

@@ -163,7 +163,7 @@ std::vector<double> drift(const Motion& motion, Method method, std::int64_t step
   std::vector<double> exact_x, exact_y;
   for (const Vec3& p : points) {
     x.push_back(static_cast<Number>(p.x)), y.push_back(static_cast<Number>(p.y));
-    // Of the points as the method got them, rounded.
+    // The points as the method got them, rounded.
     exact_x.push_back(static_cast<double>(x.back())), exact_y.push_back(static_cast<double>(y.back()));
   }
   auto run = Steps<Number>::make(motion, steps, method, x, y);

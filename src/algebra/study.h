@@ -43,7 +43,7 @@ struct OtherWay {
     law,      // the linear law in place of the exponential one
   };
   Kind kind = Kind::root;
-  bool beside_linear = false;  // whether it is compared with the motion by the linear law
+  bool beside_linear = false;  // if true, it is compared with the motion by the linear law
   std::vector<Mat4> frames;    // at even times from 0 to 1
   Gap gap;
 };

@@ -151,7 +151,7 @@ std::string sum_text(const std::vector<Term>& sum, const Symbols& symbols) {
   return text;
 }
 
-// The factor of one length; a sum without a length is by itself.
+// The terms with the same length as a factor; terms without a length are a group of their own.
 struct Together {
   std::optional<std::size_t> length;
   std::vector<Term> terms;

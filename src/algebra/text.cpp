@@ -35,7 +35,7 @@ struct MotionReader : algebra::Cursor {
     ++at;
     return true;
   }
-  // The place after the bracket of the last factor.
+  // Returns the place after the bracket of the last factor.
   std::size_t behind() {
     space();
     return at + (peek() == ')' ? 1 : 0);
@@ -52,7 +52,7 @@ struct MotionReader : algebra::Cursor {
     at = from;
     return w;
   }
-  // 'nan' and 'inf' too, which number() then refuses by their names.
+  // Accepts 'nan' and 'inf' too: number() rejects them with an error of its own.
   bool at_number() {
     space();
     const char c = peek();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shared by the readers and writers of motions.
+// Functions shared by the readers and writers of motions.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Base64: bytes as letters, for files that are text.
+// Base64: encodes bytes as letters, for text files.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@
 
 namespace betwixt {
 
-// The files that become its standard input, output and error; -1: none.
+// File descriptors for the child's standard input, output and error; -1: /dev/null.
 struct ChildFiles {
   int in = -1, out = -1, err = -1;
 };
@@ -21,11 +21,11 @@ struct ChildFiles {
 // Starts a program. Arguments are passed one by one, without a shell. The child has a process group of its own, so a
 // Ctrl-C in the terminal goes to this program, which then ends the child. Returns 0, or the errno.
 int start_child(pid_t& pid, const std::vector<std::string>& arguments, ChildFiles);
-// Where a program of that name lies in the folders of $PATH; empty if nowhere.
+// Returns the path of a program that is found in $PATH, or "".
 std::string find_program(const std::string& name);
-// Waits for its end: its status, as of waitpid.
+// Waits for the end of a child. Returns its status as waitpid does.
 int wait_for_child(pid_t);
-// The same with a limit: after it, kills the child and whatever it has started, and returns std::nullopt.
+// Like wait_for_child(pid), with a time limit: then kills the child and all that it has started, and returns nullopt.
 std::optional<int> wait_for_child(pid_t, std::chrono::milliseconds most);
 
 }  // namespace betwixt

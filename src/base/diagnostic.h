@@ -12,14 +12,16 @@
 
 namespace betwixt {
 
-// Its line as a terminal or a page may show it (utf8.h): what stands before the place, and how long the marked part is.
+// The line of a diagnostic, safe to show in a terminal or a page (utf8.h), the text before the place, and the length of
+// the marked part.
 struct ShownLine {
   std::string line, before;
   std::size_t length = 1;
 };
 ShownLine shown_line(const Diagnostic&);
 
-// Gives it the place at which a part, of one line or of several, first stands in a text; where it is not in it, none.
+// Sets the place to the first occurrence of `part` in the text. `part` may have several lines. Does nothing if the text
+// does not contain it.
 void point_at(Diagnostic&, std::string_view text, std::string_view part);
 
 }  // namespace betwixt

@@ -159,7 +159,7 @@ int put_file(const std::string& path, std::string_view bytes, const Putting& how
     if (::stat(place.c_str(), &old) == 0) rights = {old.st_mode & 07777, true};
   }
   std::string part;
-  int reason = EEXIST;  // a file that an earlier process with the same number has left is no obstacle
+  int reason = EEXIST;  // a file left by an earlier process with the same number is no obstacle
   while (reason == EEXIST) reason = make(part = hidden_beside(place), bytes, rights, how.on_disk);
   if (reason != 0) return reason;
   reason = move_to(part, place, how.overwrite);

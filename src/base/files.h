@@ -37,7 +37,7 @@ Status put_in_place(const std::string& from, const std::string& to, bool overwri
 // Returns "the disk is full" and the like, for the system's error about a path.
 Error system_error(int number, const std::string& doing, const std::string& path);
 
-// Returns whether it is a program that we may run.
+// Returns true if the path is a program that we may run.
 bool can_be_run(const std::string& path);
 // Returns the extension of a file's name, without the dot, in lower case.
 std::string ending(const std::string& path);
@@ -64,7 +64,7 @@ class OpenFile {
 
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
 
-// Whether a file was read, or why not.
+// The reason why a file could not be read, or none.
 enum class Hindrance { none, missing, folder, special, too_large, system };
 struct FileContents {
   Hindrance hindrance = Hindrance::none;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Progress of long work. The worker reports it now and then; if no HowFar listens on this thread, that costs the test
+// Progress of long work. The worker reports it now and then; without a HowFar on this thread, a report costs one test
 // of a pointer.
 #pragma once
 

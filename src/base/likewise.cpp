@@ -9,7 +9,7 @@
 namespace betwixt {
 namespace {
 
-// Returns the subject OBJECT.FUNCTION that a message begins with, or "" if it begins with none.
+// Returns the subject OBJECT.FUNCTION of a message, or "" if it has none.
 std::string_view thing_of(std::string_view message) {
   const std::string_view first = message.substr(0, message.find_first_of(": "));
   return first.find('.') == std::string_view::npos || first.size() == message.size() ? std::string_view() : first;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much memory a command may fill with values. Whoever makes what may be large (points, texts, names, code) says how
-// many bytes it has before it is made.
+// A memory limit for the values of a command. Code that makes something large (points, texts, names, code) calls
+// MayMake::ask with the bytes first.
 #pragma once
 
 #include <atomic>
@@ -11,13 +11,13 @@
 
 namespace betwixt {
 
-// Thrown out of work that would make more than it may. It is all done on copies, which go with it.
+// Thrown if the limit would be exceeded. Work changes copies only, so nothing is left of it.
 struct TooMuch {};
 
-// What this thread makes while it lives.
+// Counts what this thread makes during its lifetime.
 class MayMake {
  public:
-  // `all`: the bytes that all threads make under this limit.
+  // `all`: the bytes that all threads have made under this limit.
   MayMake(std::atomic<std::size_t>& all, std::size_t most)
       : all_(all), most_(most), before_(std::exchange(current, this)) {}
   ~MayMake() {

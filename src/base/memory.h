@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How many bytes of the heap things hold beside themselves.
+// Heap sizes: the bytes that a value owns outside itself.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace betwixt {
 
-// The size of an allocation of `bytes`: the allocator adds their number and rounds up to a multiple of 16.
+// Returns the size of an allocation of `bytes`: the allocator adds a header and rounds up to a multiple of 16.
 constexpr std::size_t in_heap(std::size_t bytes) {
   return bytes == 0 ? 0 : std::max<std::size_t>(32, (bytes + 8 + 15) / 16 * 16);
 }
@@ -22,16 +22,16 @@ template <class T, class A>
 std::size_t bytes_held(const std::vector<T, A>& v) {
   return in_heap(v.capacity() * sizeof(T));
 }
-// Each element of a map has a node: a colour and three pointers beside it.
+// Each element of a map has a node with a colour and three pointers.
 template <class K, class T, class C>
 std::size_t bytes_held(const std::map<K, T, C>& m) {
   return m.size() * in_heap(sizeof(typename std::map<K, T, C>::value_type) + 4 * sizeof(void*));
 }
-// A short one fits into the string itself.
+// A short string has no allocation.
 inline std::size_t bytes_held(const std::string& s) {
   return s.capacity() > std::string().capacity() ? in_heap(s.capacity() + 1) : 0;
 }
-// The block of a shared pointer: the object, a pointer to a table of functions and two counts.
+// The control block of a shared pointer: the object, a pointer to its table of functions, and two counts.
 template <class T>
 constexpr std::size_t shared_bytes = in_heap(sizeof(T) + sizeof(void*) + 2 * sizeof(int));
 

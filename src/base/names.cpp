@@ -16,7 +16,7 @@ namespace {
 bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
-// The index of the brace that closes the one at `open`, or npos.
+// Returns the index of the brace that closes the one at `open`, or npos.
 std::size_t closing(std::string_view s, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < s.size(); ++i) {
@@ -47,10 +47,10 @@ bool whole_number(std::string_view s, long& out) {
   return r.ec == std::errc{} && r.ptr == s.data() + s.size();
 }
 
-// Matching takes its length times that of a name.
+// The time of a match grows with the product of the pattern's and the name's lengths.
 constexpr std::size_t longest_pattern = 4000;
 
-// One brace group's alternatives: the numbers of a..b, or the parts between commas.
+// Returns the alternatives of one brace group: the numbers of a..b, or the parts between commas.
 Result<std::vector<std::string>> alternatives(std::string_view body, std::size_t most) {
   std::vector<std::string> out;
   const auto dots = body.find("..");

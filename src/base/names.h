@@ -13,7 +13,7 @@
 
 namespace betwixt {
 
-// Returns whether it is a name: a letter, then letters, digits, '-', '_' and '/' (not at an end, not doubled).
+// Returns true for a name: a letter, then letters, digits, '-', '_' and '/' (not at an end, not doubled).
 bool is_name(std::string_view);
 bool is_pattern(std::string_view);  // has one of * ? [ {
 
@@ -22,7 +22,7 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
 // Returns how many alternatives each {…} of a pattern has, the leftmost first; the last one varies fastest. Braces must
 // not be nested. Returns an empty list if there are none.
 std::vector<std::size_t> brace_ranges(std::string_view pattern);
-// Returns whether a pattern with * ? [a-c] matches; * and ? do not match '/' and '.'. The pattern has no braces left.
+// Returns true if a pattern with * ? [a-c] matches; * and ? do not match '/' and '.'. The pattern has no braces left.
 bool matches(std::string_view pattern, std::string_view name);
 
 // Orders ball2 before ball10: runs of digits compare as numbers.

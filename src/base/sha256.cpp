@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t block = 64;
 
-// The first 32 bits of the fractions of the first primes' square roots, and of their cube roots.
+// The first 32 bits of the fractional parts of the first primes' square roots, and of their cube roots.
 constexpr std::array<std::uint32_t, 8> begins{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                                               0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
 constexpr std::array<std::uint32_t, 64> constants{

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// SHA-256, as of FIPS 180-4.
+// SHA-256 according to FIPS 180-4.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cancellation and time slices for long work, whose client may leave, or which must wait while others need less. The
-// work asks now and then whether it is still wanted; if not, it is aborted. It changes copies only, so nothing is left
-// of it.
+// Cancellation token and time slices for long work. The client may leave, or the work may have to give way to shorter
+// work. The work checks now and then whether it is still wanted; if not, it is aborted. It changes copies only, so
+// nothing is left of it.
 #pragma once
 
 #include <time.h>
@@ -37,9 +37,9 @@ class StillWanted {
   static void ask() {
     if (!wanted()) throw NotWanted{};
   }
-  // The same, where nothing may be thrown.
+  // Like ask(), for code that must not throw.
   static bool wanted() { return !current || current->goes_on(); }
-  // What this thread has taken of a processor.
+  // Returns the processor time that this thread has used.
   static std::chrono::nanoseconds used() {
     timespec t{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

@@ -9,8 +9,8 @@
 
 namespace betwixt {
 
-// With all that a terminal would obey made visible (utf8.h). In colours where that is wanted: "error:", "warning:" and
-// "notice:", what stands before them, and carets.
+// Prints a text with its control characters made visible (utf8.h). If colours are on, it colours "error:", "warning:"
+// and "notice:", the place before them, and carets.
 void tell_user(std::string_view text);
 
 enum class Colours { automatic, always, never };

@@ -10,7 +10,7 @@
 
 namespace betwixt {
 
-// Returns whether a byte begins a character, and does not continue one.
+// Returns true if a byte begins a character.
 inline bool begins_character(char byte) { return (byte & 0xC0) != 0x80; }
 
 std::size_t count_characters(std::string_view);
@@ -20,16 +20,16 @@ std::string_view first_characters(std::string_view, std::size_t count);
 // Returns the number of bytes of the character at `i`, or 0 if it is not valid UTF-8.
 std::size_t character_length(std::string_view, std::size_t i);
 
-// Whether nobody sees the character, and it changes how others are shown: controls, line separators, characters that
-// turn the direction of writing.
+// Returns true for invisible characters that change how others appear: controls, line separators, and those that change
+// the direction of writing.
 bool is_hidden(char32_t);
-// The character at `i`, of so many bytes.
+// Returns the character at `i`, which has `length` bytes.
 char32_t character_at(std::string_view, std::size_t i, std::size_t length);
 
 // Returns the text as a terminal or a log may show it: control characters, line separators, characters that turn the
 // direction of writing and bytes that are no UTF-8 are written as \x1b or \u{202e}. Tabs stay if `tabs` is set.
 std::string visible(std::string_view, bool tabs = false);
-// The same; line ends and tabs stay.
+// Like visible(), but keeps line ends and tabs.
 std::string visible_lines(std::string_view);
 
 // Returns a text that a film may have. Bytes that are not UTF-8, and control characters other than tabs and line ends,

@@ -26,10 +26,10 @@ struct Checkpoint::Work {
   std::atomic<bool> done{false};
 
   void run() {
-    ::setpriority(PRIO_PROCESS, 0, after_all_others);  // of this thread alone
+    ::setpriority(PRIO_PROCESS, 0, after_all_others);  // of this thread only
     try {
       work();
-    } catch (const std::exception& e) {  // memory that is not to be had
+    } catch (const std::exception& e) {  // out of memory
       script = fail(ErrorCode::machine, e.what());
     }
     document = {};
@@ -58,7 +58,7 @@ Checkpoint::Checkpoint(Document document, std::size_t steps, std::string name, s
   work_->name = std::move(name), work_->path = std::move(path);
   try {
     std::thread([work = work_] { work->run(); }).detach();
-  } catch (const std::system_error&) {  // no thread is to be had
+  } catch (const std::system_error&) {  // no thread could be started
     work_->done = true;
   }
 }
@@ -71,7 +71,7 @@ const std::optional<ScriptBeside>& Checkpoint::beside() const { return work_->be
 void Checkpoint::free_beside(std::vector<Step> steps) {
   try {
     std::thread([gone = std::move(steps)] {}).detach();
-  } catch (const std::system_error&) {  // no thread is to be had: they are free now
+  } catch (const std::system_error&) {  // no thread could be started: they are freed here
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the last word of a line can become.
+// Completion of the last word of a line.
 #include "editor/completion.h"
 
 #include <fmt/format.h>
@@ -23,23 +23,23 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// A line up to its last word, and that. `at TIME` and `on LAYER` are taken off its words.
+// A line, split into its last word and the words before it, without `at TIME` and `on LAYER`.
 struct Begun {
   Words words;
   std::string verb;  // may be empty
   std::string_view last;
-  std::string key;  // a value is due behind key=
+  std::string key;  // of key=, if the last word is its value
   bool timed = false, layered = false;
   bool row = false, in_list = false;
   bool timed_next() const { return !words.empty() && words.back() == "at"; }
-  std::size_t place() const { return words.empty() ? 0 : words.size() - 1; }  // among the words behind the verb
+  std::size_t place() const { return words.empty() ? 0 : words.size() - 1; }  // index after the verb
 };
 
-// What follows by a verb alone, at a place behind it.
+// Words that depend only on the verb and on the place after it.
 struct Following {
   std::string_view verb;
   std::size_t place;
-  std::string_view words;  // with blanks between
+  std::string_view words;  // separated by blanks
 };
 constexpr Following following[] = {
     {"policy", 0, "translate ignore ask"},
@@ -102,7 +102,7 @@ void split(std::string_view words, char between, Words& all) {
   }
 }
 
-// The words of a line; what stands in brackets is one with what stands before them.
+// Splits a line into words. Brackets belong to the word before them.
 Words whole_words(std::string_view text) {
   Words all;
   long open = 0;
@@ -117,7 +117,7 @@ Words whole_words(std::string_view text) {
   return all;
 }
 
-// Behind the first dot of a target: functions; behind the second: components.
+// Completes functions after the first dot of a target, components after the second.
 void parts_of_target(const Document& d, std::string_view last, bool asking, Words& all) {
   const Scene& s = d.scene();
   const std::size_t dot = last.find('.');
@@ -136,7 +136,7 @@ void parts_of_target(const Document& d, std::string_view last, bool asking, Word
     const auto f = find_function(s, kind, name);
     const Type type = f ? spec_of(s, *f).type : Type::vector;
     if (!f && !(asking && name == "world")) continue;
-    const bool below = last.substr(behind + 1).find('.') != std::string_view::npos;  // behind a component
+    const bool below = last.substr(behind + 1).find('.') != std::string_view::npos;  // after a component
     if (!below)
       for (int i = 0; i < component_count(type); ++i)
         all.push_back(fmt::format("{}.{}", whole, component_name(type, i)));
@@ -166,13 +166,13 @@ void objects_of(const Scene& s, Kind kind, Words& all) {
     if (!s.objects[i].removed && s.objects[i].kind == kind) all.push_back(s.objects[i].name);
 }
 
-// Names that `let` gave, of colours or of all else.
+// The names defined by `let`: those of colours, or all others.
 void let_names(const Scene& s, bool colors, Words& all) {
   for (const auto& [name, value] : *s.lets)
     if (std::holds_alternative<Color>(value) == colors) all.push_back(name);
 }
 
-// A word that a value of a function can begin with.
+// The words with which a value of the function can begin.
 void value_words(const Document& d, const FunctionSpec& spec, Words& all) {
   const auto words = [&](std::string_view these) { split(these, ' ', all); };
   split(spec.words, '|', all);
@@ -208,7 +208,7 @@ void value_words(const Document& d, const FunctionSpec& spec, Words& all) {
   }
 }
 
-// How an event goes on.
+// The twerpers that can follow an event's value.
 void ways(const Scene& s, Type type, Words& all) {
   for (const TwerperRow& t : twerpers())
     if (const auto known = find_twerper(t.name); known && fits(*known, type)) all.emplace_back(t.name);
@@ -217,7 +217,7 @@ void ways(const Scene& s, Type type, Words& all) {
   if (row_of(type).tangents) split("tangent= tangent-in= tangent-out= handle-in= handle-out=", ' ', all);
 }
 
-// Behind an event's target: a value, and behind that how it goes on.
+// The words after an event's target: a value, then its twerper.
 void event_words(const Document& d, const std::string& target, bool value_due, Words& all) {
   const auto found = find_targets(target, d);
   if (!found || found->empty() || found->front().query()) return;
@@ -246,7 +246,7 @@ void parameters(const Document& d, const Begun& b, Words& all) {
   if (b.verb == "fall" && b.place() >= 1) split("delay= gravity= ground= bounce= for", ' ', all);
 }
 
-// The word that a command, or a word of the shell, begins with.
+// The first words of a command or of a shell line.
 void first_words(const Begun& b, bool in_shell, Words& all) {
   const unsigned wanted = (b.timed ? Verb::timed : 0u) | (b.layered && !b.timed ? Verb::layered : 0u);
   for (const std::string_view w : verb_words(wanted)) all.emplace_back(w);
@@ -265,7 +265,7 @@ bool takes_color(const Begun& b) {
   return (first && b.place() == 0) || (b.verb == "background" && b.place() == 2);
 }
 
-// Whether the verb's words are said by it alone; else names of objects may stand there too.
+// Adds the words that depend on the verb. Returns false if names of objects can come there too.
 bool by_verb(const Document& d, const Begun& b, const LineAround& around, Words& all) {
   const Scene& s = d.scene();
   const std::size_t before = all.size();
@@ -287,7 +287,7 @@ bool by_verb(const Document& d, const Begun& b, const LineAround& around, Words&
   return all.size() > before || (b.verb == "create" && b.place() < 2);
 }
 
-// Where a time or a number is due, or nothing at all.
+// Returns true if a time, a number or nothing comes next.
 bool nothing_known(const Begun& b) {
   static constexpr std::string_view of_numbers[] = {"at",   "rate", "ticks", "range", "note",    "play",
                                                     "undo", "redo", "exit",  "quit",  "exposure"};
@@ -313,7 +313,7 @@ void offered(const Document& d, const Begun& b, const LineAround& around, Words&
   for (const std::string& name : d.names()) all.push_back(name);
 }
 
-// Takes `at TIME` and `on LAYER` off.
+// Removes `at TIME` and `on LAYER`.
 void take_off(Begun& b) {
   while (b.words.size() >= 2 && (b.words[0] == "at" || b.words[0] == "on")) {
     (b.words[0] == "at" ? b.timed : b.layered) = true;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the last word of a line can become, at a shell and in a script that somebody writes.
+// Completion of the last word of a line, at the shell and in a script editor.
 #pragma once
 
 #include <filesystem>
@@ -13,18 +13,18 @@
 
 namespace betwixt {
 
-// Where a line stands.
+// The context of a line.
 struct LineAround {
-  bool in_shell = false;                  // its words count too
-  bool sheet_open = false, list = false;  // rows may follow; those of a display list
+  bool in_shell = false;                  // complete the words of the shell too
+  bool sheet_open = false, list = false;  // rows may follow; the sheet is a display list
   std::string sheet = {};                 // the target of the sheet
-  std::filesystem::path folder = ".";     // in which files are looked for
-  std::vector<std::string> styles = {};   // that there are
+  std::filesystem::path folder = ".";     // file names are relative to it
+  std::vector<std::string> styles = {};   // the styles that exist
 };
 
-// Where the last word of a line begins.
+// Returns the offset at which the last word of a line begins.
 std::size_t begun_word(std::string_view line);
-// All that it can become, in order.
+// Returns all completions of the last word, sorted.
 std::vector<std::string> completions(std::string_view line, const Document&, const LineAround&);
 
 }  // namespace betwixt

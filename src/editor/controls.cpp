@@ -19,10 +19,10 @@
 namespace betwixt {
 namespace {
 
-// What a control stands still for, seconds, before it moves again is a rest and no part of a movement.
+// A control that has not changed for this long, in seconds, has rested: the value holds until it moves again.
 constexpr double rest = 0.1;
 
-// The number with the fewest digits that is nearer than `within`.
+// Returns the number with the fewest digits that differs from v by less than `within`.
 double shortest(double v, double within) {
   if (!(within > 0)) return v;
   char text[40];
@@ -42,7 +42,7 @@ std::string in_words(std::size_t count) {
   return count < 4 ? std::string(words[count]) : fmt::format("{} numbers", count);
 }
 
-// Angles come in degrees, as in a script.
+// Messages give angles in degrees, as scripts do.
 Value made_of(Type type, std::span<const double> n) {
   std::array<double, 4> held{};
   for (std::size_t i = 0; i < n.size(); ++i) held[i] = row_of(type).angles ? n[i] * (pi / 180) : n[i];
@@ -50,7 +50,7 @@ Value made_of(Type type, std::span<const double> n) {
   return std::holds_alternative<bool>(v) ? Value(n[0] >= 0.5) : v;  // a fader has a middle
 }
 
-// What lies beyond what is possible becomes the nearest that is not: a control knows no limits.
+// Clamps a value to the limits of its function: a control does not know them.
 Value within(const FunctionSpec& spec, Value v) {
   const auto limit = [&](double& d) { d = std::clamp(d, spec.low, spec.high); };
   if (auto* d = std::get_if<double>(&v)) limit(*d);
@@ -62,7 +62,7 @@ Value within(const FunctionSpec& spec, Value v) {
   return v;
 }
 
-// The value in as few digits as what it was made of deserves: `within`, each of its numbers', as an author writes them.
+// Returns the value with as few digits as the tolerance of each number allows, in the author's units.
 Value shortened(Type type, Value v, std::span<const double> within) {
   std::array<double, 4> n{};
   const int count = to_numbers(v, n.data());
@@ -72,7 +72,7 @@ Value shortened(Type type, Value v, std::span<const double> within) {
   return within.empty() || std::holds_alternative<bool>(v) ? v : with_numbers(std::move(v), n.data(), count);
 }
 
-// By how much each number of a dial's value may be off, as an author writes it, where its message may be by `within`.
+// Converts the tolerance of a message into that of each number of the dial's value, in the author's units.
 std::vector<double> within_value(const Dial& dial, Type type, std::span<const double> within) {
   if (!dial.mapped || within.empty()) return {within.begin(), within.end()};
   std::array<double, 4> from{}, to{};
@@ -93,7 +93,7 @@ Result<Value> mapped(const Dial& dial, double number) {
   return *v;
 }
 
-// Whether a script can say the text, as a recording will have to: whoever sends may send anything.
+// Returns true if a script can contain the text; a recording needs that, and a sender may send any bytes.
 bool writable(const std::string& text) {
   return !has_errors(load_text("define said text " + write_text(text), "text").diagnostics);
 }
@@ -134,7 +134,7 @@ Result<Value> value_of(const FunctionSpec& spec, const Dial& dial, std::span<con
   return within(limits, *std::move(v));
 }
 
-// Code and quaternions give all components together; none of them can be turned alone.
+// Code and quaternions give all components together, so that no component can be set alone.
 bool indivisible(const Value& v) { return std::holds_alternative<Quat>(v) || std::holds_alternative<Procedure>(v); }
 bool indivisible(const Slot& slot) {
   bool any = slot.set && indivisible(*slot.set);
@@ -142,7 +142,7 @@ bool indivisible(const Slot& slot) {
   return any;
 }
 
-// Tracks and filters that would speak against a value for all times. Of the other components they stay.
+// Removes the tracks and filters that would override a constant value. Other components keep theirs.
 void give_way(Slot& slot, int component, Type type) {
   if (component < 0) {
     static_cast<Strand&>(slot) = {};
@@ -157,7 +157,7 @@ void give_way(Slot& slot, int component, Type type) {
   std::erase_if(slot.filters, [&](const Filter& f) { return f.component == component; });
 }
 
-// Whether a dial can turn its target as things stand.
+// Returns success if the dial can set its target in the current document.
 Status can_turn(const Scene& s, const Dial& dial) {
   const Slot* slot = s.objects[dial.target.object.index].find(dial.target.function, dial.target.layer);
   if (dial.target.component < 0 || !slot || !indivisible(*slot)) return Nothing{};
@@ -171,7 +171,7 @@ Error unknown(const Scene& s, std::string_view address) {
   return fail(ErrorCode::name, fmt::format("no dial has the address {}", shown(address)), did_you_mean(address, known));
 }
 
-// Does f(scene, dial, value) for each dial of the address, in a scene of its own, or nothing.
+// Calls f(scene, dial, value) for each dial of the address on a copy of the scene. If one fails, nothing changes.
 template <class F>
 Result<Document> each_dial(const Document& document, std::string_view address, std::span<const double> numbers,
                            const std::string* text, std::span<const double> within, const F& f) {
@@ -217,7 +217,7 @@ void erase(Scene& s, const Target& t, Time from, Time to = for_good) {
   for (Track* track : edit_tracks(s, t)) track->events.erase(from, to);
 }
 
-// The events of `then` from..to on the same tracks of `now`.
+// Copies the events from..to from the tracks of `then` to the same tracks of `now`.
 void bring(Scene& now, Scene then, const Target& t, Time from, Time to) {
   if (!has_events(then, t, from, to)) return;
   const auto theirs = edit_tracks(then, t), ours = edit_tracks(now, t);
@@ -225,7 +225,8 @@ void bring(Scene& now, Scene then, const Target& t, Time from, Time to) {
     theirs[i]->events.each_between(from, to, [&](const Event& e) { ours[i]->events.put(e); });
 }
 
-// What the film says a target is, where a track's own value can be that and may be cut.
+// Returns the film's value of a target, rounded; nullopt if it cannot be the value of an event on the target's own
+// track.
 std::optional<Value> value_before(const Document& d, const Target& t, Time when, const Value& like) {
   const Slot* slot = d.scene().objects[t.object.index].find(t.function, t.layer);
   if (!fits(Twerper::linear, type_of(d.scene(), t)) || (slot && !slot->filters.empty())) return std::nullopt;
@@ -282,7 +283,7 @@ void Take::record(Scene& s, const Target& t, const Value& v, Time now) {
   const Time frame = s.rate.span(1);
   if ((now - at->last).seconds() > rest && now - frame > at->last)
     put_event(s, t, event_at(s, t, now - frame, at->value));
-  // Of several at one time the last one counts; where the take came from stays.
+  // Of several messages at one time the last one counts. The first event keeps the value from which the take began.
   if (now == at->from)
     for (const Track* track : tracks_of(s, t))
       if (const Event* first = track->events.find(now); first && first->detail) event.detail = first->detail;
@@ -294,7 +295,7 @@ void Take::end(Time now) {
   if (touched_.empty()) return;
   auto after = std::make_shared<Scene>(document_.scene());
   for (const Touched& t : touched_) {
-    // The control held until now, and was seen for a frame at least; behind that the film is as it was.
+    // The recording ends at `now`, but shows the last change for one frame at least. After it the film is as it was.
     const Time to = std::max({now, t.held, t.last + after->rate.span(1)});
     if (has_events(before_.scene(), t.target, to + Time{1}, for_good) || to <= before_.range().second) {
       Event event = event_at(*after, t.target, to, t.value);
@@ -324,7 +325,7 @@ std::string Take::text(std::string_view script) const {
     if (std::find(done.begin(), done.end(), c.target) != done.end()) continue;
     done.push_back(c.target);
     for (const Target& t : {c.target, velocity_of(c.target)}) {
-      // A document with nothing on this track but what was recorded.
+      // A copy whose track has the recorded events only.
       auto only = std::make_shared<Scene>(document_.scene());
       erase(*only, t, from_the_beginning);
       for (const Covered& part : covered_) {

@@ -32,7 +32,7 @@ std::size_t events_of(const Object& o) {
     if (!s.layer) n += events_of(s);
   return n;
 }
-// How many events each layer holds, by its number.
+// Returns the number of events on each layer, by layer number.
 std::unordered_map<std::uint32_t, std::size_t> events_of_layers(const Scene& s) {
   std::unordered_map<std::uint32_t, std::size_t> all;
   for (std::size_t i = 0; i < s.objects.size(); ++i)
@@ -55,7 +55,7 @@ Error too_long(const std::string& word) {
       "describe fewer at a time");
 }
 
-// From when on it hangs on what, and when that ends.
+// Lists what the object is attached to, and from when until when.
 std::string attachment_lines(const Document& d, const Object& o) {
   std::string said;
   for (const AttachmentSpan& a : attachments(o)) {
@@ -90,7 +90,7 @@ void add_manner(const Strand& strand, const Scene& s, std::vector<std::string>& 
   for (const auto& c : strand.components) put(*c);
 }
 
-// All that makes the value of a function, in brief: what its own line ends with.
+// Summarises what computes the value of a function, for the end of its line.
 std::string in_brief(const Document& d, const Object& o, FunctionId f) {
   std::vector<std::string> all;
   for (const Slot& slot : o.slots) {
@@ -109,7 +109,7 @@ std::string in_brief(const Document& d, const Object& o, FunctionId f) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-// Who is about an object, found once for all that are described: by the number of an environment or a layer.
+// Members of environments, and objects under layers, by object number. Found once for everything that is described.
 using Lists = std::unordered_map<std::uint32_t, std::string>;
 struct About {
   const Program& program;
@@ -117,7 +117,7 @@ struct About {
   const Time first = d.range().first;
   std::optional<Lists> moved = {}, driven = {}, laid = {};
 
-  // The names of those that are in an environment.
+  // Returns the names of the objects in an environment.
   const std::string& of(std::optional<Lists>& lists,
                         std::vector<EnvironmentSpan> (*spans_of)(const Document&, ObjectId), ObjectId environment) {
     if (!lists) {
@@ -132,7 +132,7 @@ struct About {
     }
     return (*lists)[environment.index];
   }
-  // What a layer lays over objects, a line each.
+  // Returns the functions that a layer changes, one per line.
   const std::string& on(ObjectId layer) {
     if (!laid) {
       laid.emplace();
@@ -146,7 +146,7 @@ struct About {
   }
 };
 
-// What was said to an environment, and what is in it.
+// Describes the values of an environment and its members.
 std::string environment_lines(About& about, ObjectId id) {
   const Document& d = about.d;
   std::string said;
@@ -187,7 +187,7 @@ std::string object_lines(About& about, ObjectId id) {
   return said;
 }
 
-// A target's rows, and below them what else makes its value.
+// Lists the rows of a target, then what else affects its value.
 std::string track_lines(const Document& d, const Target& t) {
   std::string said;
   if (t.query()) return said;
@@ -216,7 +216,7 @@ std::string track_lines(const Document& d, const Target& t) {
   return said;
 }
 
-// Its rows; where they change, from when on.
+// Lists the rows of a display list; if they change in time, each version with its time.
 std::string list_lines(const Document& d, const std::string& name, const std::vector<Time>& versions) {
   std::string said = fmt::format("{}, a display list{}\n", name, name == d.scene().main ? ", the main object" : "");
   for (const Time from : versions) {

@@ -46,7 +46,7 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   if (translated) scene.policy = Policy::translate;
   read_line(scene, script, line, home_.name);
   if (translated) scene.policy = policy;
-  if (script.in_time && !in_reach(*now))  // the history would have a time that no reader accepts
+  if (script.in_time && !in_reach(*now))  // the history would get a time that the reader refuses
     script.report(Severity::error,
                   fail(ErrorCode::range, "it is later now than times reach (146 years, 4.6e9 s)",
                        "seek an earlier time, or say one: at TIME …"),
@@ -56,10 +56,10 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   deed.done = !has_errors(deed.said);
   if (!deed.done) return deed;
   deed.line = script.stamped();
-  if (!row) deed.line.erase(0, deed.line.find_first_not_of(" \t\r,"));  // in a history it must not look like a row
+  if (!row) deed.line.erase(0, deed.line.find_first_not_of(" \t\r,"));  // the history must not take it for a row
   deed.stamped = !row && !translated && script.in_time;
   deed.touched = script.touched;
-  if (!row && !script.verb) script.left = from.script.left;  // a remark closes no sheet
+  if (!row && !script.verb) script.left = from.script.left;  // a comment does not close a sheet
   deed.opens = !row && script.verb && script.left;
   deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), script};
   return deed;
@@ -69,7 +69,7 @@ std::optional<Point> Editor::carried_out(const Point& from, const std::string& l
   Scene scene = from.document.scene();
   Diagnostics said;
   Script script(scene, said, options_, from.script, home_);
-  script.live = false;  // many lines ask for the same things
+  script.live = false;  // caches pay off: many lines look up the same names
   read_line(scene, script, lines, home_.name);
   if (has_errors(said)) return std::nullopt;
   return Point{Document(std::make_shared<const Scene>(std::move(scene))), script};
@@ -85,7 +85,7 @@ Deed Editor::carry_out(const Step& step) const {
       deed.done = true, deed.after = *std::move(after);
       return deed;
     }
-  for (const std::string& line : lines) {  // one by one, to find the line that is wrong
+  for (const std::string& line : lines) {  // one by one, to find the wrong line
     deed = carry_out(at, line);
     if (!deed.done) return deed;
     at = deed.after;
@@ -119,7 +119,7 @@ void Editor::forget(Past& past) {
   if (free_) free_(std::exchange(past.point, {}));
 }
 
-// What is older than may be kept is not gone back to any more.
+// Forgets the oldest states beyond the limits.
 void Editor::shorten() {
   while (before_.size() > 1 && (before_.size() > depth_.steps || bytes_ > depth_.bytes)) {
     heavy_ = before_.size() <= depth_.steps;
@@ -168,8 +168,8 @@ Status Editor::redo() {
   return Nothing{};
 }
 
-// Keeps no document between two steps, so that they take as long as a script with the same lines. If one step fails,
-// each half is carried out by itself.
+// Keeps no document between two steps, so that they are as fast as a script with the same lines. If a step fails,
+// carries out each half separately.
 void Editor::settle_all(std::span<const Step> steps, std::size_t number, std::vector<LeftOut>& left_out) {
   if (steps.empty()) return;
   if (steps.size() == 1) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a document goes on: a line is carried out on a copy, and taken; what was taken can be taken back and done again.
-// It is the same for a person at a shell and for the hosts of a server. Who keeps what was done hangs a sink on it.
+// The undo stack of a document. A command is carried out on a copy, then taken; it can be undone and redone. A step
+// stands until it is undone. The shell and the clients of a server use the same editor. A sink may record every step.
 #pragma once
 
 #include <cstddef>
@@ -21,38 +21,39 @@
 
 namespace betwixt {
 
-// How much a document holds.
+// The size of a document.
 struct Counts {
-  std::size_t events = 0, values = 0;  // bytes of these
+  std::size_t events = 0, values = 0;  // values: in bytes
 };
 
-// What can be gone back to: a document and what the next line must know, the sheet that is open among it.
+// A state to which the editor can return: a document, and the state of the reader behind it with its open sheet.
 struct Point {
   Document document;
   SoFar script;
-  std::optional<Counts> counts = {};  // of the document, where they are known
+  std::optional<Counts> counts = {};  // of the document; nullopt if not counted yet
 };
 
-// What a line does. Nothing has changed yet.
+// The result of a line that was carried out on a copy. The editor itself has not changed.
 struct Deed {
-  bool done = false;  // else the line is wrong: `said` tells why
+  bool done = false;  // if false, the line is wrong and `said` has the diagnostics
   Point after;
-  std::string line;         // as it stands in a history
-  std::string sheet;        // what it stands below there: it is a row
-  bool stamped = false;     // it happens at a time because it came then
-  bool opens = false;       // a sheet is open behind it that was not before
-  std::size_t touched = 0;  // how many its pattern named, where that is more than one
-  Diagnostics said;         // a place without a file is of the line itself
+  std::string line;         // as the history records it
+  std::string sheet;        // the sheet's lines, if the line is a row
+  bool stamped = false;     // the time in `line` is the time at which it came
+  bool opens = false;       // the line opens a sheet
+  std::size_t touched = 0;  // the number of things its pattern matches, if more than one
+  Diagnostics said;         // a diagnostic without a file is about the line itself
 };
 
-// A step of an earlier session that cannot be carried out any more.
+// A step of an earlier session that can no longer be carried out.
 struct LeftOut {
   std::size_t number = 0;  // of the step, from 0
   Step step;
   Diagnostics why;
 };
 
-// So many steps can be taken back, and no more than hold so many bytes, by estimate; the last one always can.
+// The limits of undo: a number of steps, and an estimate of the bytes that they hold. The last step can always be
+// undone.
 struct UndoDepth {
   static constexpr std::size_t without_limit = std::numeric_limits<std::size_t>::max();
   std::size_t steps = without_limit, bytes = without_limit;
@@ -60,16 +61,16 @@ struct UndoDepth {
 
 class Editor {
  public:
-  // Is told before a step is taken, taken back or done again; where it cannot keep it, nothing is done.
+  // Receives each step before it is taken, undone or redone. If the sink fails, nothing changes.
   using Sink = std::function<Status(Did, const Step&)>;
 
-  // What was said is kept of all, the documents before only of those that can be taken back.
+  // The editor keeps the text of all steps, but earlier documents only within the limits of `depth`.
   explicit Editor(LoadOptions options = {}, UndoDepth depth = {}) : options_(std::move(options)), depth_(depth) {}
 
-  // Begins with the author's text; the sink is told nothing. `name`: the file that it stands in, may be empty.
+  // Begins with the author's text; the sink gets nothing. `name`: the name of its file, or "".
   Diagnostics begin(std::string text, const std::string& name);
-  // A text as if it were the author's. What it has in common with the document now, both share, and files that this one
-  // names too are as they were when they were read.
+  // Reads a text in place of the author's. The result shares with the current document all that is equal, and uses the
+  // files that both name as they were when they were read first.
   Point read(std::string_view text, Diagnostics&) const;
   void keep(Sink sink) { sink_ = std::move(sink); }
   // Frees the points that undo and redo cannot reach any more. Without it, they are freed at once.
@@ -78,41 +79,42 @@ class Editor {
   void allow(const LoadOptions& options) { options_ = options; }
 
   const Point& now() const { return now_; }
-  void count(const Counts& counts) { now_.counts = counts; }                  // of the document that there is
+  void count(const Counts& counts) { now_.counts = counts; }                  // of the current document
   const std::string& base() const { return base_; }                           // the author's text
-  std::span<const Step> steps() const { return {steps_.data(), standing_}; }  // that stand …
+  std::span<const Step> steps() const { return {steps_.data(), standing_}; }  // not undone
   std::span<const Step> undone() const {
     return {steps_.begin() + static_cast<std::ptrdiff_t>(standing_), steps_.end()};
   }
 
-  // A line as somebody says it: a command, or a row of the sheet that is open. `now`: the time at which commands
-  // happen that are said by a live host (LoadOptions::now).
-  // `translated`: values that mean nothing where they stand are translated, and the deed's line says what came of it.
+  // Carries out a line: a command, or a row of the open sheet. `now`: the time of commands from a live client
+  // (LoadOptions::now). `translated`: translates values that have no meaning at their place; the line of the result has
+  // the translation.
   Deed carry_out(const Point& from, std::string_view line, std::optional<Time> now = {}, bool translated = false) const;
-  // A step of a history, on what there is now: all its lines, below its sheet. On failure what is said is of one line.
+  // Carries out a step of a history on the current document: its sheet, then all its lines. If one line fails, the
+  // diagnostics are about that line.
   Deed carry_out(const Step&) const;
-  // Carries out the steps of an earlier session. The first `standing` of them stand, the others were undone. The sink
-  // hears nothing. Returns the steps that fail among those that stand; they are left out. A step that fails among those
-  // that were undone is forgotten, with all behind it.
+  // Carries out the steps of an earlier session: `standing` steps, then those that were undone. The sink gets nothing.
+  // Returns the standing steps that fail; they are left out. An undone step that fails is forgotten, with all behind
+  // it.
   std::vector<LeftOut> restore(std::span<const Step> steps, std::size_t standing);
 
-  // Bytes that undo keeps for a step between the two. This may take long, so it can be called before take().
+  // Returns the bytes that undo keeps for a step between the two. This may take long, so you can call it before take().
   static std::size_t bytes_kept(const Point& before, const Point& after);
-  // The sink's errors. `bytes`: those that undo keeps for it, where they are known.
+  // Errors: those of the sink. `bytes`: the bytes that undo keeps for the step, if you know them already.
   Status take(Point after, Step step, std::optional<std::size_t> bytes = {});
-  // Errors: range (there is nothing to take back, or no document of that time), the sink's.
+  // Errors: range (nothing to undo, or its document is no longer kept), those of the sink.
   Status undo();
   Status redo();
 
-  // Steps that cannot be taken back any more, and the document behind them.
+  // Steps that can no longer be undone, and the document behind them.
   std::size_t settled() const { return standing_ - before_.size(); }
   const Document& settled_document() const { return (before_.empty() ? now_ : before_.front().point).document; }
-  // So many of them become a part of the author's text; these.
+  // Makes the first `steps` steps a part of the author's text, which is now `base`. Returns them.
   std::vector<Step> settle(std::string base, std::size_t steps);
   std::size_t undo_bytes() const { return bytes_; }
 
  private:
-  // A point that can be gone to, and what is kept for its sake beside its neighbour on the way to now.
+  // A state in the undo stack, and the bytes that it holds beyond its neighbour towards the current state.
   struct Past {
     Point point;
     std::size_t bytes = 0;
@@ -136,10 +138,10 @@ class Editor {
   Point now_;
   std::vector<Step> steps_;
   std::size_t standing_ = 0;
-  std::deque<Past> before_;   // the last of the steps that stand
-  std::vector<Past> undone_;  // after the steps that do not; the next one is the last
-  std::size_t bytes_ = 0;     // of both
-  bool heavy_ = false;        // steps were forgotten as they held too much
+  std::deque<Past> before_;   // of the last standing steps; the newest is the last
+  std::vector<Past> undone_;  // after the undone steps; the next redo is the last
+  std::size_t bytes_ = 0;     // of before_ and undone_
+  bool heavy_ = false;        // the last forgotten state was dropped because of its bytes
 };
 
 }  // namespace betwixt

@@ -48,7 +48,7 @@ constexpr HelpEntry other_words[] = {
 
 struct GroupRow {
   HelpGroup group;
-  std::string_view word, title;  // `word`: help WORD lists it
+  std::string_view word, title;  // `word`: the argument of `help` that lists the group
 };
 constexpr GroupRow groups[] = {
     {shell, "shell", "Words of the shell"},
@@ -67,7 +67,7 @@ void list_group(const GroupRow& row, std::string& out) {
     if (e.group == row.group) out += fmt::format("  {:16} {}\n", e.word, e.sentence);
 }
 
-// Where a word leads that is none here.
+// Describes a word that exists under another name.
 std::string signpost(const Road& r) {
   std::string out = fmt::format("{}: {}\n", r.word, r.leads);
   std::string_view rest = r.see;
@@ -89,7 +89,7 @@ constexpr std::string_view what(HelpGroup g) {
                          : "a word of events";
 }
 
-// What a procedure is, and what whoever made it says.
+// Describes a procedure: its role, and its author's sentence.
 std::string about(const NamedProcedure& p) {
   static constexpr std::string_view roles[] = {"A procedure", "A twerper", "A filter", "A command"};
   const bool plugin = p.code && p.code->language == "plug-in";
@@ -99,7 +99,7 @@ std::string about(const NamedProcedure& p) {
   return out + ".";
 }
 
-// "frequency=2 damping=0.3"; what is not limited stands without a number.
+// Returns "frequency=2 damping=0.3"; an infinite default is left out.
 std::string written_parameters(const FilterSpec& f) {
   std::string out;
   for (const FilterParameter& p : f.parameters) {
@@ -119,7 +119,7 @@ std::span<const HelpEntry> help_entries() {
     static std::deque<std::string> written;  // of kinds and filters
     for (const KindRow& k : kinds())
       entries.push_back({HelpGroup::kind, k.name, k.sentence, written.emplace_back(written_of(k)), k.example});
-    for (const bool common : {true, false})  // what all have first
+    for (const bool common : {true, false})  // common functions first
       for (const FunctionSpec& f : built_in_functions())
         if (!f.sentence.empty() && common == ((f.kinds & bit(Kind::group)) != 0))
           entries.push_back({HelpGroup::function, f.name, f.sentence, f.written, f.example});

@@ -23,14 +23,14 @@ struct HelpEntry {
 };
 
 std::span<const HelpEntry> help_entries();
-std::vector<std::string_view> words_with_help();  // and those that lead to them: for near misses
-std::vector<HelpEntry> shell_entries();           // beside their bodies
+std::vector<std::string_view> words_with_help();  // including those that only lead to other words; for near misses
+std::vector<HelpEntry> shell_entries();           // of the words that only the shell has
 
-// Of a word, or of a key with its sign; empty where nothing is known.
+// Returns the sentence about a word, or about a key with its sign; "" if it is unknown.
 std::string_view sentence_of(std::string_view word);
-// All words by groups, a line each; the film's own words too.
+// Returns all words by groups, a line each, with the film's own words.
 std::string help_overview(const Scene&, bool of_the_shell = true);
-// All that is known about a word; empty where nothing is.
+// Returns all that is known about a word; "" if it is unknown.
 std::string help_text(std::string_view word, const Scene&);
 
 }  // namespace betwixt

@@ -28,7 +28,7 @@ std::size_t bytes_of_all(std::span<const Step> steps) {
   return n;
 }
 
-// As a journal has them.
+// Converts steps to journal records.
 std::vector<Record> records_of(std::span<const Step> steps, std::span<const Step> undone) {
   std::vector<Record> out;
   for (const auto part : {steps, undone})
@@ -41,7 +41,7 @@ Error not_put(const std::string& path) {
   return fail(ErrorCode::machine, fmt::format("'{}' cannot be written: {}", path, std::strerror(errno)));
 }
 
-// Where the text of a script stands, and that of the next one until it does.
+// Returns the path of a script with its links resolved; part_of(): the path of a new script until it replaces that one.
 std::string place_of(const std::string& path) {
   std::error_code none;
   const std::filesystem::path real = std::filesystem::canonical(path, none);
@@ -52,7 +52,7 @@ std::string part_of(const std::string& place) {
   return (p.parent_path() / fmt::format(".{}.checkpoint", p.filename().string())).string();
 }
 
-// Another one where anybody has written there; empty: there is none.
+// Returns the identity of the file, which changes with every write; "" if the file does not exist.
 std::string file_at(const std::string& place) {
   struct stat s {};
   if (::stat(place.c_str(), &s) != 0) return {};
@@ -63,7 +63,7 @@ bool begins_with(std::string_view script, const Fingerprint& text) {
   return script.size() >= text.size && fingerprint(script.substr(0, text.size)) == text;
 }
 
-// Of the last checkpoint whose text the script begins with: that, and for how many commands it stands.
+// Returns the last checkpoint whose text the script begins with, and the number of commands in it.
 std::optional<std::pair<Fingerprint, std::size_t>> checkpoint_in(const std::vector<Record>& records,
                                                                  std::string_view script) {
   for (auto r = records.rbegin(); r != records.rend(); ++r) {
@@ -149,7 +149,7 @@ Result<Kept> History::found(const std::optional<std::string>& script) {
     out.remarks +=
         fmt::format("'{}': the last record of its journal was torn, and never answered; it is left out\n", path_);
   }
-  // Where the file was written anew and the journal was not, it holds all that stood.
+  // If the file was rewritten and the journal was not, the file holds all standing steps.
   if (!fits || !begins) return out;
   for (const Record& r : j.records()) out.steps.count(r.what, r.what == Did::command ? unpacked(r.text) : Step{});
   out.base = before, out.goes_on = true;
@@ -201,7 +201,7 @@ Status History::note(Did what, const Step& step) {
   return Nothing{};
 }
 
-// Nobody else's text is ever replaced.
+// Refuses to replace a text that another process has written.
 Status History::unchanged() const {
   const auto there = read_script(path_);
   if (!there) return there.error();
@@ -210,11 +210,11 @@ Status History::unchanged() const {
               "what hosts did is in the journal beside it; move the file away, then save again");
 }
 
-// The journal says first what will be in the file: a stop between the two is understood.
+// The journal gets a record of the new file first, so that an interruption between the two can be recognised.
 Status History::write(const std::string& script) {
   if (Status s = unchanged(); !s) return s;
   const Fingerprint print = fingerprint(script);
-  const bool lost = !journal_->in_place();  // then the file holds everything, and a new journal begins behind it
+  const bool lost = !journal_->in_place();  // moved or removed: the file will hold everything, and a new journal begins
   if (!lost)
     if (Status s = journal_->append(Did::save, to_string(print)); !s) return s;
   if (Status s = write_script(path_, script); !s) return s;
@@ -234,7 +234,7 @@ Status History::checkpoint(const std::optional<ScriptBeside>& to, std::size_t be
       if (Status s = unchanged(); !s) return s;
     const std::string mark = fmt::format("{} {}", to_string(to->print), before);
     if (Status s = journal_->append(Did::checkpoint, mark); !s) return s;
-    if (others_) ::link(path_.c_str(), (path_ + ".orig").c_str());  // unless one is there
+    if (others_) ::link(path_.c_str(), (path_ + ".orig").c_str());  // fails if it exists already
     others_ = false;
     if (::rename(to->part.c_str(), to->place.c_str()) != 0) return not_put(path_);
     sync_folder_of(to->place);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a document was made of: a script, and every step since. It may be kept: the script in a file, the steps in the
-// journal beside it, as a session's are; then a step that has been answered is there, whatever ends the process.
+// The history of a document: a script, and every step since. It may be stored: the script in a file, the steps in a
+// journal beside it, in the format of a session. Then an acknowledged step survives any end of the process.
 #pragma once
 
 #include <memory>
@@ -17,77 +17,78 @@
 
 namespace betwixt {
 
-// Steps by themselves, without the documents that they make.
+// Steps without their documents.
 struct StepList {
-  std::vector<Step> all;     // that stand, then those that were undone, the next one first
-  std::size_t standing = 0;  // of them
+  std::vector<Step> all;     // standing steps, then the undone ones; the next redo comes first
+  std::size_t standing = 0;  // the number of standing steps
   std::span<const Step> stand() const { return {all.data(), standing}; }
   std::span<const Step> undone() const { return std::span(all).subspan(standing); }
   void count(Did what, Step step = {});
 };
 
-// What a script and the journal beside it make together.
+// The history that a script and its journal make together.
 struct Kept {
-  std::string base;  // what the steps follow: the script, or what stands in it before the steps that were saved
+  std::string base;  // the text before the steps: the script, or the part of it before the steps that were saved
   StepList steps;
-  std::string remarks;   // a line each
-  bool goes_on = false;  // the journal holds them: it may be gone on with
-  std::string script;    // the whole, as it stands in the file
+  std::string remarks;   // one line each
+  bool goes_on = false;  // the journal has these steps, and can be appended to
+  std::string script;    // the whole text of the file
 };
 
-// A checkpoint was stopped between the script, which is the new one, and the journal, which is not: it is written anew
-// as it would have been.
+// Finishes a checkpoint that was interrupted after the script was replaced and before the journal was: rewrites the
+// journal.
 Status finish_checkpoint(Journal&, const std::string& script);
 
-// A script on the disk that has not taken its place yet.
+// A new script on the disk that has not replaced the old one yet.
 struct ScriptBeside {
   std::string part, place;
   Fingerprint print;
-  // What stood in the place when it was written, and of which file that was said: the system's words for it.
+  // The old script when the new one was written, and the identity of its file as the system gives it.
   std::optional<Fingerprint> seen;
   std::string seen_file;
 };
 Result<ScriptBeside> write_beside(const std::string& path, std::string_view script);
-void drop_beside(const std::string& path);  // what is left of one
+void drop_beside(const std::string& path);  // removes what an interrupted one has left
 
-// A sink of an editor: it is told of every step before it is done.
+// A sink of an editor, which gets every step before it is taken.
 class History {
  public:
-  // `longest`: so many bytes of commands, beside the text that they follow.
+  // `longest`: the limit for the commands in bytes, without the base text.
   explicit History(std::size_t longest) : longest_(longest) {}
 
-  // Holds the journal beside `path` from now on. Errors: file (another process has it), machine.
+  // Locks the journal beside `path`. Errors: file (another process has it), machine.
   Status hold(const std::string& path);
-  // What stands in the script (none: it is not there) and in the journal that is held. What is torn or damaged is left
-  // out, and kept under another name where it was not just torn.
+  // Returns the history in the script and the locked journal. `script`: nullopt if the file does not exist. Leaves out
+  // records that are torn or damaged; keeps a copy of the journal under another name if it is more than torn.
   Result<Kept> found(const std::optional<std::string>& script);
-  // From now on the file holds the text, and the journal what will be noted. Errors: file, machine.
+  // Writes the base text to the file and begins an empty journal. Errors: file, machine.
   Status keep(const std::string& base);
-  // … and they do so already: a history that was found goes on.
+  // Continues a history that found() returned: file and journal hold it already.
   void go_on(std::span<const Step> steps, std::span<const Step> undone, const std::string& script);
-  // The same with other steps than the journal has: it begins anew with these.
+  // Rewrites the journal with other steps, then continues.
   Status go_on_with(const std::string& base, std::span<const Step> steps, std::span<const Step> undone,
                     const std::string& script);
 
-  // On failure (the disk is full, the history is too long) nothing has changed.
+  // Writes a step to the journal. On failure (the disk is full, the history is too long) nothing has changed.
   Status note(Did what, const Step& step);
-  // What was noted is on the disk. A failure leaves unknown what is.
+  // Flushes the journal to the disk. After a failure it is unknown which steps are there.
   Status sync();
-  // The file holds all that stands. It is refused where somebody else has written there. Errors: file, machine.
+  // Writes all standing steps to the file; refuses if another process has changed it. Errors: file, machine.
   Status save(const std::string& base, std::span<const Step> steps);
-  // The file is another text, and the journal begins anew behind it: what stood before the `steps`, so many of them, is
-  // in that. A stop at any moment leaves what makes the same. `to`: none where nothing is kept.
+  // Replaces the file by a checkpoint, which contains the first `before` steps, and begins the journal anew with the
+  // later `steps`. An interruption at any moment leaves a history of the same document. `to`: nullopt if nothing is
+  // stored.
   Status checkpoint(const std::optional<ScriptBeside>& to, std::size_t before, std::span<const Step> steps,
                     std::span<const Step> undone);
-  // The file holds everything: no journal is needed.
+  // Removes the journal, as the file holds everything.
   void finish();
 
-  std::size_t bytes() const { return bytes_; }  // of the commands that stand behind the base
-  // Since the base was begun: it grows with every step, undone ones too.
+  std::size_t bytes() const { return bytes_; }  // of the standing commands after the base
+  // Bytes since the base began; every step adds to it, and undone ones still count.
   std::size_t length() const { return length_; }
-  // The file's text, as it was read or written last.
+  // The fingerprint of the file when it was last read or written.
   Fingerprint known() const { return known_.value_or(Fingerprint{}); }
-  const std::string& path() const { return path_; }  // of the script; empty: nothing is kept
+  const std::string& path() const { return path_; }  // of the script; "" if nothing is stored
   std::string journal() const { return journal_path(path_); }
 
  private:
@@ -98,8 +99,8 @@ class History {
   const std::size_t longest_;
   std::string path_;
   std::unique_ptr<Journal> journal_;
-  std::optional<Fingerprint> known_;  // what the file held when it was last read or written; none: there was none
-  bool others_ = false;               // the file was there before us
+  std::optional<Fingerprint> known_;  // of the file when it was last read or written; nullopt if there was none
+  bool others_ = false;               // the file existed before this history
   std::size_t bytes_ = 0, length_ = 0;
 };
 

@@ -21,7 +21,7 @@ namespace betwixt {
 namespace {
 
 constexpr std::size_t longest_head = 64;   // of a record
-constexpr const char* next_name = ".new";  // behind the journal's own: what will take its place
+constexpr const char* next_name = ".new";  // appended to the journal's name: its replacement
 
 constexpr std::uint64_t fnv_basis = 0xcbf29ce484222325;  // FNV-1a, 64 bits
 std::uint64_t fnv(std::string_view bytes, std::uint64_t h = fnv_basis) {
@@ -60,7 +60,7 @@ std::string journal_path(const std::string& script) {
   if (script.empty()) return ".betwixt.journal";
   std::error_code ignored;
   const std::filesystem::path real =
-      std::filesystem::weakly_canonical(script, ignored);  // one journal, however the script is called
+      std::filesystem::weakly_canonical(script, ignored);  // one journal for all names of the script
   return (real.parent_path() / fmt::format(".{}.journal", real.filename().string())).string();
 }
 
@@ -77,7 +77,7 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
     struct stat named {};
     if (::fstat(file, &held) != 0) return machine(path, "read");
     if (!S_ISREG(held.st_mode)) return fail(ErrorCode::machine, fmt::format("'{}' is no file", path));
-    // Its last holder may have removed it between the two calls above.
+    // The last owner may have removed the file between open() and flock().
     if (::stat(path.c_str(), &named) != 0 || named.st_ino != held.st_ino || named.st_dev != held.st_dev) continue;
     journal->read();
     return journal;
@@ -98,7 +98,7 @@ void Journal::read() {
   if (line == std::string::npos ||
       std::sscanf(all.c_str(), "betwixt-journal 1 %" SCNu64 " %" SCNx64, &base.size, &base.hash) != 2 ||
       header(base) != all.substr(0, line + 1)) {
-    // A header that was cut off: nothing had been acknowledged behind it.
+    // A header that was cut off: no record behind it can have been acknowledged.
     const std::string_view begin = "betwixt-journal 1 ";
     const std::size_t n = std::min(begin.size(), all.size());
     foreign_ = line != std::string::npos || all.compare(0, n, begin.substr(0, n)) != 0;
@@ -111,12 +111,12 @@ void Journal::read() {
   end_ = at;
 }
 
-// False: what stands there is no whole record.
+// Returns false if there is no complete record at `at`.
 bool Journal::read_record(const std::string& all, std::size_t& at) {
   const std::string_view rest = std::string_view(all).substr(at);
   const std::size_t stop = rest.find('\n');
   const std::string line(
-      rest.substr(0, std::min(stop, longest_head)));  // not all of it: what reads it looks for its end
+      rest.substr(0, std::min(stop, longest_head)));  // not more: sscanf looks for the end of its text
   char kind = 0;
   std::uint64_t size = 0, sum = 0, expected = sum_;
   const bool said =
@@ -138,13 +138,13 @@ bool Journal::read_record(const std::string& all, std::size_t& at) {
   return false;
 }
 
-// Written whole under another name, then in place.
+// Writes the new journal under another name, then renames it.
 Status Journal::begin(const Fingerprint& base, std::span<const Record> records) {
   std::string all = header(base);
   std::uint64_t sum = fnv(all);
   for (const Record& r : records) all += record(r.what, r.text, sum);
   const std::string beside = path_ + next_name;
-  ::unlink(beside.c_str());  // of a process that was killed here
+  ::unlink(beside.c_str());  // left by a process that was killed
   OpenFile file(::open(beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   int reason = file ? 0 : errno;
   if (reason == 0 && ::flock(file.fd(), LOCK_EX | LOCK_NB) != 0) reason = errno;
@@ -188,7 +188,7 @@ Status Journal::write(Did what, std::string_view text) {
   std::uint64_t sum = sum_;
   const std::string bytes = record(what, text, sum);
   if (const int reason = write_all(file_, bytes, static_cast<off_t>(end_))) {
-    torn_ = bytes.size();  // perhaps: what stands there goes before the next one
+    torn_ = bytes.size();  // perhaps: the next record overwrites those bytes
     if (::ftruncate(file_, static_cast<off_t>(end_)) == 0) torn_ = 0;
     return machine(path_, "written", reason);
   }

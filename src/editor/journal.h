@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The journal of a session: what was done, on the disk before it is answered. It is only ever appended to. Each record
-// says its length and a checksum over all that stands before it, so that a record that was torn is seen.
+// The journal of a session. A record is on the disk before its command is acknowledged. Records are only appended. Each
+// has its length and a checksum over all bytes before it, so that a torn record is detected.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace betwixt {
 
-// What tells one text from another.
+// Size and hash of a text, to compare it with others.
 struct Fingerprint {
   std::uint64_t size = 0, hash = 0;
   friend bool operator==(const Fingerprint&, const Fingerprint&) = default;
@@ -28,12 +28,12 @@ std::string to_string(const Fingerprint&);  // "SIZE HASH"
 
 struct Record {
   Did what = Did::command;
-  std::string text;  // of save: the fingerprint of the file; of checkpoint: that, and how many commands it stands for
+  std::string text;  // save: the fingerprint of the file; checkpoint: that, and the number of commands in it
 };
 
-// How many commands stand, and how many of them a file does not know.
+// The number of standing commands, and of those that are not saved in the file.
 struct Tally {
-  std::size_t at = 0, all = 0, saved = 0, gone = 0;  // gone: saved ones that were undone and replaced
+  std::size_t at = 0, all = 0, saved = 0, gone = 0;  // gone: saved commands that were undone and replaced
   void command() {
     if (at < saved) gone += saved - at, saved = at;
     all = ++at;
@@ -50,41 +50,41 @@ struct Tally {
   std::size_t unsaved() const { return gone + (at > saved ? at - saved : saved - at); }
 };
 
-// The journal of a script, or of a film without a name.
+// Returns the path of the journal of a script; "" is a film without a name.
 std::string journal_path(const std::string& script);
 
 class Journal {
  public:
-  // Finds or makes the journal and holds it until it is destroyed. Errors: name (another process holds it), machine
-  // (it cannot be made).
+  // Opens or creates the journal, and locks it until it is destroyed. Errors: name (another process has it open),
+  // machine (it cannot be made).
   static Result<std::unique_ptr<Journal>> open(const std::string& path);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  // What was found in it.
+  // The contents when it was opened.
   const std::optional<Fingerprint>& base() const {
     return base_;
-  }  // the text that the records follow; none: no journal
+  }  // the text before the records; nullopt if there was no journal
   const std::vector<Record>& records() const { return records_; }
   void forget() { records_ = {}; }
-  bool foreign() const { return foreign_; }   // it holds something that is no journal
-  std::size_t torn() const { return torn_; }  // bytes at its end that are no whole record
-  bool damaged() const { return damaged_; }   // … and were not just cut off
+  bool foreign() const { return foreign_; }   // the file is no journal
+  std::size_t torn() const { return torn_; }  // bytes of an incomplete record at the end
+  bool damaged() const { return damaged_; }   // the incomplete record was not just cut off
 
-  // Another journal takes its place, whole and on the disk, or it stays as it was.
+  // Replaces the journal by another. On failure the old one is unchanged.
   Status begin(const Fingerprint& base, std::span<const Record> records = {});
-  // … with records that are as if they had been found in it.
+  // Like begin(), and records() returns the records afterwards.
   Status begin_with(const Fingerprint& base, std::vector<Record> records);
-  // The record is on the disk when this returns; on failure the journal is as it was.
+  // Writes a record and flushes it to the disk. On failure the journal is unchanged.
   Status append(Did what, std::string_view text);
-  // The same in two: written at its end, which is taken back on failure; and what was written is on the disk. Of a
-  // failure of the second it is unknown what is.
+  // The two halves of append(): write() appends the record and removes it again on failure; sync() flushes to the disk.
+  // After a failure of sync() it is unknown which records are there.
   Status write(Did what, std::string_view text);
   Status sync();
   std::uint64_t size() const { return end_; }
-  bool in_place() const;  // its name still leads to it
-  // A copy under another name that nothing has; the name.
+  bool in_place() const;  // its path still names this file
+  // Copies the journal to a free file name. Returns that name.
   Result<std::string> keep_aside() const;
   void remove();
 
@@ -95,17 +95,17 @@ class Journal {
 
   const std::string path_;
   int file_;
-  std::uint64_t sum_ = 0;  // of all up to the end
-  std::uint64_t end_ = 0;  // of the last whole record
+  std::uint64_t sum_ = 0;  // the checksum of all bytes up to end_
+  std::uint64_t end_ = 0;  // of the last complete record
   std::optional<Fingerprint> base_;
   std::vector<Record> records_;
   std::size_t torn_ = 0;
   bool foreign_ = false, damaged_ = false, dirty_ = false;
 };
 
-// Errors: file, machine. A file that is not there: none.
+// Returns nullopt if the file does not exist. Errors: file, machine.
 Result<std::optional<std::string>> read_script(const std::string& path);
-// The text is under its name, whole and on the disk, or what was there before still is. Links are followed.
+// Replaces the file on the disk, whole or not at all. Links are followed.
 Status write_script(const std::string& path, std::string_view text);
 
 }  // namespace betwixt

@@ -34,7 +34,7 @@ std::size_t end_of_word(std::string_view line, std::size_t i) {
   }
   return i;
 }
-// Where a text that begins at `i` ends; it may go on below.
+// Returns the end of the string that begins at `i`. Sets `open` if it continues on the next line.
 std::size_t end_of_text(std::string_view line, std::size_t i, bool& open) {
   if (line.substr(i, 3) == "\"\"\"") {
     const std::size_t close = line.find("\"\"\"", i + 3);
@@ -46,7 +46,7 @@ std::size_t end_of_text(std::string_view line, std::size_t i, bool& open) {
   return std::min(i + 1, line.size());
 }
 
-// f(at, length) for each comment, text, and word of a line; the state is that of its end.
+// Calls f(at, length) for each comment, string and word of a line; updates the state to that of the line's end.
 template <class F>
 void each_part(std::string_view line, LineState& state, F&& f) {
   std::size_t i = 0;
@@ -89,12 +89,12 @@ bool is_time(std::string_view w) {
   return unit > 0 && (digit(w[unit - 1]) || w[unit - 1] == '.') && (u == "f" || u == "s" || u == "t" || u == "ms");
 }
 
-// Which word of the line it is, and what the words before it were.
+// The position of a word in its line, and the words before it.
 struct Reading {
   std::string_view line;
   const Scene& scene;
   bool row = false;
-  std::size_t place = 0;  // among the words, `at TIME` and `on LAYER` taken off
+  std::size_t place = 0;  // the word's index, not counting `at TIME` and `on LAYER`
   std::string_view verb, before;
   bool time_due = false, layer_due = false;
 
@@ -102,7 +102,7 @@ struct Reading {
     if (w[0] == '#') return Meaning::color;
     return is_time(w) ? Meaning::time : Meaning::number;
   }
-  // Meaning::name: none that is known.
+  // Returns Meaning::name for unknown words.
   Meaning word(std::string_view w, bool key) const {
     if (key) return is_function(w, scene) ? Meaning::function : Meaning::option;
     if (place == 0 && !row) {
@@ -114,7 +114,7 @@ struct Reading {
     if (verb == "create" && place == 2 && find_kind(w)) return Meaning::kind;
     if (verb == "define" && place == 1) return Meaning::function;
     if (verb == "filter" && place == 2 && find_filter(w)) return Meaning::twerper;
-    if (row && find_verb(w)) return Meaning::verb;  // attach to hand
+    if (row && find_verb(w)) return Meaning::verb;  // as in `attach to hand`
     if (is_option(w)) return Meaning::option;
     if (is_twerper(w, scene)) return Meaning::twerper;
     if (named_color(w)) return Meaning::color;
@@ -162,7 +162,7 @@ std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, cons
     }
     const std::size_t dot =
         w.find_last_of("]}") == std::string_view::npos ? w.find('.') : w.find('.', w.find_last_of("]}"));
-    if (dot != std::string_view::npos && dot > 0) {  // a target
+    if (dot != std::string_view::npos && dot > 0) {  // it is a target
       put(at, dot, Meaning::name), put(at + dot + 1, length - dot - 1, Meaning::function);
     } else {
       const Meaning meant = r.word(w, key);
@@ -181,7 +181,7 @@ std::optional<NumberAt> number_at(std::string_view line, std::size_t place) {
   };
   if (place > line.size()) return std::nullopt;
   std::size_t from = place;
-  // Of a number and its unit: the number.
+  // From a unit, step back to its number.
   while (from > 0 && !inside(from) && from < line.size() && letter(line[from]) && letter(line[from - 1])) --from;
   if (from < line.size() && line[from] == '-' && inside(from + 1)) ++from;
   if (from > 0 && !inside(from)) --from;
@@ -191,11 +191,11 @@ std::optional<NumberAt> number_at(std::string_view line, std::size_t place) {
   while (inside(to)) ++to;
   const char before = from > 0 ? line[from - 1] : ' ';
   if (letter(before) || before == '_' || before == '/' || before == '#' || before == '{')
-    return std::nullopt;  // a name
+    return std::nullopt;  // it is part of a name
   if (before == '-') {
     const char further = from > 1 ? line[from - 2] : ' ';
     if (letter(further) || further == '_') return std::nullopt;
-    if (!digit(further) && further != ')') --from;  // else it is taken away from something
+    if (!digit(further) && further != ')') --from;  // otherwise the minus is a subtraction
   }
   if (line.substr(from, to - from).find_first_of("0123456789") == std::string_view::npos) return std::nullopt;
   return NumberAt{from, to - from};

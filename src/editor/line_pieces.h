@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the words of a line are, line by line, without carrying anything out: for editors that colour them. All words
-// come from the tables that the language itself is read by.
+// The tokens of a line and their meanings, for syntax colouring; no line is carried out. All words come from the tables
+// of the language.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace betwixt {
 
-// What goes on over the end of a line.
+// The lexical state at the end of a line, which the next line continues.
 struct LineState {
   int brackets = 0;   // open
   bool text = false;  // a """ is open
@@ -31,24 +31,25 @@ struct LinePiece {
   friend bool operator==(const LinePiece&, const LinePiece&) = default;
 };
 
-// The pieces of one line that mean something, in order. `state`: of the line above, and then of this one.
+// Returns the tokens of one line that have a meaning, in order. `state`: that of the line above; updated to that of
+// this line.
 std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document&);
-// The state alone.
+// Updates the state only.
 void pass_line(std::string_view line, LineState& state);
 
-// Words that are options, wherever they stand in a line: to, by, keep-world …
+// Returns the words that are options in any line: to, by, keep-world …
 const std::vector<std::string_view>& option_words();
 
-// The number that stands at a place of a line, with its sign, without its unit: "-0.50" of "(1 -0.50deg 3)".
+// The number at a place of a line, with its sign and without its unit: "-0.50" of "(1 -0.50deg 3)".
 struct NumberAt {
   std::size_t at = 0, length = 0;
 };
 std::optional<NumberAt> number_at(std::string_view line, std::size_t place);
-// A number as it is written, some steps of its last digit further: "0.50" and 3 are "0.53". `finer`: steps of one digit
-// more behind the point.
+// Returns a number as it is written, changed by `steps` of its last digit: "0.50" and 3 give "0.53". `finer`: adds a
+// decimal digit first.
 std::string stepped(std::string_view number, int steps, bool finer = false);
-// The time that stands at a place of a line; of a segment the end that is there. None: none does, or it counts from the
-// row above.
+// Returns the time at a place of a line; in a segment, the end at that place. Returns nullopt if there is no time, or
+// if it is relative to the row above.
 std::optional<Time> time_at(std::string_view line, std::size_t place, const Document&);
 
 }  // namespace betwixt

@@ -14,8 +14,8 @@
 namespace betwixt {
 namespace {
 
-// The last event of a track before a time. It is looked for in longer and longer parts of it, so that a long track is
-// not gone through.
+// Returns the last event of a track before a time. Searches longer and longer parts, so that a long track is not read
+// whole.
 std::optional<EventView> event_before(const Document& d, const TrackView& track, Time t) {
   std::optional<EventView> found;
   for (Time back = d.rate().span(1); !found; back = back + back) {
@@ -42,7 +42,7 @@ std::string code_of(const Value* v) {
   return p ? std::string(procedure(*p).source) : std::string();
 }
 
-// Those that are events of values, of the object itself.
+// Tracks of values with events, without layers and velocities.
 std::vector<TrackView> own_tracks(const Document& d, const Target& t) {
   std::vector<TrackView> all = tracks(d, t);
   std::erase_if(all, [](const TrackView& v) { return v.events == 0 || v.target.velocity || v.target.layer; });
@@ -51,7 +51,7 @@ std::vector<TrackView> own_tracks(const Document& d, const Target& t) {
 
 const Object* object_of(const Document& d, const Target& t) { return find_object(d.scene(), t.object); }
 
-// What stands beside the track.
+// Adds what else affects the value, beside the track.
 void add_besides(const Document& d, const Target& t, std::vector<std::string>& all) {
   const Object* o = object_of(d, t);
   if (!o) return;
@@ -123,11 +123,11 @@ std::string way_of_new_event(const Document& d, const Target& t, Time at) {
   std::string_view unsaid = name_of(row_of(t.component < 0 ? whole : component_track_type(whole)).twerper);
   for (const TrackView& v : tracks(d, t)) {
     if (v.target.layer != t.layer || v.events == 0) continue;
-    if (!v.twerper.empty()) return {};  // one for all
+    if (!v.twerper.empty()) return {};  // the whole track has one twerper
     unsaid = v.unsaid;
     std::optional<EventView> before;
     each_event(d, v.target, at, at, [&](const EventView& e) { before = e; });
-    if (before) return {};  // it is there, and goes on as it does
+    if (before) return {};  // the event exists and keeps its twerper
     before = event_before(d, v, at);
     if (before && before->stops.empty() && std::ranges::find(plain, before->twerper) != std::end(plain))
       return " " + std::string(before->twerper);

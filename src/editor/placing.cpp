@@ -14,14 +14,14 @@
 namespace betwixt {
 namespace {
 
-// Where each line begins; a text without lines has none.
+// Returns the start of each line; empty for an empty text.
 std::vector<std::size_t> line_starts(std::string_view text) {
   std::vector<std::size_t> all;
   for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) all.push_back(at);
   return all;
 }
 
-// Only what differs.
+// Reduces the edit to the part that differs.
 void shorten(TextEdit& e) {
   std::size_t head = 0, tail = 0;
   const std::size_t most = std::min(e.removed.size(), e.inserted.size());
@@ -32,7 +32,7 @@ void shorten(TextEdit& e) {
        e.inserted.substr(head, e.inserted.size() - head - tail)};
 }
 
-// The line of the text that says the same of the film says the new thing.
+// Replaces the last line with the same verb, if the verb sets a property of the film once.
 std::optional<TextEdits> instead_of_setting(const std::string& text, const std::string& line) {
   const std::string verb(first_word(line));
   const Verb* const known = find_verb(verb);
@@ -62,7 +62,7 @@ bool in_remark(const std::string& text, std::size_t at) {
   return false;
 }
 
-// rename OLD NEW: the text speaks of it by its new name.
+// rename OLD NEW: replaces the name in the text.
 std::optional<TextEdits> renamed(const std::string& text, const std::string& line) {
   const std::vector<std::string> words = line_words(line);
   if (words.size() != 3 || words[0] != "rename" || is_pattern(words[1])) return std::nullopt;
@@ -152,7 +152,7 @@ std::optional<std::string> merge(std::string_view base, std::string_view ours, s
   if (ours == base) return std::string(theirs);
   const LineChange a = change_between(base, ours), b = change_between(base, theirs);
   const LineChange &upper = a.lines.first <= b.lines.first ? a : b, &lower = a.lines.first <= b.lines.first ? b : a;
-  // What meets at a line is the same place.
+  // Changes that touch at a line are a conflict.
   if (lower.lines.first <= std::max(upper.lines.last, upper.lines.first)) return std::nullopt;
   std::string all(base);
   for (const LineChange& c : {lower, upper}) {

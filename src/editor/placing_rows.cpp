@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a step changed of events and of values that are set is said by the rows that said what was there before.
+// Writes changed events and values into the rows that gave them before.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,22 +17,22 @@
 namespace betwixt {
 namespace {
 
-// An event as its row says it: when, and what stands behind the time.
+// An event as in its row: the time, and the text after it.
 struct Said {
   Time time;
   std::string rest;
 };
-// Events that a target had and has no more, and those that it has instead.
+// The events of a target that the step removed, and those that it added.
 struct Changed {
   Target target;
   std::vector<Said> gone, come;
 };
 struct Changes {
   std::vector<Changed> events;
-  std::vector<std::pair<Target, std::string>> set;  // values
+  std::vector<std::pair<Target, std::string>> set;  // targets and new values
 };
 
-// Two documents' events of a target; what both share is passed over.
+// Compares the events of a target in two documents. Events with a shared value are equal and are skipped.
 Changed compare(const Document& before, const Document& after, const Target& t) {
   Changed c{t, {}, {}};
   const std::vector<EventView> was = events(before, t), is = events(after, t);
@@ -54,7 +54,7 @@ Changed compare(const Document& before, const Document& after, const Target& t) 
   return c;
 }
 
-// None where things came or went: that is new, and no row says it.
+// Returns nullopt if objects were created, deleted or renamed: no row can be changed for that.
 std::optional<Changes> changes(const Document& before, const Document& after) {
   const Scene &was = before.scene(), &is = after.scene();
   if (was.objects.size() != is.objects.size() || !was.names.same(is.names)) return std::nullopt;
@@ -89,7 +89,7 @@ std::optional<Changes> changes(const Document& before, const Document& after) {
   return all;
 }
 
-// What becomes of a row.
+// The change of a row.
 struct Fate {
   bool goes = false;
   std::optional<Time> time;
@@ -120,9 +120,9 @@ class Placing {
   }
 
  private:
-  using Place = std::pair<SheetText*, std::size_t>;  // a row
+  using Place = std::pair<SheetText*, std::size_t>;  // a row: its sheet and its index
 
-  // All rows that say an event, in the order of the text.
+  // Returns all rows that give the event, in the order of the text.
   std::vector<Place> rows_of(const Target& t, Time time) {
     std::vector<Place> all;
     for (SheetText& s : found_.sheets) {
@@ -135,10 +135,10 @@ class Placing {
 
   bool decide(const Place& at, const Fate& fate) {
     const auto [there, fresh] = fates_.try_emplace(at, fate);
-    return fresh || there->second == fate;  // of a row for many, all want the same
+    return fresh || there->second == fate;  // all targets of a shared row must agree
   }
 
-  // Rows that say what has gone say what has come instead, in the same order.
+  // Pairs removed events with added ones, and changes their rows in order.
   bool settle(const Changed& c) {
     const std::size_t both = std::min(c.gone.size(), c.come.size());
     bool same_times = c.gone.size() == c.come.size();
@@ -158,7 +158,7 @@ class Placing {
     for (const Said& was : c.gone) {
       const std::vector<Place> rows = rows_of(c.target, was.time);
       if (rows.empty()) return false;
-      const Place& row = rows.back();  // the one that counts
+      const Place& row = rows.back();  // the last one takes effect
       Fate fate;
       if (const auto k = take(was)) {
         used[*k] = true;
@@ -168,7 +168,7 @@ class Placing {
         fate.goes = true;
       }
       if (!decide(row, fate)) return false;
-      // Those above would count again.
+      // Without this, the earlier rows would take effect again.
       if (fate.goes || fate.time)
         for (std::size_t i = 0; i + 1 < rows.size(); ++i)
           if (!decide(rows[i], {.goes = true, .time = {}, .rest = {}})) return false;
@@ -178,7 +178,7 @@ class Placing {
     return true;
   }
 
-  // A new row in the last sheet that is of this target alone; where there is only a line for an event, it becomes one.
+  // Adds a row to the last sheet that has this target only. A single `at` line becomes a sheet.
   bool add(const Target& t, const Said& said) {
     SheetText* single = nullptr;
     for (auto s = found_.sheets.rbegin(); s != found_.sheets.rend(); ++s) {
@@ -207,11 +207,11 @@ class Placing {
   }
   std::string part(Span s) const { return text_.substr(s.at, s.size); }
 
-  // Three angles, where the author left out that they are.
+  // Writes three angles without `euler`, if the author did.
   static std::string as_before(const std::string& rest, std::string_view before) {
     return before.starts_with('(') && rest.starts_with("euler(") ? rest.substr(5) : rest;
   }
-  // A line with another time and another value.
+  // Returns the row's line with its new time and value.
   std::string line_of(const RowText& row, const Fate& fate) const {
     std::string line = part(row.line);
     const auto put = [&](Span s, const std::string& instead) { line.replace(s.at - row.line.at, s.size, instead); };
@@ -220,7 +220,7 @@ class Placing {
     return line;
   }
 
-  // at 1f ball.position (0 0 0), and another event: their sheet.
+  // Turns `at 1f ball.position (0 0 0)` and the added events into a sheet.
   bool make_sheet(const SheetText& sheet, SheetText* key, const std::vector<Said>& more) {
     const RowText& row = sheet.rows[0];
     const auto f = fates_.find({key, 0});
@@ -275,7 +275,7 @@ class Placing {
       const RowText& row = sheet.rows[i];
       const auto f = fates_.find({key, i});
       const Fate fate = f == fates_.end() ? Fate{} : f->second;
-      // Remarks and empty lines above a row go with it.
+      // Comments and empty lines above a row move with it.
       std::string text = part({from, row.line.at - from});
       from = row.line.end();
       if (!fate.goes) text += line_of(row, fate);

@@ -17,7 +17,8 @@
 namespace betwixt {
 namespace {
 
-// What is as good as 0 beside the other numbers of a value is 0 for a reader: the sine of half a turn. (JSON says all.)
+// Replaces numbers that are nearly 0 beside the other numbers by 0, such as the sine of half a turn. JSON output is
+// exact.
 Value without_dust(Value r) {
   constexpr double dust = 1e-14;
   const auto clean = [](const std::vector<double*>& all, double largest) {
@@ -26,7 +27,7 @@ Value without_dust(Value r) {
       if (std::abs(*n) < dust * largest) *n = 0;
   };
   std::vector<double*> all;
-  if (const auto* matrix = std::get_if<Matrix>(&r)) {  // what turns and what moves are of different sizes
+  if (const auto* matrix = std::get_if<Matrix>(&r)) {  // the linear part and the translation have different scales
     Mat4 m = **matrix;
     for (std::size_t i = 0; i < 12; ++i) all.push_back(&m.m[i]);
     clean(all, 0);
@@ -46,7 +47,7 @@ bool is_world(const Target& t) { return t.query() == Query::world && t.component
 
 std::string plain_value(const Value& exact, const Target& t, const Document& d) {
   Value r = without_dust(exact);
-  // People read degrees, whether or not these are to the last bit what the program has.
+  // Rounds angles so that people read whole degrees, even if the last bits differ.
   const auto degrees = [](double& angle) {
     if (const double rounded = std::round(angle * (180 / pi) * 1e9) / 1e9; std::isfinite(rounded))
       angle = rounded * (pi / 180);
@@ -70,7 +71,7 @@ Result<std::vector<Target>> targets_of(const Document& d, std::vector<std::strin
                                        const std::function<void(const std::string&)>& nothing) {
   if (patterns.empty()) patterns = d.names();
   std::vector<Target> targets;
-  std::set<std::tuple<std::uint32_t, std::uint16_t, int, bool>> named;  // what is asked for twice is answered once
+  std::set<std::tuple<std::uint32_t, std::uint16_t, int, bool>> named;  // to list each target once
   for (const std::string& pattern : patterns) {
     const auto found = find_targets(pattern, d);
     if (!found) return found.error();

@@ -50,7 +50,7 @@ std::vector<std::string> with_name(std::span<const FilmText> texts, std::span<co
   return all;
 }
 
-// Whether aliases name the same things, however they say it.
+// Returns true if the aliases of both scenes name the same objects, however they are written.
 bool same_aliases(const Scene& a, const Scene& b) {
   const auto names = [](const Scene& s, const std::string& alias) {
     std::vector<std::string> all;
@@ -62,7 +62,7 @@ bool same_aliases(const Scene& a, const Scene& b) {
   });
 }
 
-// The language can rename what stands in a document. What comes of it is what the changed texts have to make.
+// For things in a document, `rename` gives the expected result: the changed texts must make the same.
 bool makes_the_same(std::span<const FilmText> texts, const NameAt& name, const std::string& to, const Loaded& then,
                     const LoadTexts& load) {
   std::vector<std::string> said;
@@ -118,7 +118,7 @@ Result<std::vector<TextSpan>> renaming(std::span<const FilmText> texts, const Te
   const bool same =
       errors_in(then) <= errors_in(film) &&
       (name.kind != NameKind::thing || alias ||
-       (stands ? makes_the_same(texts, name, to, then, load) : then.document == film.document));  // it was removed
+       (stands ? makes_the_same(texts, name, to, then, load) : then.document == film.document));  // deleted later
   if (same) return places;
   return fail(
       ErrorCode::name,

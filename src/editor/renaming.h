@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A name is another one in all texts of a film, and the film is the same but for it.
+// Renames a name in all texts of a film, and leaves the film the same otherwise.
 #pragma once
 
 #include <functional>
@@ -14,18 +14,18 @@
 
 namespace betwixt {
 
-// What stands at a place and can be renamed. Errors: name (there is no name; a pattern or a file makes it).
+// Returns the name at a place if it can be renamed. Errors: name (there is no name; a pattern or a file makes it).
 Result<NameAt> to_rename(const TextNames&, std::size_t text, std::size_t place);
 
-// Loads the film with its texts as they are said here.
+// Loads the film with these texts in place of its own.
 using LoadTexts = std::function<Loaded(const std::vector<std::string>&)>;
 
-// Where the name stands, so that another one put there makes the same film. Errors: syntax (this can be no name), name
-// (something is called so already; some of what speaks of it does not speak by its name, and would not follow).
+// Returns the places of a name that must change so that the texts make the same film. Errors: syntax (not a valid
+// name), name (the new name is taken; or something refers to the old one indirectly and would not follow).
 Result<std::vector<TextSpan>> renaming(std::span<const FilmText>, const TextNames&, const Loaded& film, const NameAt&,
                                        const std::string& to, const LoadTexts&);
 
-// The text with something else in these places, which are in order.
+// Returns the text with `others` in these places, which must be in order.
 std::string with_others(std::string text, std::span<const Span>, std::string_view others);
 
 }  // namespace betwixt

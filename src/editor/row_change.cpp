@@ -22,7 +22,7 @@ struct Row {
   std::string_view rest;
 };
 
-// One line that is a row with a time of its own, and no code.
+// Reads one line that is a row with an absolute time and without code.
 std::optional<Row> read_row(std::string_view line, const Document& d) {
   if (line.empty() || line.back() != '\n' || !indented(line)) return std::nullopt;
   line.remove_suffix(1);
@@ -54,7 +54,7 @@ class Looking {
   }
 
  private:
-  // In flicks no time is between others.
+  // Formats the time; reads_back() checks that the text is exact.
   std::string exact(Time t) const { return format_time(t, document_); }
   bool reads_back(Time t) const {
     const auto again = parse_time(exact(t), document_);
@@ -65,7 +65,7 @@ class Looking {
     return text_.substr(at, std::min(text_.find('\n', at), text_.size() - 1) + 1 - at);
   }
 
-  // The line above the rows: one whole track.
+  // Finds the line above the rows; it must be a single track.
   bool find_sheet() {
     for (std::size_t at = edit_.at; at > 0;) {
       const std::size_t before = at < 2 ? std::string_view::npos : text_.rfind('\n', at - 2);
@@ -99,7 +99,7 @@ class Looking {
     return true;
   }
 
-  // Of no other line it is unknown what it does, and none speaks of this track.
+  // Returns true if the effect of every other line is known and none affects this track.
   bool alone_in_text() {
     for (std::size_t at = 0; at < text_.size();) {
       const char c = text_[at];
@@ -133,7 +133,7 @@ class Looking {
       return word != "set" || speaks_of_others(c.next_word());
     return speaks_of_others(word);
   }
-  // NAME.FUNCTION of one thing that is not this one, or of another function of it.
+  // Returns true for NAME.FUNCTION of another single object, or for another function of the same one.
   bool speaks_of_others(std::string_view word) const {
     const std::size_t dot = first_dot(word), mine = first_dot(opener_);
     if (dot == std::string_view::npos || is_pattern(word) || document_.aliases().contains(word.substr(0, dot)))

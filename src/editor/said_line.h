@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A line as somebody says it, looked at once: where it ends, whether it goes on, and what it begins with, from which
-// follows who carries it out.
+// The first look at an entered line: where it ends, whether it continues, and its first words, which decide what
+// carries it out.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@ namespace betwixt {
 
 struct SaidLine {
   std::string_view text, verb;
-  std::vector<std::string> words;  // none: a remark, or nothing; of a long line only the first ones
+  std::vector<std::string> words;  // empty for a comment or a blank line; of a long line only the first words
   bool indented = false;
-  bool open = false;     // a bracket or a """ is: it goes on
-  bool several = false;  // more lines than one stand behind each other
+  bool open = false;     // a bracket or a """ is open: the line continues
+  bool several = false;  // the text has more than one line
   bool alone() const { return words.size() == 1; }
 };
-// `most`: words are looked for in so many bytes.
+// `most`: looks for words in this many bytes only.
 SaidLine look_at(std::string_view text, std::size_t most = std::string_view::npos);
 
 bool is_verb(std::string_view word);  // of the language
-// Whether a bracket or a """ is open.
+// Returns true if a bracket or a """ is open.
 bool goes_on(std::string_view text);
 
 }  // namespace betwixt

@@ -15,7 +15,7 @@
 namespace betwixt {
 namespace {
 
-// Whether a line that was refused would have opened a sheet.
+// Returns true if the refused line would have opened a sheet.
 bool meant_a_sheet(const std::vector<std::string>& words) {
   if (words.empty()) return false;
   const auto target = [&](std::size_t i) { return first_dot(words[i]) != std::string_view::npos; };
@@ -24,7 +24,7 @@ bool meant_a_sheet(const std::vector<std::string>& words) {
   return words.size() == 1 || target(0) || (words.size() == 3 && words[0] == "on" && target(2)) || list;
 }
 
-// Whether it is about what was entered, and not about a file that this names.
+// Returns true if the diagnostic is about the entered line itself, and not about a file that it uses.
 bool is_of_line(const Diagnostic& d) { return d.what.place.file.empty() && d.what.place.line != 0; }
 
 }  // namespace
@@ -42,21 +42,21 @@ std::string_view trimmed(std::string_view s, bool both) {
 
 std::string Session::State::text() const { return in_place ? placed.text : as_script(editor.base(), editor.steps()); }
 
-// Which of the choices is answered; none where nobody answers.
+// Returns the index of the answer; nullopt if there is no answer.
 std::optional<std::size_t> Session::State::choose(const std::string& question,
                                                   const std::vector<std::string_view>& choices,
                                                   const Asking& ask) const {
   for (std::string q = question; ask;) {
     const auto answer = ask(q);
     if (!answer) break;
-    if (*answer == called_off) {  // the choice that changes nothing is the last, but where no choice is
+    if (*answer == called_off) {  // the last choice is the one that changes nothing, unless it is "show"
       if (choices.back() == "show") break;
       return choices.size() - 1;
     }
     const std::string_view word = trimmed(*answer);
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < choices.size(); ++i)
-      if (!word.empty() && choices[i].starts_with(word)) found = i;  // no two choices begin alike, but for "s…"
+      if (!word.empty() && choices[i].starts_with(word)) found = i;  // valid if the count below is 1
     for (std::size_t i = 0; i < choices.size(); ++i)
       if (choices[i] == word) return i;
     const auto begins = [&](std::string_view c) { return !word.empty() && c.starts_with(word); };
@@ -70,12 +70,12 @@ Session::Answer Session::State::only_looks() const {
   return refused(fmt::format("another shell has {} open: this one may only look", called()));
 }
 
-// Where the text that was entered last begins, among all lines.
+// Returns the number of the text's first line among all entered lines.
 int Session::State::line_of(std::string_view text) const {
   return std::max(1, lines - static_cast<int>(std::count(text.begin(), text.end(), '\n')));
 }
 
-// What the reader says of a line, at the line's place among all that were entered.
+// Formats the diagnostics of a line, with its number among all entered lines.
 std::string Session::State::told(const Diagnostics& all, std::string_view line) const {
   const int first = line_of(line);
   std::string said;
@@ -86,7 +86,7 @@ std::string Session::State::told(const Diagnostics& all, std::string_view line) 
   return said;
 }
 
-// The same with ways out that only the session knows.
+// Adds hints that only the session can give.
 Diagnostics Session::State::hinted(Diagnostics all, std::string_view line) const {
   for (Diagnostic& d : all) {
     for (const std::string_view name : with_those_above(name_missed(d.what)))
@@ -101,8 +101,8 @@ Diagnostics Session::State::hinted(Diagnostics all, std::string_view line) const
   return all;
 }
 
-// What somebody who is asked wants of a value that means nothing where it stands (policy ask): its translation, or that
-// the line is ignored. None: nobody is asked, or there is nothing to choose.
+// Asks what to do with a value that has no meaning at its place (policy ask). Returns true to translate it, false to
+// ignore the line; nullopt if there is no one to ask or no translation.
 std::optional<bool> Session::State::asked_about(const Deed& refused, std::string_view line) const {
   const auto meaningless = [](const Diagnostic& d) {
     return d.severity == Severity::error && d.what.code == ErrorCode::type;
@@ -122,7 +122,7 @@ Session::Answer Session::State::command(std::string_view line) {
   const bool row = indented(line) && sheet_open();
   if (indented(line) && sheet_refused)
     return refused("this row has no sheet: the line that should open it was refused");
-  if (!row) line = trimmed(line);  // what is not a row must not look like one in the file
+  if (!row) line = trimmed(line);  // the file must not take it for a row
   const SaidLine said = look_at(line);
   if (said.several) return refused("one line at a time, please");
   Deed deed = editor.carry_out(editor.now(), line);
@@ -146,7 +146,7 @@ Session::Answer Session::State::command(std::string_view line) {
   return answer;
 }
 
-// Lines, one after the other; none of them where one is wrong.
+// Carries out several lines as one step. If one is wrong, none is carried out.
 Session::Answer Session::State::together(const std::vector<std::string>& said) {
   if (looks_only) return only_looks();
   if (said.empty()) return {};
@@ -156,7 +156,7 @@ Session::Answer Session::State::together(const std::vector<std::string>& said) {
   at.script.left.reset();
   Step step;
   Answer answer;
-  int before = 0;  // lines of the text
+  int before = 0;  // lines of earlier commands
   for (const std::string& line : said) {
     Deed deed = editor.carry_out(at, line);
     answer.said += told(deed.said, line);
@@ -186,7 +186,7 @@ Result<Document> Session::State::ahead(const std::vector<std::string>& said) con
   return at.document;
 }
 
-// What code does wrong since a line was said: at the film's ends and at the line's own time. Each thing once.
+// Evaluates the film at its ends and at the line's times, and reports errors of code that are new, each once.
 std::string Session::State::tried(const Words& words, std::string_view line) {
   if (line.find('"') == std::string_view::npos && document().scene().procedures->empty()) return {};
   const auto [first, last] = document().range();
@@ -237,13 +237,13 @@ Session::Answer Session::State::enter(std::string_view line) {
   line = trimmed(line, false);
   if (ended) return refused("the session is over");
   if (trimmed(line).empty()) return {};
-  std::string shifted;  // a person need not indent
+  std::string shifted;  // at the prompt, a row need not be indented
   if (sheet_open() && starts_like_time(line[0])) line = shifted = "  " + std::string(line);
   if (indented(line) && (sheet_open() || sheet_refused)) return command(line);
   if (is_rewriting(trimmed(line))) return rewrite(trimmed(line));
   const Words all = line_words(trimmed(line));
   const Word* word = all.empty() ? nullptr : find_word(all[0]);
-  // How play draws here, whatever the script says; where nothing plays these words are the script's.
+  // These words set how `play` draws, whatever the script says. Without a player they are commands of the script.
   const bool of_picture = word && word->run == &State::picture && doors.picture;
   if (!word || (all.size() > 1 && is_verb(all[0]) && !of_picture)) return command(line);
   if (all.size() > word->most + 1) return refused(fmt::format("'{}' is one word too many", all[word->most + 1]));

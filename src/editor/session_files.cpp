@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a session keeps where: the script that is saved, and the journal beside it until then.
+// The files of a session: the saved script, and the journal of the unsaved steps.
 #include <algorithm>
 #include <filesystem>
 
@@ -31,13 +31,13 @@ Status Session::State::write_down(Did what, std::string_view text) {
               s.error().hint.empty() ? "make room, then say it again" : s.error().hint);
 }
 
-// From now on, what is done is in the journal first.
+// From here on, the journal gets each step before it is taken.
 void Session::State::keep_journal() {
   editor.keep([this](Did what, const Step& step) { return write_step(what, step); });
 }
 
-// A file that holds what was put into its text is no longer the text that older steps follow: what is taken back of
-// these, or done again, stands in the journal as the lines that it changes.
+// After a save in place, the file is no longer the base of the older steps. So an undo or redo of one of them is
+// recorded as the lines that it changes.
 Status Session::State::write_step(Did what, const Step& step) {
   const auto say = [&](Did did, const std::string& text) { return write_down(did, text); };
   if (!in_place) return say(what, what == Did::command ? packed(step) : "");
@@ -62,7 +62,7 @@ Status Session::State::write_step(Did what, const Step& step) {
   return Nothing{};
 }
 
-// The journal of a file that this session goes over to, and that has none of its own that anybody needs.
+// Opens the journal of a file that becomes this session's file. Renames an old journal that still has records.
 Result<std::unique_ptr<Journal>> Session::State::journal_beside(const std::string& name, std::string& said) const {
   auto opened = Journal::open(journal_path(name));
   if (!opened && opened.error().code == ErrorCode::name)
@@ -103,9 +103,8 @@ Session::Answer Session::State::save(const std::string& to) {
   }
   const std::string all = text();
   const Fingerprint print = fingerprint(all);
-  const bool lost =
-      own && journal && !journal->in_place();  // it was moved or removed: a new one begins behind the file
-  if (own && !lost) {  // the journal says first what will be in the file: a stop between the two is understood
+  const bool lost = own && journal && !journal->in_place();  // moved or removed: a new one begins
+  if (own && !lost) {  // the journal gets its record first, so that an interruption between the two can be recognised
     if (Status s = write_down(Did::save, to_string(print)); !s) return refused(s.error());
   }
   if (Status s = write_script(name, all); !s) {
@@ -129,7 +128,7 @@ Session::Answer Session::State::save(const std::string& to) {
   return done(said + fmt::format("saved '{}'\n", name));
 }
 
-// A journal that holds the whole history.
+// Writes the whole history into a new journal.
 bool Session::State::begin(Journal& j, const Fingerprint& saved) const {
   if (in_place) return static_cast<bool>(j.begin(saved));
   std::vector<Record> all;
@@ -140,7 +139,7 @@ bool Session::State::begin(Journal& j, const Fingerprint& saved) const {
   return static_cast<bool>(j.begin(fingerprint(editor.base()), all));
 }
 
-// Whether what is here may be left; where nobody answers, the journal keeps it.
+// Asks whether unsaved work may be left; without an answer, the journal keeps it.
 Session::State::Leave Session::State::leave(std::string& said, bool ends) {
   const std::size_t n = tally.unsaved();
   if (n == 0 || looks_only) return Leave::go;
@@ -172,7 +171,7 @@ Session::Answer Session::State::quit(const Words&) {
 
 Session::Answer Session::State::reopen(const Words& w) {
   if (w.size() < 2) return refused("which file?", "usage: open FILE");
-  const auto there = read_script(w[1]);  // before anything is asked
+  const auto there = read_script(w[1]);  // read it before asking questions
   if (!there) return refused(there.error());
   if (!*there) return refused(fmt::format("there is no file '{}'", w[1]), "a new film begins with: betwixt shell FILE");
   std::string said;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a session begins: with a script, and with what an earlier session did and did not save.
+// The start of a session: loads the script, and recovers unsaved work of an earlier session.
 #include <algorithm>
 #include <filesystem>
 
@@ -14,7 +14,7 @@ namespace betwixt {
 
 namespace fs = std::filesystem;
 
-// A fresh start with a text; nothing of an earlier one stays.
+// Starts with a text; keeps nothing of the last session.
 void Session::State::start(Opening& o, const std::string& base) {
   file = o.name, known = o.print;
   tally = {};
@@ -62,7 +62,7 @@ void Session::State::begin(std::string text, const std::string& name) {
   start(o, o.text);
 }
 
-// A journal that cannot be gone on with is kept beside the script.
+// Keeps a journal that cannot be continued under another name beside the script.
 Status Session::State::put_aside(Opening& o, bool fits) const {
   const char* why = journal->foreign() ? "the journal beside the script cannot be read"
                     : !fits && !journal->records().empty()
@@ -76,11 +76,11 @@ Status Session::State::put_aside(Opening& o, bool fits) const {
   return Nothing{};
 }
 
-// What the journal holds decides how the session begins.
+// Decides by the journal how the session begins.
 Session::Answer Session::State::after_earlier(Opening o, Earlier earlier) {
   if (Status s = finish_checkpoint(*journal, o.text); !s) return refused(s.error());
   const Fingerprint present = fingerprint(o.text);
-  // The text that the records follow: all of the file, or what stands in it before the commands that were saved.
+  // The base of the records: the whole file, or its part before the saved commands.
   std::optional<std::string> under;
   Tally then;
   if (const auto& first = journal->base()) {
@@ -92,7 +92,7 @@ Session::Answer Session::State::after_earlier(Opening o, Earlier earlier) {
     const std::string before = o.text.substr(0, std::min<std::size_t>(first->size, o.text.size()));
     if (fits && fingerprint(before) == *first) under = before;
   }
-  // What was put into the text itself is in the file since it was saved.
+  // After a save in place the last record is the save: the file holds everything.
   const auto& found = journal->records();
   const bool all_saved =
       !under && !found.empty() && found.back().what == Did::save && found.back().text == to_string(present);
@@ -117,7 +117,7 @@ Session::Answer Session::State::after_earlier(Opening o, Earlier earlier) {
   return done(o.said);
 }
 
-// Recover or not; none where nobody answers.
+// Asks whether to recover. Returns nullopt without an answer.
 std::optional<bool> Session::State::wanted(const Tally& then, Earlier earlier) const {
   if (earlier != Earlier::ask) return earlier == Earlier::recover;
   const std::string question = fmt::format("{} of an earlier session {} not saved: recover, discard or show? ",
@@ -140,11 +140,11 @@ std::string Session::State::recorded() const {
   return all;
 }
 
-// A command may fail now, as a file that it needs is missing. It is left out, with the undo and redo records about it.
+// A command can fail now, for example if a file is missing. It is left out, with its undo and redo records.
 Session::State::Replayed Session::State::carry_out(std::span<const Record> records, const Killers& killers,
                                                    const std::string& now_saved) {
   Replayed out;
-  // For each command, first those that stand, then those that were undone: nullopt if it was carried out.
+  // One entry for each command, standing ones first, then undone ones; nullopt if it was carried out.
   std::vector<std::optional<SetAside>> failed;
   std::size_t standing = 0, number = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
@@ -171,7 +171,7 @@ Session::State::Replayed Session::State::carry_out(std::span<const Record> recor
   return out;
 }
 
-// A command of the journal. Returns why it cannot be carried out.
+// Carries out a command of the journal. Returns the reason if it fails, "" otherwise.
 std::string Session::State::again(const std::string& command) {
   if (is_rewriting(command)) {
     go_in_place();
@@ -192,7 +192,7 @@ Session::Answer Session::State::replay(Opening o, const std::string& base) {
   Replayed replayed;
   const auto carry_out_first = [&](std::size_t n) {
     start(o, base);
-    editor.keep({});  // it is in the journal
+    editor.keep({});  // the journal has these steps already
     replayed = carry_out(std::span(records).first(n), killers, now_saved);
     (void)Program::compile(document()).frame(document().range().first);
   };

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A session from within: an editor, the journal that it writes, the file that it stands for, and the words that are
-// the shell's own.
+// The state of a session: an editor, its journal, the file, and the words of the shell.
 #pragma once
 
 #include <fmt/format.h>
@@ -28,10 +27,10 @@ namespace betwixt {
 
 struct Session::State {
   using Words = std::vector<std::string>;
-  // A word of the shell. One that is a command too is the shell's where it stands alone.
+  // A word of the shell. If it is also a command of the language, the shell takes it only when it is alone on its line.
   struct Word {
     std::string_view word, usage, sentence, example;
-    std::size_t most;  // words behind it
+    std::size_t most;  // the largest number of arguments
     Answer (State::*run)(const Words&);
   };
   static std::span<const Word> words();
@@ -51,21 +50,21 @@ struct Session::State {
   Editor editor;
   std::string file;
   Tally tally;
-  std::optional<Fingerprint> known;  // what the file held when it was last read or written; none: there was none
+  std::optional<Fingerprint> known;  // of the file when it was last read or written; nullopt if there was none
   std::unique_ptr<Journal> journal;
-  std::vector<std::string> drawn;  // own files are replaced without a question
+  std::vector<std::string> drawn;  // plots of this session, replaced without a question
   bool looks_only = false;
-  bool sheet_refused = false;  // rows below a refused line have nowhere to go
+  bool sheet_refused = false;  // the last sheet was refused, so its rows are refused too
   bool ended = false;
-  bool in_place = false;  // what is done goes into the author's text; else below it
+  bool in_place = false;  // edits change the author's text; if false, they are appended to it
   PlacedText placed;
-  Diagnostics of_text;                               // what there is to say of the text
-  std::size_t journal_knows = 0, journal_undid = 0;  // of the last steps that stand, and of those that were undone
-  int lines = 0;                                     // that were entered
+  Diagnostics of_text;                               // diagnostics of the author's text
+  std::size_t journal_knows = 0, journal_undid = 0;  // last standing and undone steps that the journal has
+  int lines = 0;                                     // entered until now
   Program program;                                   // of the last document in which code was tried
-  bool quiet = false;                                // of how many things a pattern named
-  std::set<std::string> problems;                    // of code, that were told
-  std::map<std::string, int, std::less<>> failed;    // names that refused lines would have made, and those lines
+  bool quiet = false;                                // does not report the number of matches of a pattern
+  std::set<std::string> problems;                    // of code, already reported
+  std::map<std::string, int, std::less<>> failed;    // names that refused lines would have made, with the line numbers
 
   const Document& document() const { return editor.now().document; }
   bool sheet_open() const { return editor.now().script.left != nullptr; }
@@ -92,7 +91,7 @@ struct Session::State {
   std::optional<std::size_t> choose(const std::string& question, const std::vector<std::string_view>& choices,
                                     const Asking& ask) const;
 
-  // session_files.cpp: what is kept where
+  // session_files.cpp: files and journals
   enum class Leave { stay, go, keep };
   Answer save(const std::string& to);
   Answer save_word(const Words& w) { return save(w.size() > 1 ? w[1] : ""); }
@@ -106,7 +105,7 @@ struct Session::State {
   Answer quit(const Words& = {});
   Answer reopen(const Words&);
 
-  // session_text.cpp: what is done goes into the author's text
+  // session_text.cpp: edits that change the author's text
   void go_in_place();
   Answer rewrite(std::string_view line);
   Answer rewrite_word(const Words&) { return rewrite(std::string_view()); }
@@ -118,10 +117,10 @@ struct Session::State {
   Point after(const std::string& text, const TextEdit&, Diagnostics& said) const;
   Status go_on_from_file();
 
-  // session_opening.cpp: a session begins, or an earlier one goes on
+  // session_opening.cpp: beginning a session, or continuing an earlier one
   struct Opening {
-    std::string name, text;            // what the file holds now
-    std::optional<Fingerprint> print;  // … none: it is not there
+    std::string name, text;            // the current text of the file
+    std::optional<Fingerprint> print;  // … nullopt if the file does not exist
     std::string said;
   };
   Answer open(const std::string& name, Earlier earlier);
@@ -132,16 +131,16 @@ struct Session::State {
   std::string recorded() const;
   void start(Opening&, const std::string& base);
   Answer replay(Opening, const std::string& base);
-  // Records of a journal that were carried out again, and those that could not be.
+  // Records of a journal that were carried out again, and those that failed.
   struct Replayed {
     std::vector<Record> records;
     std::vector<SetAside> aside;
   };
-  using Killers = std::map<std::size_t, std::string>;  // records that end the program, and how
+  using Killers = std::map<std::size_t, std::string>;  // records that crash the program, and how
   Replayed carry_out(std::span<const Record>, const Killers&, const std::string& now_saved);
   std::string again(const std::string& command);
 
-  // session_words.cpp: what only looks
+  // session_words.cpp: words that change nothing
   Answer help(const Words&);
   Answer list(const Words&);
   Answer describe(const Words&);
@@ -154,10 +153,10 @@ struct Session::State {
   Answer load(const Words&);
 };
 
-// Whether it is a line that changes lines of the text.
+// Returns true if the line changes lines of the text (`rewrite`).
 bool is_rewriting(std::string_view line);
 
-// Without blanks and new lines at its end, and at its beginning where `both`.
+// Removes blanks and new lines at the end, and at the beginning if `both`.
 std::string_view trimmed(std::string_view s, bool both = true);
 
 }  // namespace betwixt

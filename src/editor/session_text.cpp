@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A session in which the author's text is changed itself.
+// Sessions in which edits change the author's text.
 #include <algorithm>
 #include <charconv>
 
@@ -24,7 +24,7 @@ void Session::State::go_in_place() {
   read_text_again();
 }
 
-// What there is to say of the text as it stands.
+// Updates the diagnostics of the text.
 void Session::State::read_text_again() {
   of_text.clear();
   (void)editor.read(placed.text, of_text);
@@ -40,7 +40,7 @@ Status Session::State::take(Point then, Step step) {
     return made.document == then.document;
   };
   TextEdits edits = place(placed.text, step, document(), then.document, makes);
-  // A bracket that is open somewhere would swallow what is written below it.
+  // An open bracket above would swallow the new line.
   if (has_errors(of_text)) {
     std::string text = placed.text;
     put_into(text, edits);
@@ -93,7 +93,7 @@ Result<TextEdit> Session::State::rewriting(std::string_view line) const {
   return replace_lines(in_place ? placed.text : text(), lines, others);
 }
 
-// The film after a change of the text. Where that is plain to see it is worked out from the film that there is.
+// Returns the film after a change of the text. Derives it from the current film if the change allows that.
 Point Session::State::after(const std::string& text, const TextEdit& edit, Diagnostics& said) const {
   if (in_place && of_text.empty())
     if (const auto commands = commands_of(placed.text, edit, document())) {
@@ -127,7 +127,7 @@ Session::Answer Session::State::rewrite(std::string_view line) {
   return done(has_errors(of_text) ? "the script has errors\n" : "");
 }
 
-// The journal begins anew behind the file, with what is not in it.
+// Begins a new journal on the current file, with one record that turns it into the session's text.
 Status Session::State::go_on_from_file() {
   if (looks_only || file.empty()) return Nothing{};
   const auto there = read_script(file);
@@ -140,7 +140,7 @@ Status Session::State::go_on_from_file() {
   std::vector<Record> rest;
   if (const LineChange c = change_between(**there, placed.text); placed.text != **there) {
     rest.push_back({Did::command, rewrite_line(c.lines.first, c.lines.last, c.others)});
-    tally.gone = 1;  // it is one command away
+    tally.gone = 1;  // the file is one command behind
   }
   return journal ? journal->begin(*known, rest) : Status(Nothing{});
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The words that are the shell's own.
+// The words of the shell.
 #include <algorithm>
 #include <filesystem>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What stands behind the word itself.
+// Returns the first argument.
 std::string argument(const std::vector<std::string>& words) { return words.size() > 1 ? words[1] : ""; }
 
 constexpr std::size_t any_number = 1 << 30;
@@ -98,7 +98,7 @@ Answer Session::State::eval(const Words& w) {
       patterns.push_back(w[i]);
       continue;
     }
-    const bool bare = w[i].find_first_not_of("0123456789.-") == std::string::npos;  // frames, as of `play`
+    const bool bare = w[i].find_first_not_of("0123456789.-") == std::string::npos;  // frames, as for `play`
     const Result<Time> t = parse_time(bare ? w[i] + "f" : w[i], document());
     if (!t) return refused(t.error());
     times.emplace_back(w[i], *t);

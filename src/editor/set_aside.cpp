@@ -53,7 +53,7 @@ std::string why_refused(const Diagnostics& all) {
 
 std::optional<Mended> without_errors(std::string_view text, const std::string& name, std::size_t bytes,
                                      const Diagnostics& errors) {
-  std::map<int, std::string> wrong;  // lines, and why
+  std::map<int, std::string> wrong;  // line numbers and reasons
   for (const Diagnostic& d : errors) {
     if (d.severity != Severity::error || d.what.place.line < 1) continue;
     if (d.what.place.file != name) return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<Mended> without_errors(std::string_view text, const std::string& n
   }
   Mended out;
   int number = 1;
-  bool with_rows = false;  // those of a line that is wrong
+  bool with_rows = false;  // skips the rows of a wrong line
   for (std::size_t at = 0; at < text.size();) {
     const LogicalLine line = logical_line(text.substr(at));
     const std::size_t end = static_cast<std::size_t>(line.next(text.data() + text.size()) - text.data());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands of a history that cannot be carried out again. A file beside the script keeps them, so that nothing is lost
-// and the other commands can be carried out.
+// Commands of a history that fail when they are carried out again. A file beside the script keeps them, so that nothing
+// is lost and the other commands can run.
 #pragma once
 
 #include <optional>
@@ -24,20 +24,20 @@ struct SetAside {
 
 // FILE.set-aside
 std::string set_aside_path(const std::string& script);
-// Adds commands to that file, each below a remark with the reason. A command that the file has already is not added
-// again. The file is on the disk when this returns. Errors: file, machine.
+// Appends commands to that file, each below a comment with the reason. Does not add a command twice. The file is on the
+// disk when this returns. Errors: file, machine.
 Status set_aside(const std::string& script, std::span<const SetAside> commands);
-// A text without the lines that have errors, each with its rows.
+// A text without the lines that have errors and without their rows.
 struct Mended {
   std::string text;
   std::vector<SetAside> lines;
 };
-// Returns nullopt if one of the errors is in another file than `name`, or not in the first `bytes` of the text.
+// Returns nullopt if one of the errors is in another file than `name`, or after the first `bytes` of the text.
 std::optional<Mended> without_errors(std::string_view text, const std::string& name, std::size_t bytes,
                                      const Diagnostics& errors);
-// Why something is refused: the first error.
+// Returns the reason of a refusal: the first error.
 std::string why_refused(const Diagnostics&);
-// The warning for the user who starts the program. `commands` is not empty.
+// Returns the warning for the user who starts the program. `commands` must not be empty.
 std::string set_aside_message(const std::string& script, std::span<const SetAside> commands);
 
 }  // namespace betwixt

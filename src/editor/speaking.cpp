@@ -17,7 +17,7 @@ void put(std::vector<ObjectId>& all, ObjectId id) {
   if (std::ranges::find(all, id) == all.end()) all.push_back(id);
 }
 
-// The words of a line that can be names or patterns of objects, what is behind a dot taken off.
+// Returns the words of a line that can be names or patterns of objects, cut at the first dot.
 std::vector<std::string_view> names_in(std::string_view line, const Document& d) {
   std::vector<std::string_view> all;
   LineState state;
@@ -48,7 +48,7 @@ std::vector<ObjectId> spoken_of(std::string_view line, std::string_view opener, 
       for (const ObjectId id : select(d.scene(), w)) {
         if (all.size() >= most) return all;
         if (is_pattern(w) && all.size() > 1000)
-          all.push_back(id);  // so many are not looked through for each
+          all.push_back(id);  // too many to search for duplicates
         else
           put(all, id);
       }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lines of a script speak of: an editor shows what is meant where the cursor is, and which lines mean what is
-// selected.
+// The objects that the lines of a script name: an editor highlights the object at the cursor, and the lines that name
+// the selection.
 #pragma once
 
 #include <string_view>
@@ -12,15 +12,15 @@
 
 namespace betwixt {
 
-// Whether rows may follow it: a target alone, or `make NAME`.
+// Returns true if rows may follow the line: it is a target alone, or `make NAME`.
 bool opens_sheet(std::string_view line);
-// Whether it is a line that stands below one that opens a sheet, or is nothing at all: the one that does is further up.
+// Returns true if the line is below an opener (a row, a comment, a blank line), so that the opener is further up.
 bool below_opener(std::string_view line);
-// The objects that a line names, in the order in which it does, each once; a row speaks of those of the line that
-// opened its sheet too. No more than `most`.
+// Returns the objects that a line names, in order, each once and at most `most`. A row also names those of its sheet's
+// opener.
 std::vector<ObjectId> spoken_of(std::string_view line, std::string_view opener, const Document&,
                                 std::size_t most = 100'000);
-// Whether one of these is among them; so many names are looked at as the line has.
+// Returns true if the line names one of these objects. Its cost depends on the number of names in the line.
 bool speaks_of(std::string_view line, std::string_view opener, const Document&, const std::vector<ObjectId>&);
 
 }  // namespace betwixt

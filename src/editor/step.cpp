@@ -13,7 +13,7 @@ namespace {
 
 constexpr char between_lines = '\0';
 
-// Of several lines together, or of one that goes on.
+// Returns true for several lines, or for one logical line over several.
 bool stands_alone(const Step& s) { return s.lines.size() > 1 || s.lines[0].find('\n') != std::string::npos; }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What was done, in words.
+// A step of the history, as text.
 #pragma once
 
 #include <span>
@@ -11,28 +11,28 @@
 
 namespace betwixt {
 
-// Commands that were carried out together, as they stand in a history.
+// Commands that were carried out together, as a history records them.
 struct Step {
   std::vector<std::string> lines;
-  std::string sheet;  // the lines that stand above their rows there, unless they do already; may be empty
+  std::string sheet;  // opener lines above the rows, unless they are there already; may be empty
   friend bool operator==(const Step&, const Step&) = default;
 };
 
-// save: a file holds all that stands; checkpoint: it may begin anew with another text, that of the first steps.
+// save: a file holds all standing steps; checkpoint: a file may begin with a new text that contains the first steps.
 enum class Did : char { command = 'c', undo = 'u', redo = 'r', save = 's', checkpoint = 'k' };
 
-// Whether its rows go on below the step above it, whose sheet they share.
+// Returns true if the step's rows continue those of the step above, as both have the same sheet.
 bool stands_below(const Step&, const Step* above);
-// The lines of a history, each by itself: rows follow those of their sheet, unless they already stand below them.
+// Returns the lines of a step one by one: its sheet first, unless the step continues the one above.
 std::vector<std::string> lines_of(const Step&, const Step* above);
 std::size_t bytes_of(const Step&);   // of its text
-std::size_t memory_of(const Step&);  // of the step and all that it holds
+std::size_t memory_of(const Step&);  // of the step and all that it owns
 
-// A script: the author's text, and below it every step.
+// Returns the author's text, followed by every step.
 std::string as_script(std::string_view base, std::span<const Step> steps);
 
-// A step as one text: a line as it is; of more, the sheet and then each line, with a zero between two, which no line
-// has.
+// Packs a step into one text for the journal. A single line stays as it is. Otherwise it is the sheet and the lines,
+// separated by a zero byte, which no line contains.
 std::string packed(const Step&);
 Step unpacked(std::string_view);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A text by its lines, with what goes on over their ends: whoever asks about a place in a text begins here.
+// A text as lines, with the lexical state at each line's start. All lookups by place in a text use it.
 #pragma once
 
 #include <cstddef>
@@ -21,17 +21,17 @@ class TextLines {
   void replace(Span, std::string_view others);
 
   const std::string& text() const { return text_; }
-  std::size_t count() const { return starts_.size(); }  // a text that ends with a new line has an empty one behind it
+  std::size_t count() const { return starts_.size(); }  // a text that ends with a new line has an empty last line
   std::size_t start(std::size_t line) const { return starts_[line]; }
-  // Without its end; a return in front of that is a part of the end.
+  // Returns the line without its line ending; a carriage return belongs to the ending.
   std::string_view line(std::size_t line) const;
   std::size_t line_of(std::size_t place) const;
-  // What is open above a line: of a text that nobody changes meanwhile.
+  // Returns the lexical state above a line. Do not change the text at the same time.
   LineState state_above(std::size_t line) const;
-  // The line that a logical line, of which this is a part, begins with; the one behind its last.
+  // Returns the first line of the logical line that contains this line; behind(): the line after its last.
   std::size_t first_of(std::size_t line) const;
   std::size_t behind(std::size_t line) const;
-  // The line that opened the sheet or list that a line stands in; `count()`: none is open there.
+  // Returns the line that opened the sheet or list around a line, or `count()` if none is open.
   std::size_t opener_of(std::size_t line) const;
 
  private:
@@ -39,7 +39,7 @@ class TextLines {
 
   std::string text_;
   std::vector<std::size_t> starts_;
-  mutable std::vector<LineState> above_;  // empty: nobody has asked
+  mutable std::vector<LineState> above_;  // cached; empty until the first call
 };
 
 }  // namespace betwixt

@@ -12,13 +12,13 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_made = 10'000;  // by one pattern, that are looked at
+constexpr std::size_t most_made = 10'000;  // names of one pattern that are expanded
 
 bool of_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
 bool of_function(char c) { return of_word(c) || c == '-'; }
 bool of_path(char c) { return of_function(c) || c == '/'; }
 
-// What of a line belongs together around a place.
+// Returns the longest run of matching characters around a place.
 template <class Belongs>
 Span run_around(std::string_view line, std::size_t place, Belongs&& belongs) {
   std::size_t from = place, to = place;
@@ -28,7 +28,7 @@ Span run_around(std::string_view line, std::size_t place, Belongs&& belongs) {
 }
 std::string_view part(std::string_view line, Span s) { return line.substr(s.at, s.size); }
 
-// The name up to and with the part of a path that the place is in.
+// Returns the path up to the end of the part at the place.
 Span path_around(std::string_view line, std::size_t place) {
   Span path = run_around(line, place, of_path);
   const std::size_t slash = line.find('/', place);
@@ -36,7 +36,8 @@ Span path_around(std::string_view line, std::size_t place) {
   return path;
 }
 
-// Whether the place is in a text of the code that begins at `from`: 'so', or \"so\" where that is in quotes itself.
+// Returns true if the place is in a string within the code that begins at `from`: 'so', or \"so\" if the code is in
+// quotes itself.
 bool in_quotes(std::string_view line, std::size_t from, std::size_t place) {
   char open = 0;
   for (; from < place; ++from)
@@ -47,7 +48,7 @@ bool in_quotes(std::string_view line, std::size_t from, std::size_t place) {
   return open != 0;
 }
 
-// Whether a word is one that the function of the key, or of the target, in front of it has for its values: shines=sun.
+// Returns true if the word is a value word of the function (or key) before it: shines=sun.
 bool is_value_word(std::string_view line, std::size_t word_at, std::string_view word) {
   std::size_t end = word_at;
   while (end > 0 && (blank(line[end - 1]) || line[end - 1] == '=')) --end;
@@ -65,13 +66,13 @@ bool is_value_word(std::string_view line, std::size_t word_at, std::string_view 
   return std::ranges::any_of(built_in_functions(), has);
 }
 
-// The last character in front of a place that is no blank.
+// Returns the last character before a place that is not blank.
 char before(std::string_view line, std::size_t place) {
   while (place > 0 && blank(line[place - 1])) --place;
   return place > 0 ? line[place - 1] : '\n';
 }
 
-// The kind of what a verb makes.
+// Returns the kind of name that a verb defines; nullopt if none.
 std::optional<NameKind> made_by_verb(std::string_view verb) {
   if (verb == "create" || verb == "layer" || verb == "alias" || verb == "animate" || verb == "make")
     return NameKind::thing;
@@ -81,7 +82,7 @@ std::optional<NameKind> made_by_verb(std::string_view verb) {
   return std::nullopt;
 }
 
-// Whether the text that begins at a place of a line is code: behind the sign of a computed value, or a procedure's.
+// Returns true if the string that begins at a place is code: of a procedure, or after the sign of a computed value.
 bool begins_code(const TextLines& lines, std::size_t line, std::size_t place) {
   const std::string_view there = lines.line(line).substr(0, place);
   if (first_word(lines.line(lines.first_of(line))) == "procedure") return true;
@@ -149,7 +150,7 @@ std::optional<NameAt> TextNames::word_at(std::string_view line, std::size_t from
   };
   const std::string_view whole = line.substr(piece.at, piece.length);
   const bool named = must || piece.meaning == Meaning::name;
-  // What a pattern begins with may be a name: man of man/finger{1..5}.
+  // The beginning of a pattern may be a name: man in man/finger{1..5}.
   const Span path = path_around(line, place);
   const bool above = path.end() < line.size() && line[path.end()] == '/';
   if (named && above && is_pattern(whole) && path.at == piece.at)
@@ -168,7 +169,8 @@ std::optional<NameAt> TextNames::word_at(std::string_view line, std::size_t from
   return std::nullopt;
 }
 
-// Code speaks of things and their functions in quotes, of all else by bare words; motions in quotes turn @ things.
+// Strings that are code name objects in quotes, functions after a dot, and everything else by bare words. In other
+// strings, such as motions, only objects after @ are names.
 std::optional<NameAt> TextNames::in_text(const TextLines& lines, std::size_t at, const LinePiece& piece,
                                          std::size_t place) const {
   const std::string_view line = lines.line(at);
@@ -206,7 +208,7 @@ std::optional<NameAt> TextNames::at(std::size_t text, std::size_t place) const {
   const auto given = state.goes_on() ? std::nullopt : making(line);
   std::optional<LinePiece> piece;
   for (const LinePiece& p : line_pieces(line, state, film_))
-    if (p.at <= in_line && in_line <= p.at + p.length) piece = p;  // of two that meet here the one behind
+    if (p.at <= in_line && in_line <= p.at + p.length) piece = p;  // where two tokens meet, the second
   if (!piece || piece->meaning == Meaning::comment) return std::nullopt;
   if (piece->meaning == Meaning::text) return in_text(lines, number, *piece, in_line);
   std::optional<NameKind> must;
@@ -243,7 +245,7 @@ std::vector<TextSpan> TextNames::uses(const NameAt& asked) const {
     for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += name.size()) {
       const std::size_t end = at + name.size();
       if ((at > 0 && !edge(text[at - 1])) || (end < text.size() && !edge(text[end]))) continue;
-      const auto there = this->at(t, end - 1);  // of man/arm its end says that it is not man
+      const auto there = this->at(t, end - 1);  // its end distinguishes man/arm from man
       if (there && there->kind == asked.kind && there->name == name && there->pattern == asked.pattern &&
           there->span.at == at)
         all.push_back({t, there->span});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names in the texts of a film: what stands at a place, where it is made, and where it is spoken of.
+// Names in the texts of a film: the name at a place, its definition, and its uses.
 #pragma once
 
 #include <optional>
@@ -16,16 +16,16 @@
 
 namespace betwixt {
 
-// An object, a layer, an environment, a display list or an alias; what `let` gave; a function, or code, of the
-// author's.
+// thing: an object, a layer, an environment, a display list or an alias. let: a value defined by `let`. function and
+// procedure: the author's own.
 enum class NameKind : std::uint8_t { thing, let, function, procedure };
 
-// A text that a film is made of: the script, or one that it uses.
+// A text of a film: the script, or one that it uses.
 struct FilmText {
   std::string path;
   TextLines lines;
 };
-// A part of one of them.
+// A span of one of the texts.
 struct TextSpan {
   std::size_t text = 0;
   Span span;
@@ -34,30 +34,31 @@ struct TextSpan {
   }
 };
 
-// A name that a line makes, or a pattern that makes many: `create ball{1..3} sphere`.
+// A name that a line defines, or a pattern that defines many: `create ball{1..3} sphere`.
 struct MadeName {
   TextSpan word;
   NameKind kind = NameKind::thing;
-  std::size_t verb = 0, verb_size = 0;  // that makes it, in the same line
+  std::size_t verb = 0, verb_size = 0;  // the verb that defines it, in the same line
   bool many = false;
 };
 
 struct NameAt {
-  std::string name;  // man/arm, where the cursor is on `arm` of man/arm/hand
+  std::string name;  // man/arm if the cursor is on `arm` of man/arm/hand
   NameKind kind = NameKind::thing;
-  Span span;             // of the name as a whole
-  bool pattern = false;  // it names what it matches, and is no name itself
+  Span span;             // of the whole name
+  bool pattern = false;  // it is a pattern, and not a name itself
 };
 
 class TextNames {
  public:
-  // Of texts and the film that they make; both must stay.
+  // The texts and the film that they make; both must outlive this object.
   TextNames(std::span<const FilmText>, const Document&);
 
   std::optional<NameAt> at(std::size_t text, std::size_t place) const;
-  // What makes it: of a pattern what makes all that it names. What makes man makes man/arm, where nothing else does.
+  // Returns the definitions of a name; of a pattern, those of all names that it matches. The definition of man also
+  // defines man/arm if nothing else does.
   std::vector<TextSpan> made(const NameAt&) const;
-  // Wherever it is spoken of by its own name, where it is made too, in the order of the texts.
+  // Returns all places with the name itself, definitions included, in the order of the texts.
   std::vector<TextSpan> uses(const NameAt&) const;
   std::span<const MadeName> all() const { return made_; }
 
@@ -74,7 +75,7 @@ class TextNames {
   std::unordered_map<std::string, std::vector<std::size_t>> by_name_;
 };
 
-// The word that a line gives as a name, and the verb that makes it.
+// The verb of a line and the name that it defines.
 struct Making {
   std::string_view verb, word;
   NameKind kind = NameKind::thing;

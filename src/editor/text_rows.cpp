@@ -41,7 +41,7 @@ class Finder {
     return c;
   }
 
-  // From here to a remark or the line's end.
+  // The text up to a comment or the end of the line.
   Span rest_of(Cursor& c) const {
     c.space();
     const char *from = c.at, *to = c.at;
@@ -107,7 +107,7 @@ class Finder {
     row.relative = c.peek() == '+';
     const bool read = row.relative ? (++c.at, c.length(row.when)) : c.time(row.when);
     if (!read || (row.relative && sheet.rows.empty())) {
-      sheet.targets.clear(), open_ = false;  // it is left alone
+      sheet.targets.clear(), open_ = false;  // this sheet cannot be attributed
       return;
     }
     if (row.relative) row.when = sheet.rows.back().when + row.when;
@@ -157,7 +157,7 @@ class Finder {
     }
   }
 
-  // Of a word, where it names any object that has changed.
+  // Returns the targets of a word if it names one of the objects in question.
   std::vector<Target> targets_of(std::string_view word, ObjectId layer) {
     const std::size_t dot = first_dot(word);
     if (dot == std::string_view::npos) return {};
@@ -178,7 +178,7 @@ class Finder {
   const std::span<const Target> targets_;
   std::set<std::uint32_t> objects_;
   TextRows found_;
-  bool open_ = false;  // rows that come now belong to the last sheet
+  bool open_ = false;  // following rows belong to the last sheet
 };
 
 }  // namespace

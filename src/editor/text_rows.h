@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where in a script events and values are said: rows of sheets, `at` and `set` lines, what stands where a thing is
-// created.
+// Finds where a script gives events and values: rows of sheets, `at` and `set` lines, and the arguments of `create`.
 #pragma once
 
 #include <span>
@@ -13,38 +12,38 @@
 
 namespace betwixt {
 
-// A part of the text.
+// A part of a text.
 struct Span {
   std::size_t at = 0, size = 0;
   std::size_t end() const { return at + size; }
 };
-// A row, or an `at` line, of which one event each comes.
+// A row or an `at` line, which makes one event on each target.
 struct RowText {
-  Span line;  // with its new line
+  Span line;  // with its line ending
   Span time, rest;
   Time when;
   bool relative = false;  // +12f
 };
-// A sheet with its rows, or a line that stands alone.
+// A sheet with its rows, or a single `at` line.
 struct SheetText {
   std::vector<Target> targets;
   Span opener;
   std::vector<RowText> rows;
   bool alone = false;
 };
-// What is said of a value for the whole film: of its target alone.
+// A value for the whole film, given for this target alone.
 struct ValueText {
   Target target;
   Span value;
 };
-// What of a text has to do with some targets.
+// The parts of a text that affect some targets.
 struct TextRows {
   std::vector<SheetText> sheets;
   std::vector<ValueText> values;
 };
 
-// All that speaks of the targets, in the order of the text. What cannot be told apart, as rows with formulas for times,
-// is left out with its sheet.
+// Returns all parts that affect the targets, in the order of the text. Leaves out sheets that cannot be attributed,
+// such as those with formulas for times.
 TextRows rows_about(const std::string& text, const Document&, std::span<const Target>);
 
 }  // namespace betwixt

@@ -22,9 +22,9 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_named = 20;  // by a pattern, that are said
+constexpr std::size_t most_named = 20;  // names of a pattern in the hover text
 
-// The piece of a line that a place is in.
+// Returns the token at a place.
 std::optional<LinePiece> piece_at(const TextLines& lines, std::size_t place, const Document& d) {
   const std::size_t number = lines.line_of(place), in_line = place - lines.start(number);
   LineState state = lines.state_above(number);
@@ -55,7 +55,7 @@ std::string said_of_name(const NameAt& name, const Document& d) {
   return described ? *described : "";
 }
 
-// A word of a line, up to what ends names.
+// Returns the word around a place; it ends where a name would.
 Span word_around(std::string_view line, std::size_t place) {
   constexpr std::string_view ends = " \t\r,()=\"@.{}[]*";
   std::size_t from = place, to = place;
@@ -78,7 +78,7 @@ bool is_remark(std::string_view line) {
   return at != std::string_view::npos && line[at] == '#' && line_words(line).empty();
 }
 
-// The line behind the rows that stand below a line; what is empty at their end is not theirs.
+// Returns the line after the rows below a line; trailing empty lines are not counted.
 std::size_t behind_rows(const TextLines& lines, std::size_t opener) {
   std::size_t end = lines.behind(opener);
   for (std::size_t i = end; i < lines.count() && below_opener(lines.line(i)); i = lines.behind(i))
@@ -174,7 +174,7 @@ std::vector<TextSymbol> symbols(const TextLines& lines) {
       word = made->word, symbol.made = made->kind;
       symbol.detail = made->verb == "create" && words.size() > 2 ? words[2] : std::string(made->verb);
     } else {
-      const std::string last = line_words(line).back();  // no remark in front of it has the same words
+      const std::string last = line_words(line).back();  // `find` is right, as no comment comes before this word
       word = line.substr(line.find(last, line.size() > last.size() && line.starts_with("on ") ? 3 : 0), last.size());
     }
     symbol.name = word;
@@ -213,7 +213,7 @@ std::string tidied_in(const TextLines& lines, Span part) {
   std::size_t end = behind_rows(lines, sheet_or_line(last));
   end = std::max(end, lines.behind(last));
   while (end > first && line_words(lines.line(end - 1)).empty() && !is_remark(lines.line(end - 1))) --end;
-  // Rows are sorted by what frames and ticks are there.
+  // Rows are sorted by time, so tidy needs the frame rate and the ticks from above.
   std::string above = "# \n";
   for (std::size_t i = 0; i < first; ++i) {
     const std::string_view word = first_word(lines.line(i));
@@ -248,7 +248,7 @@ std::vector<ColorAt> colors_in(const TextLines& lines, const Document& d) {
     for (const LinePiece& p : line_pieces(line, state, d)) {
       const std::string_view word = line.substr(p.at, p.length);
       if (p.meaning != Meaning::color && word != "rgb" && word != "hsv") continue;
-      if (made && made->word.data() == word.data()) continue;  // an object that is called gold
+      if (made && made->word.data() == word.data()) continue;  // an object can be called gold
       Cursor c(line.substr(p.at));
       Color color;
       if (ValueReader{c, d.scene(), {}, {}, {}}.color(color))

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an editor shows of a text beside its letters: what a word is, what there is in the text, its colours, and where
-// it can be folded.
+// What an editor shows about a text: hover text, usage, completions, symbols, folds and colours.
 #pragma once
 
 #include <optional>
@@ -16,46 +15,45 @@
 
 namespace betwixt {
 
-// A word and what there is to say about it, as lines.
+// A word and its hover text, in lines.
 struct Saying {
   Span word;
   std::string said;
 };
 std::optional<Saying> said_at(const TextNames&, const FilmText&, std::size_t text, std::size_t place, const Document&);
 
-// How the command of a line is written; none where it has no verb that is known.
+// The usage of a line's command. Returns nullopt if the line has no known verb.
 struct Usage {
   std::string_view written, sentence;
 };
 std::optional<Usage> usage_at(const TextLines&, std::size_t place);
 
-// The file that the line uses, as it is written, where the place is in that.
+// Returns the file name at a place, as the line writes it; nullopt if there is none.
 std::optional<std::string> used_at(const TextLines&, std::size_t place);
 
-// What the word in front of a place can become; `from` is where it begins.
+// The completions of the word before a place; `from` is where the word begins.
 struct Completions {
   std::size_t from = 0;
   std::vector<std::string> words;
 };
 Completions completions_at(const TextLines&, std::size_t place, const Document&, const std::filesystem::path& folder);
 
-// What there is in a text, in its order: what lines make, and sheets.
+// The symbols of a text in order: names that lines define, and sheets.
 struct TextSymbol {
-  std::string name, detail;      // as they are written
-  std::optional<NameKind> made;  // none: it is a sheet
-  Span word, whole;              // `whole`: lines, with the rows below
+  std::string name, detail;      // as in the text
+  std::optional<NameKind> made;  // nullopt for a sheet
+  Span word, whole;              // `whole`: full lines, with the rows below
 };
 std::vector<TextSymbol> symbols(const TextLines&);
 
-// Lines that follow each other and can be hidden but for the first: sheets with their rows, what goes on over the end
-// of a line, remarks.
+// Lines that can be folded into the first: a sheet with its rows, a logical line over several lines, or comments.
 struct Fold {
   std::size_t first = 0, last = 0;
   bool remark = false;
 };
 std::vector<Fold> folds(const TextLines&);
 
-// The text where what a part of it touches is tidy: whole commands, and sheets with their rows.
+// Returns the text with the part that `Span` touches tidied: whole commands, and sheets with their rows.
 std::string tidied_in(const TextLines&, Span);
 
 struct ColorAt {
@@ -63,7 +61,7 @@ struct ColorAt {
   Color color;
 };
 std::vector<ColorAt> colors_in(const TextLines&, const Document&);
-// The ways to write a colour, the shortest first.
+// Returns the ways to write a colour, the shortest first.
 std::vector<std::string> ways_to_write(Color);
 
 }  // namespace betwixt

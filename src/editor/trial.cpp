@@ -19,14 +19,14 @@
 namespace betwixt {
 namespace {
 
-// The copy has this thread only: a lock that another thread holds would never be released.
+// The copy has only this thread: it would wait forever for a lock that another thread holds.
 bool one_thread() {
   std::error_code none;
   const std::filesystem::directory_iterator all("/proc/self/task", none);
   return !none && std::distance(begin(all), end(all)) == 1;
 }
 
-// It says nothing, holds no lock of ours, leaves no core, and ends with us.
+// The copy prints nothing, holds no lock of ours, leaves no core dump, and ends with its parent.
 [[noreturn]] void work_in_copy(const std::function<void()>& work, pid_t parent) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(0);

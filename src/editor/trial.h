@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A start that a command of the history ends, again and again. A file beside the journal marks a start until it has
-// succeeded. The next start that finds the mark carries out the history in a copy of the process first, and looks for
-// the command that ends it.
+// Crash recovery at the start. If a command of the history crashes the program, every start would crash again. A file
+// beside the journal marks a start until it has succeeded. A start that finds the mark first carries out the history in
+// a copy of the process, and looks for the command that crashes it.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,26 @@
 
 namespace betwixt {
 
-// Does the work in a copy of this process. Returns how that ended ("signal 11"), or nullopt if it comes to the end of
-// its work. A process with several threads cannot be copied: nullopt then.
+// Does the work in a copy of this process. Returns how the copy died ("signal 11"); nullopt if it completed the work,
+// or if this process has several threads and cannot be copied.
 std::optional<std::string> dies_of(const std::function<void()>& work);
 
 struct Culprit {
   std::size_t number = 0;  // from 0
-  std::string how;         // it ends the process
+  std::string how;         // how the process died
 };
-// The command that ends the process. `carry_out(n)` carries out the first n of them and shows what they make. Returns
-// nullopt if nothing does, or if `carry_out(0)` does already.
+// Returns the command that crashes the process. `carry_out(n)` carries out the first n commands and evaluates the
+// result. Returns nullopt if no command crashes, or if `carry_out(0)` does already.
 std::optional<Culprit> find_culprit(std::size_t commands, const std::function<void(std::size_t)>& carry_out);
 
-// A mark beside the journal of a script while it lives. It stays if the process ends before that.
+// Marks a start with a file beside the journal, for its own lifetime. The file stays if the process dies before that.
 class StartMark {
  public:
   explicit StartMark(const std::string& script);
   ~StartMark();
   StartMark(const StartMark&) = delete;
   StartMark& operator=(const StartMark&) = delete;
-  // An earlier start has left one.
+  // Returns true if an earlier start has left its mark.
   bool found() const { return found_; }
 
  private:

@@ -38,7 +38,7 @@ std::string last_words(std::string text) {
   return text;
 }
 
-// Returns whether the messages report a file that could not be written.
+// Returns true if the messages report a file that could not be written.
 bool names_failure(const std::string& said) {
   for (const int reason : {ENOSPC, EIO, EDQUOT, EFBIG})
     if (said.find(std::strerror(reason)) != std::string::npos) return true;

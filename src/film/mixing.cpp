@@ -25,7 +25,7 @@ std::vector<ObjectId> sounds_of(const Scene& scene) {
 }
 
 Status decode(const Program& program, const HeardSound& h, Time from, std::span<float> stereo) {
-  std::int64_t next = 0;  // sample of the file
+  std::int64_t next = 0;  // the next sample of the file
   return decode_sound(
       h.sound->path,
       [&](std::span<const float> samples) {

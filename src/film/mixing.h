@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which samples of which sounds are heard in a part of a film. Samples are pairs, left and right.
+// Finds which samples of which sounds play in a part of a film. Samples are pairs, left and right.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,10 @@ struct HeardSound {
   std::shared_ptr<const Sound> sound;
   HeardPart part;
   std::int64_t offset = 0;           // the sample of the file for the first sample of the part
-  std::int64_t first = 0, last = 0;  // samples first … last - 1 of the file are heard
+  std::int64_t first = 0, last = 0;  // samples first … last - 1 of the file play
 };
 std::vector<HeardSound> sounds_heard(const Program&, Time from, std::int64_t pairs);
-// Adds samples of the file, from its sample `own` on; all must be among those that are heard.
+// Adds samples of the file, from its sample `own` on. All must be in the range first … last - 1.
 void add_sound(const Program&, const HeardSound&, std::int64_t own, std::span<const float> samples, Time from,
                std::span<float> stereo);
 

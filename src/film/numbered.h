@@ -15,7 +15,7 @@ namespace betwixt {
 
 // Returns their numbers in order; other files in the folder do not count. Errors: file (no such folder).
 Result<std::set<int>> numbers_there(const Output& pictures);
-// Returns whether it is a complete PNG or OpenEXR of that size.
+// Returns true if the file is a complete PNG or OpenEXR of that size.
 bool whole_picture(const std::string& path, int width, int height);
 // Returns a message if a PNG exists with another size or other bits a channel; otherwise "".
 std::string made_otherwise(const std::string& path, int width, int height, int bits);

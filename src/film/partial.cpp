@@ -17,7 +17,7 @@
 namespace betwixt {
 namespace {
 
-// Returns whether both are hidden names of one film, which differ in the numbers of processes only.
+// Returns true if both are hidden names of one film, which differ in the process numbers only.
 bool alike(const std::string& a, const std::string& b) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   const std::size_t mark = a.rfind(".partial");
@@ -33,7 +33,7 @@ bool alike(const std::string& a, const std::string& b) {
 
 std::string name_in(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-// Returns whether the locked file still has that name, and was not removed in between.
+// Returns true if the locked file still has that name, and was not removed in between.
 bool stands(int file, const std::string& path) {
   struct stat own {
   }, there{};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film's sound for the encoder: in an unnamed file, which is removed with its owner.
+// The sound of a film for the encoder: an unnamed file, which is removed with its owner.
 #pragma once
 
 #include <cstddef>

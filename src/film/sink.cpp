@@ -193,7 +193,7 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
   if (yuv) tags();
   const std::vector<std::string> how = arguments_of(format, o);
   a.insert(a.end(), how.begin(), how.end());
-  a.push_back("file:" + file);  // a file, whatever the name looks like
+  a.push_back("file:" + file);  // "file:" makes it a file, whatever its name looks like
   return a;
 }
 

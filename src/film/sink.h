@@ -16,7 +16,7 @@ namespace betwixt {
 struct Parcel {
   Picture picture;
   DeepPicture deep;                 // in place of the picture, for painters that make these
-  std::vector<std::uint8_t> bytes;  // the encoder's form; empty: as in the picture
+  std::vector<std::uint8_t> bytes;  // in the encoder's form; if empty, the encoder takes the picture's
 };
 
 // Until finish() succeeds there is no file under the film's name; all other files are removed with the sink.
@@ -26,7 +26,7 @@ class Sink {
   virtual Status pack(int k, Parcel&) = 0;                   // from the painters' threads, in any order
   virtual Status take(const Parcel&, const KeepGoing&) = 0;  // from one thread, in the order of the film
   virtual Status finish(const KeepGoing&) = 0;
-  // Whether the picture exists and need not be made. Called from the painters' threads, in any order.
+  // Returns true if the picture exists and need not be made. Called from the painters' threads, in any order.
   virtual bool stands(int /*k*/) const { return false; }
   virtual bool single_pictures() const { return false; }
 };

@@ -62,8 +62,7 @@ class Tape {
       return !over_ && have_ < length_;
     };
     if (samples_)
-      (void)decode_sound(
-          path, keep, static_cast<double>(length_) / sound_rate);  // what has no room, or has gone meanwhile, is silent
+      (void)decode_sound(path, keep, static_cast<double>(length_) / sound_rate);  // missing samples stay silent
     const std::lock_guard lock(mutex_);
     ended_ = true;
     changed_.notify_all();

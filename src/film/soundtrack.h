@@ -23,7 +23,7 @@ class Soundtrack {
 
   // Returns false if it is not decoded yet. The next part is decoded in the background.
   bool mix(const Program&, std::int64_t from, std::span<float> stereo);
-  // Waits until it is decoded; returns false after so many `seconds`.
+  // Waits until the samples are decoded. Returns false after `seconds`.
   bool await(const Program&, std::int64_t from, std::int64_t pairs, double seconds);
 
   static constexpr std::int64_t soon = 2 * sound_rate;  // pairs; longer than a decoder takes to start
