@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
   Window window(desk, {.bare = line.isSet("bare"), .remembers = !shows_only});
   if (line.isSet("light")) window.set_light(true);
   // Shows the window while a long film is still loading.
-  QObject::connect(&desk.beside(), &Beside::takes_long, &window, [&] {
+  QObject::connect(&desk.beside(), &studio::Beside::takes_long, &window, [&] {
     if (!shows_only) window.show();
   });
   const QString file = line.positionalArguments().value(0);
