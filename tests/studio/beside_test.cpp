@@ -47,7 +47,7 @@ class BesideTest : public QObject {
   void initTestCase() { set_theme(*qApp, Theme::dark); }
 
   void theWindowGoesOnMeanwhile() {
-    Beside beside;
+    studio::Beside beside;
     beside.set_patience(0);
     Gate gate;
     bool heard = true;
@@ -60,16 +60,16 @@ class BesideTest : public QObject {
   }
 
   void itTellsHowFarItIs() {
-    Beside beside;
+    studio::Beside beside;
     beside.set_patience(0);
     Gate half;
     float seen = 0;
     int over = 0;
-    connect(&beside, &Beside::takes_long, this, [&](float share) {
+    connect(&beside, &studio::Beside::takes_long, this, [&](float share) {
       seen = std::max(seen, share);
       if (share == 0.5F) half.open();
     });
-    connect(&beside, &Beside::over, this, [&] { ++over; });
+    connect(&beside, &studio::Beside::over, this, [&] { ++over; });
     beside.carry_out([&] { HowFar::tell(1, 2), half.pass(); });
     QCOMPARE(seen, 0.5F);
     QCOMPARE(over, 1);
@@ -81,7 +81,7 @@ class BesideTest : public QObject {
   // Before anybody is told that it takes long, and after.
   void workAsksInTheWindow() {
     for (const int patience : {0, 100'000}) {
-      Beside beside;
+      studio::Beside beside;
       beside.set_patience(patience);
       std::thread::id who;
       bool inner = false;
@@ -104,7 +104,7 @@ class BesideTest : public QObject {
     auto* bar = window.findChild<QProgressBar*>("work");
     QVERIFY(bar && bar->isHidden());
     bool seen = false, refused = false;
-    connect(&film.desk.beside(), &Beside::takes_long, this, [&] {
+    connect(&film.desk.beside(), &studio::Beside::takes_long, this, [&] {
       seen = seen || bar->isVisible();
       refused = refused || !film.desk.say(std::string("set ball.radius 9"));  // nobody is heard meanwhile
     });
