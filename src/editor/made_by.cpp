@@ -8,6 +8,7 @@
 
 #include "betwixt/language.h"
 #include "betwixt/track.h"
+#include "language/values.h"
 #include "scene/document.h"
 #include "track/twerpers.h"
 
@@ -136,10 +137,25 @@ std::string way_of_new_event(const Document& d, const Target& t, Time at) {
   return unsaid == "smooth" ? " auto" : "";
 }
 
+std::string line_of_event(const Document& d, const Target& t, Time at, const std::string& value) {
+  const auto written = [&](const Value& v) {
+    return write_value(v, spec_of(d.scene(), t.function), t.component, [&](ObjectId id) { return d.name(id); });
+  };
+  std::string before, behind = way_of_new_event(d, t, at);
+  each_event(d, t, at, at, [&](const EventView& e) {
+    behind.clear();
+    if (e.what != EventView::What::value || !e.value) return;
+    const std::string row = write_event(d, t, at), cut = e.before ? written(*e.before) + " cut " : "";
+    const std::string start = cut + written(*e.value);
+    // If both values of the event were equal, keep them equal.
+    before = e.before && *e.before == *e.value ? value + " cut " : cut;
+    if (row.starts_with(start)) behind = row.substr(start.size());
+  });
+  return "at " + format_time(at, d) + " " + d.name(t) + " " + before + value + behind;
+}
+
 std::string line_that_sets(const Document& d, const Target& t, Time at, const std::string& value) {
-  const std::string rest = d.name(t) + " " + value;
-  if (own_tracks(d, t).empty()) return "set " + rest;
-  return "at " + format_time(at, d) + " " + rest + way_of_new_event(d, t, at);
+  return own_tracks(d, t).empty() ? "set " + d.name(t) + " " + value : line_of_event(d, t, at, value);
 }
 
 std::string line_that_holds(const Document& d, ObjectId id, Time at, const Attachment& to) {

@@ -29,7 +29,9 @@ bool in_components(const Document&, const Target&);
 // Returns the twerper word for a new event, with a blank before it: that of the event before, if it is a plain word;
 // otherwise " auto" if the default is smooth, as a smooth curve can overshoot its events far; "" if none is needed.
 std::string way_of_new_event(const Document&, const Target&, Time);
-// Returns "at 24f ball.radius 2 auto" if the function has events, "set ball.radius 2" otherwise.
+// Returns "at 24f ball.radius 2 auto". An event that is there keeps its twerper, its eases and its cut.
+std::string line_of_event(const Document&, const Target&, Time, const std::string& value);
+// Returns such a line, "at 24f ball.radius 2 auto", if the function has events, "set ball.radius 2" otherwise.
 std::string line_that_sets(const Document&, const Target&, Time, const std::string& value);
 // Returns a line such as "couple ball to hand keep-world". It has `at TIME` after the film's first frame, for `letgo`,
 // and if the object has attachment events.

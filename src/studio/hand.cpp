@@ -122,17 +122,7 @@ Vec3 angles_near(Quat q, Vec3 angles) {
 std::string line_for(const Document& d, const Target& t, const Value& v, Time time, bool make_event) {
   const std::string value = written(d, v, t);
   if (!make_event) return "set " + d.name(t) + " " + value;
-  std::string before, behind = way_of_new_event(d, t, time);
-  each_event(d, t, time, time, [&](const EventView& e) {
-    behind.clear();
-    if (e.what != EventView::What::value || !e.value) return;
-    const std::string row = write_event(d, t, time), was = e.before ? written(d, *e.before, t) + " cut " : "";
-    const std::string start = was + written(d, *e.value, t);
-    // If both values of the event were equal, keep them equal.
-    before = e.before && *e.before == *e.value ? value + " cut " : was;
-    if (row.starts_with(start)) behind = row.substr(start.size());
-  });
-  return "at " + format_time(time, d) + " " + d.name(t) + " " + before + value + behind;
+  return line_of_event(d, t, time, value);
 }
 
 std::vector<std::string> lines_to_bring(const Program& program, ObjectId id, const Mat4& world, Time time, double step,

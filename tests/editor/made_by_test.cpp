@@ -69,6 +69,19 @@ TEST(MadeBy, TheLineOfAHand) {
   EXPECT_EQ(line_that_sets(f.d, f.of("ball.color"), f.at("24f"), "red"), "set ball.color red");
 }
 
+// An event that has a new value continues as before.
+TEST(MadeBy, TheLineOfAnEventThatIsThere) {
+  const auto line = [](const std::string& row) {
+    const Film f("ball.radius\n  1f 1\n  " + row + "\n  25f 2\n");
+    return line_that_sets(f.d, f.of("ball.radius"), f.at("12f"), "3");
+  };
+  EXPECT_EQ(line("12f 4"), "at 12f ball.radius 3");
+  EXPECT_EQ(line("12f 4 auto"), "at 12f ball.radius 3 auto");
+  EXPECT_EQ(line("12f 4 linear(0 2 1)"), "at 12f ball.radius 3 linear(0 2 1)");
+  EXPECT_EQ(line("12f 4 bounce-out ease-in=2f"), "at 12f ball.radius 3 bounce-out ease-in=2f");
+  EXPECT_EQ(line("12f 5 cut 4 hold"), "at 12f ball.radius 5 cut 3 hold");
+}
+
 // A new event goes on by auto where it would swing, and as the one before it where that says a plain word.
 TEST(MadeBy, HowANewEventGoesOn) {
   const auto way = [](const std::string& lines, const char* target) {

@@ -142,14 +142,14 @@ class SheetTest : public QObject {
     QCOMPARE(s.at.said, (std::vector<std::string>{
                             "reverse ball.{position,color} 24f..48f", "copy ball.{position,color} 24f..48f to 60f",
                             "move ball.{position,color} 60f..84f by 1f", "clear ball.{position,color} 61f..85f",
-                            "at 12f box.position (0 1 0)"}));
+                            "at 12f box.position (0 1 0) auto"}));
     for (int i = 0; i < 5; ++i) s.at.desk.undo();
     QCOMPARE(s.at.desk.text(), film);
   }
   void a_double_click_writes_an_event_or_another_value() {
     Shown s;
     QTest::mouseDClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(1, 60));
-    QCOMPARE(s.at.said, std::vector<std::string>{"at 60f ball.position (2 0 0)"});
+    QCOMPARE(s.at.said, std::vector<std::string>{"at 60f ball.position (2 0 0) linear"});
     QTest::mouseDClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(2, 24));
     auto* words = s.pane.findChild<QLineEdit*>("event_words");
     QCOMPARE(words->text(), "red");
