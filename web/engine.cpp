@@ -15,6 +15,7 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "base/utf8.h"
 #include "betwixt/evaluation.h"
 #include "betwixt/language.h"
 #include "betwixt/render.h"
