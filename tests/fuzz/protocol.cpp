@@ -359,12 +359,14 @@ class Play {
     }
     settle(verb, refused);
     if (verb == "save" && !refused) saved_ = true;
-    for (const Imaging::Event& e : imaging_->events())
-      for (std::size_t at = 0; at < e.line.size();) {
-        const std::size_t end = e.line.find('\n', at);
-        insist(answered(e.line.substr(at, end + 1 - at)).contains("event"), "an event says what it is", e.line);
+    for (const Imaging::Event& e : imaging_->events()) {
+      const std::string& lines = *e.line;
+      for (std::size_t at = 0; at < lines.size();) {
+        const std::size_t end = lines.find('\n', at);
+        insist(answered(lines.substr(at, end + 1 - at)).contains("event"), "an event says what it is", lines);
         at = end + 1;
       }
+    }
     if (reply.quit) change_places(seat);
   }
 
