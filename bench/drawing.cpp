@@ -90,20 +90,20 @@ void measure(const Row& row) {
 }
 
 // Pictures that take time beside single ones of the same frames, in turns: how many of these one of them costs.
-void blur(const char* what, const Document& film, const RenderOptions& options, const Exposure& how, int rounds) {
+void blur(const char* what, const Document& film, const RenderOptions& options, const Blur& how, int rounds) {
   const Program program = Program::compile(film);
   Evaluation evaluation(program);
-  RenderOptions deep = options;
-  deep.deep = true;
-  const auto sharp = make_renderer(options), blurred = make_renderer(deep);
+  RenderOptions linear = options;
+  linear.linear = true;
+  const auto sharp = make_renderer(options), blurred = make_renderer(linear);
   insist(sharp && blurred, "no renderer");
   Picture one;
-  DeepPicture sum;
+  LinearPicture sum;
   std::vector<double> ratios;
   for (int k = -1; k < rounds; ++k) {
     const Time t = film.rate().frame(k + 4);
     const double taken = processor_milliseconds(
-        [&] { insist(static_cast<bool>((*blurred)->expose(evaluation, t, how, sum)), "no picture"); });
+        [&] { insist(static_cast<bool>((*blurred)->render_blurred(evaluation, t, how, sum)), "no picture"); });
     const double drawn = processor_milliseconds([&] {
       evaluation.to(t);
       insist(static_cast<bool>((*sharp)->render(evaluation, one)), "no picture");
@@ -161,7 +161,7 @@ int main(int count, char** arguments) {
   measure({"10,000 things rest, one moves, 960x540, 1 sample", script(many(10000, 1, false)), window, 20});
   measure({"10,000 things rest, the camera moves, 1 sample", script(many(10000, 0, true)), window, 20});
   measure({"10,000 things rest, nothing moves, 1 sample", script(many(10000, 0, false)), window, 20});
-  const Exposure eight{8, 0.5 / 24};
+  const Blur eight{8, 0.5 / 24};
   blur("funnel, blurred, 8 subframes of 4 samples, beside one", example("funnel"), small, eight, 30);
   blur("menagerie, the same", example("menagerie"), small, eight, 30);
   blur("10,000 things rest, one moves, the same", script(many(10000, 1, false)), smooth, eight, 20);

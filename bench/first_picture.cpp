@@ -87,7 +87,7 @@ class Film {
     const int some = 16 + 37 * k % 200;
     const std::string line =
         thing.empty() ? fmt::format("exposure {}/300", some) : fmt::format("at 1f {}.color #{:02x}40c0", thing, some);
-    Deed deed = editor_.carry_out(editor_.now(), line);
+    CommandResult deed = editor_.carry_out(editor_.now(), line);
     if (!deed.done || !editor_.take(std::move(deed.after), {{deed.line}, deed.sheet})) return false;
     program_ = Program::compile(document(), program_);
     return true;

@@ -77,7 +77,8 @@ struct Row {
   const char* said = nullptr;               // one line about all; @ is how many there are …
   const char* each = nullptr;               // … or a line for each
   void (*done)(const Document&) = nullptr;  // … or something else
-  bool again = false;                       // the lines are a bundle of an earlier session, done again
+  // The lines are a bundle: of an earlier session, done again; or of a live host.
+  enum class Bundle : unsigned char { none, again, live } bundle = Bundle::none;
 };
 
 const Row rows[] = {
@@ -172,15 +173,25 @@ const Row rows[] = {
     {"rename below, each", nested, nullptr, "create q# sphere\nrename q# g1/q#"},
     {"make, each", film, nullptr, "make s#\n  point (0 0)"},
     // The bundle of an earlier session.
-    {"bundle of create", film, nullptr, "create p# sphere", nullptr, true},
-    {"bundle of set", balls, nullptr, "set o#.color gold", nullptr, true},
-    {"bundle of sheets", balls, nullptr, "o#.position\n  1f (i 0 0)\n  24f (i 1 0)", nullptr, true},
-    {"bundle of hang", balls, nullptr, "hang o# on hand", nullptr, true},
-    {"bundle of remove", balls, nullptr, "remove o#", nullptr, true},
-    {"bundle of animate", film, nullptr, "animate e# every 1t by rotate(6deg, z)", nullptr, true},
-    {"bundle of note", film, nullptr, "at #f note \"#\"", nullptr, true},
-    {"bundle of alias", balls, nullptr, "alias a# = o#", nullptr, true},
-    {"bundle of make", film, nullptr, "make s#\n  point (0 0)", nullptr, true},
+    {"bundle of create", film, nullptr, "create p# sphere", nullptr, Row::Bundle::again},
+    {"bundle of set", balls, nullptr, "set o#.color gold", nullptr, Row::Bundle::again},
+    {"bundle of sheets", balls, nullptr, "o#.position\n  1f (i 0 0)\n  24f (i 1 0)", nullptr, Row::Bundle::again},
+    {"bundle of hang", balls, nullptr, "hang o# on hand", nullptr, Row::Bundle::again},
+    {"bundle of remove", balls, nullptr, "remove o#", nullptr, Row::Bundle::again},
+    {"bundle of animate", film, nullptr, "animate e# every 1t by rotate(6deg, z)", nullptr, Row::Bundle::again},
+    {"bundle of note", film, nullptr, "at #f note \"#\"", nullptr, Row::Bundle::again},
+    {"bundle of alias", balls, nullptr, "alias a# = o#", nullptr, Row::Bundle::again},
+    {"bundle of make", film, nullptr, "make s#\n  point (0 0)", nullptr, Row::Bundle::again},
+    // The same of a live host.
+    {"live bundle of note", film, nullptr, "at #f note \"#\"", nullptr, Row::Bundle::live},
+    {"live bundle of note from behind", film, nullptr, "at -#f note \"#\"", nullptr, Row::Bundle::live},
+    {"live bundle of alias", balls, nullptr, "alias a# = o#", nullptr, Row::Bundle::live},
+    {"live bundle of let", film, nullptr, "let n# = #", nullptr, Row::Bundle::live},
+    {"live bundle of define", film, nullptr, "define f# number #", nullptr, Row::Bundle::live},
+    {"live bundle of make", film, nullptr, "make s#\n  point (0 0)", nullptr, Row::Bundle::live},
+    {"live bundle of lists, shown", listed, nullptr, "make s#\n  point (0 0)", nullptr, Row::Bundle::live},
+    {"live bundle of set", balls, nullptr, "set o#.color gold", nullptr, Row::Bundle::live},
+    {"live bundle of sheets", balls, nullptr, "o#.position\n  1f (1 0 0)\n  24f (2 1 0)", nullptr, Row::Bundle::live},
     // Words of the shell.
     {"list", balls, "list"},
     {"list pattern", balls, "list o*"},
@@ -239,11 +250,29 @@ double doing_again(const std::string& before, const std::string& text) {
   return ms;
 }
 
+// A bundle of a live host.
+double doing_live(const std::string& before, const std::string& text) {
+  Editor editor;
+  editor.begin(before, "");
+  Document made;
+  const double ms = processor_milliseconds([&] {
+    Editor::Draft draft(editor, editor.now());
+    for (Size at = 0, end; at < text.size(); at = end + 1) {
+      end = std::min(text.find('\n', at), text.size());
+      insist(draft.carry_out(std::string_view(text).substr(at, end - at), Time{}).done, "done");
+    }
+    made = std::move(draft).point().document;
+  });
+  insist(made == load_text(before + text, "").document, "the same film");
+  return ms;
+}
+
 Spent spent(const Row& row, Size n) {
   Spent out;
   const std::string before = row.before(n);
-  if (row.again) {
-    out.ms = doing_again(before, lines(n, row.each));
+  if (row.bundle != Row::Bundle::none) {
+    const auto how = row.bundle == Row::Bundle::again ? doing_again : doing_live;
+    out.ms = how(before, lines(n, row.each));
   } else if (row.each) {
     const Loaded all = load_text(before + lines(3, row.each), "");
     for (const Diagnostic& d : all.diagnostics)

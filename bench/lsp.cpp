@@ -4,8 +4,6 @@
 // How long an editor waits: from a key to what there is to say of the text, and for what it asks then, without the
 // pipe. After each key all has to be as before: no errors, or the one that the key makes.
 //   bench_lsp [KEYS]
-#include "server/lsp.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "export/json.h"
+#include "lsp/language_server.h"
 #include "timing.h"
 
 using namespace betwixt;

@@ -12,9 +12,9 @@
 #include <random>
 
 #include "betwixt/language.h"
-#include "studio/theme.h"
-#include "studio/viewport.h"
-#include "studio/window.h"
+#include "studio/shell/theme.h"
+#include "studio/shell/window.h"
+#include "studio/viewport/viewport.h"
 
 using namespace betwixt;
 using namespace betwixt::studio;
@@ -57,11 +57,11 @@ std::string many_events() {
 
 class Trial {
  public:
-  explicit Trial(const std::string& file) : window_(desk_) {
+  explicit Trial(const std::string& file) : window_(workspace_) {
     window_.resize(1280, 800);
     window_.show();
     QObject::connect(&window_.viewport(), &Viewport::picture_came, [this](const PictureMade& m) { came_ = m; });
-    if (!desk_.open(QString::fromStdString(file))) throw std::runtime_error(desk_.last_said());
+    if (!workspace_.open(QString::fromStdString(file))) throw std::runtime_error(workspace_.last_said());
     window_.viewport().await_picture();
     QApplication::processEvents();
   }
@@ -69,16 +69,16 @@ class Trial {
   void play(double seconds) {
     int pictures = 0;
     const auto counting = QObject::connect(&window_.viewport(), &Viewport::picture_came, [&] { ++pictures; });
-    desk_.play(1);
+    workspace_.play(1);
     const auto begun = Clock::now();
     std::vector<double> late;
     while (milliseconds(Clock::now() - begun) < 1e3 * seconds)
       QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     const double took = 1e-3 * milliseconds(Clock::now() - begun);
-    desk_.pause();
+    workspace_.pause();
     QObject::disconnect(counting);
     fmt::print("  {:28} {:.1f} pictures a second of {:.0f}; the playhead went {:.2f} s in {:.2f} s\n", "playing",
-               pictures / took, desk_.document().rate().per_second(), took, took);
+               pictures / took, workspace_.document().rate().per_second(), took, took);
   }
 
   void scrub(int moves) {
@@ -88,12 +88,12 @@ class Trial {
     const int y = 8;
     QTest::mousePress(ruler, Qt::LeftButton, {}, {ruler->width() / 4, y});
     for (int i = 0; i < moves; ++i) {
-      const Time before = desk_.time();
+      const Time before = workspace_.time();
       const int x = ruler->width() / 4 + (i * 37) % (ruler->width() / 2);
       const auto begun = Clock::now();
       QTest::mouseMove(ruler, {x, y});
-      if (desk_.time() == before) continue;
-      until([&] { return came_ && came_->time == desk_.time(); });
+      if (workspace_.time() == before) continue;
+      until([&] { return came_ && came_->time == workspace_.time(); });
       all.push_back(milliseconds(Clock::now() - begun));
     }
     QTest::mouseRelease(ruler, Qt::LeftButton, {}, {ruler->width() / 4, y});
@@ -112,39 +112,40 @@ class Trial {
     editor->setTextCursor(c);
     std::vector<double> all;
     int changes = 0;
-    QObject::connect(&desk_, &Desk::document_changed, [&] { ++changes; });
+    QObject::connect(&workspace_, &Workspace::document_changed, [&] { ++changes; });
     for (int i = 0; i < keys; ++i) {
       const int before = changes;
       const auto begun = Clock::now();
       QTest::keyClick(editor, i % 2 == 0 ? Qt::Key_1 : Qt::Key_Backspace);
       until([&] {
         return changes > before && came_ && came_->program &&
-               &came_->program->compiled() == &desk_.program().compiled();
+               &came_->program->compiled() == &workspace_.program().compiled();
       });
       all.push_back(milliseconds(Clock::now() - begun));
     }
     print("key in the script to picture", all);
     const auto begun = Clock::now();
-    desk_.settle_typing();
+    workspace_.settle_typing();
     fmt::print("  {:28} {:.1f} ms\n", "what was typed is one step", milliseconds(Clock::now() - begun));
   }
 
   void drag(int moves) {
-    const auto events_of = [&](ObjectId id) { return tracks(desk_.document(), id); };
-    for (const ObjectId id : objects(desk_.document())) {
+    const auto events_of = [&](ObjectId id) { return tracks(workspace_.document(), id); };
+    for (const ObjectId id : objects(workspace_.document())) {
       if (events_of(id).empty() || events_of(id)[0].target.component >= 0) continue;
       const TrackView t = events_of(id)[0];
-      const std::string at = desk_.when(t.first), name = desk_.document().name(t.target);
+      const std::string at = workspace_.when(t.first), name = workspace_.document().name(t.target);
       std::vector<double> all;
       for (int i = 0; i < moves; ++i) {
         const auto begun = Clock::now();
-        if (!desk_.look_ahead({fmt::format("move {} {}..{} by -{}f", name, at, at, 1 + i % 2)})) return;
-        until([&] { return came_ && came_->program && &came_->program->compiled() == &desk_.program().compiled(); });
+        if (!workspace_.look_ahead({fmt::format("move {} {}..{} by -{}f", name, at, at, 1 + i % 2)})) return;
+        until(
+            [&] { return came_ && came_->program && &came_->program->compiled() == &workspace_.program().compiled(); });
         all.push_back(milliseconds(Clock::now() - begun));
       }
       print("an event dragged, to picture", all);
       const auto begun = Clock::now();
-      desk_.say(fmt::format("move {} {}..{} by -1f", name, at, at));
+      workspace_.say(fmt::format("move {} {}..{} by -1f", name, at, at));
       fmt::print("  {:28} {:.1f} ms\n", "let go: said, and in its row", milliseconds(Clock::now() - begun));
       return;
     }
@@ -157,7 +158,7 @@ class Trial {
       QApplication::processEvents(QEventLoop::WaitForMoreEvents, 1000);
   }
 
-  Desk desk_;
+  Workspace workspace_;
   Window window_;
   std::optional<PictureMade> came_;
 };

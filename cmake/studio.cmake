@@ -3,7 +3,7 @@
 #
 # The studio: a program of its own, so that nobody waits for it who makes films from the command line.
 find_package(Qt6 REQUIRED COMPONENTS Widgets Network Test)
-file(GLOB studio_sources CONFIGURE_DEPENDS src/studio/*.cpp src/studio/*.h)
+file(GLOB_RECURSE studio_sources CONFIGURE_DEPENDS src/studio/*.cpp src/studio/*.h)
 list(FILTER studio_sources EXCLUDE REGEX "_program.cpp$")
 add_library(betwixt_studio_room STATIC ${studio_sources} src/app/command.cpp src/app/streams.cpp src/app/live_input.cpp src/app/hearing.cpp
             src/app/sound_device.cpp)
@@ -14,7 +14,7 @@ target_link_libraries(betwixt_studio_room PUBLIC betwixt_server Qt6::Widgets Qt6
 target_compile_definitions(betwixt_studio_room PUBLIC QT_NO_SIGNALS_SLOTS_KEYWORDS)
 # Nothing here is done often enough to be worth the building.
 target_compile_options(betwixt_studio_room PRIVATE $<$<CONFIG:Release>:-O1>)
-add_executable(betwixt_studio src/studio/studio_program.cpp)
+add_executable(betwixt_studio src/studio/shell/studio_program.cpp)
 set_target_properties(betwixt_studio PROPERTIES OUTPUT_NAME betwixt-studio)
 target_link_libraries(betwixt_studio PRIVATE betwixt_studio_room)
 add_dependencies(betwixt_studio betwixt_parser)

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/names.h"
 #include "betwixt/language.h"
 #include "betwixt/object.h"
 #include "errors.h"
@@ -20,7 +21,7 @@ namespace betwixt::python {
 Film::Film(std::string text, const std::string& name, const LoadOptions& options) : name_(name), session_({}, options) {
   session_.begin(std::move(text), name);
   session_.keep_quiet();
-  session_.keep_in_place();
+  session_.edit_in_place();
 }
 
 Document Film::document() const {
@@ -97,6 +98,16 @@ Session::Answer Film::say(const std::string& text) {
   return answer;
 }
 
+Target one_target(const std::string& name, const Document& document) {
+  const Result<std::vector<Target>> found = find_targets(name, document);
+  if (!found) raise(found.error(), name);
+  if (found->size() == 1) return found->front();
+  raise(found->empty() ? nothing_named(name)
+                       : fail(ErrorCode::name, "'" + name + "' names several values",
+                              "values() gives all of them; one is such as ball.position"),
+        name);
+}
+
 Session::Answer Film::enter(const std::string& word) {
   const std::lock_guard lock(mutex_);
   return session_.enter(word);
@@ -110,16 +121,6 @@ std::string told(Session::Answer answer) {
     return std::move(answer.said);
   }
   raise(std::move(answer.why));
-}
-
-// A target that is one, not a pattern that names several.
-Target one_target(const std::string& name, const Document& document) {
-  const Result<std::vector<Target>> found = find_targets(name, document);
-  if (!found) raise(found.error(), name);
-  if (found->size() == 1) return found->front();
-  raise(fail(ErrorCode::name, "'" + name + "' names " + (found->empty() ? "nothing" : "several values"),
-             found->empty() ? "" : "values() gives all of them; one is such as ball.position"),
-        name);
 }
 
 void warn_all(const std::vector<std::string>& problems) {
@@ -174,14 +175,14 @@ auto of_document(auto f) {
 
 std::vector<std::pair<double, std::string>> notes(const Document& document) {
   std::vector<std::pair<double, std::string>> all;
-  for (auto& [t, text] : document.notes(from_the_beginning, for_good)) all.emplace_back(frame_of(t, document), text);
+  for (auto& [t, text] : document.notes(earliest_time, latest_time)) all.emplace_back(frame_of(t, document), text);
   return all;
 }
 
 std::vector<std::pair<double, std::string>> cuts(const Document& document) {
   std::vector<std::pair<double, std::string>> all;
   for (const auto& [t, camera] : document.cuts())
-    all.emplace_back(t == from_the_beginning ? -std::numeric_limits<double>::infinity() : frame_of(t, document),
+    all.emplace_back(t == earliest_time ? -std::numeric_limits<double>::infinity() : frame_of(t, document),
                      document.name(camera));
   return all;
 }
@@ -190,7 +191,7 @@ std::string_view kind_named(const Film& film, const std::string& name) {
   return in_document(film, [&](const Document& d) {
     const auto found = objects(d, name);
     if (found.size() == 1) return betwixt::name_of(kind(d, found.front()));
-    raise(fail(ErrorCode::name, "there is no object '" + name + "'"), name);
+    raise(unknown_name("object", name), name);
   });
 }
 
@@ -198,7 +199,7 @@ std::vector<double> breaks(const Film& film, py::handle after, py::handle until)
   const Program program = unlocked([&] { return film.program(); });
   const Document& d = program.document();
   std::vector<double> all;
-  for (const Time t : program.breaks(time_of(after, d), time_of(until, d))) all.push_back(frame_of(t, d));
+  for (const Time t : program.discontinuities(time_of(after, d), time_of(until, d))) all.push_back(frame_of(t, d));
   return all;
 }
 

@@ -41,6 +41,9 @@ class Film {
   mutable std::optional<Program> program_;  // of the last document that was asked about
 };
 
+// The value that a word names. Raises an error if there is none, or if it is a pattern that names several.
+Target one_target(const std::string& name, const Document&);
+
 // Of the film itself; what else can be asked of it the other files add.
 py::class_<Film> bind_film(py::module_&);
 

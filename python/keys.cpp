@@ -10,6 +10,7 @@
 
 #include "betwixt/language.h"
 #include "errors.h"
+#include "film.h"
 #include "keys.h"
 #include "says.h"
 #include "times.h"
@@ -79,13 +80,11 @@ ChannelOf keys(const Film& film, const std::string& name, py::handle first, py::
                double tolerance) {
   const Program program = unlocked([&] { return film.program(); });
   const Document& document = program.document();
-  const auto found = find_targets(name, document);
-  if (!found) raise(found.error(), name);
-  if (found->size() != 1) raise(fail(ErrorCode::name, "'" + name + "' is not one value"), name);
+  const Target target = one_target(name, document);
   const KeyOptions options = options_of(style, tolerance, tolerance, false);
   const auto [from, until] = segment_of(first, last, document);
   auto made = std::make_shared<const Channel>(
-      unlocked([&, from = from, until = until] { return value_keys(program, found->front(), from, until, options); }));
+      unlocked([&, from = from, until = until] { return value_keys(program, target, from, until, options); }));
   if (made->pieces.empty()) raise(fail(ErrorCode::type, "'" + name + "' is not made of numbers"), name);
   return {document, std::move(made)};
 }

@@ -27,8 +27,8 @@ namespace {
 
 using Size = std::optional<std::pair<int, int>>;
 
-std::optional<Exposure> exposure_of(const Document& document, const std::optional<std::string>& shutter,
-                                    std::optional<int> subframes) {
+std::optional<Blur> exposure_of(const Document& document, const std::optional<std::string>& shutter,
+                                std::optional<int> subframes) {
   if (subframes && (*subframes < 1 || *subframes > 4096)) raise(fail(ErrorCode::range, "subframes are 1 to 4096"));
   std::optional<double> seconds;
   if (shutter) {
@@ -36,7 +36,7 @@ std::optional<Exposure> exposure_of(const Document& document, const std::optiona
     if (!read) raise(read.error(), *shutter);
     seconds = *read;
   }
-  return exposure_for(document, seconds, subframes);
+  return blur_for(document, seconds, subframes);
 }
 
 // Pictures of one kind are mostly followed by more of it: each thread keeps the renderer that it used last.
@@ -50,7 +50,7 @@ Renderer& renderer_for(const RenderOptions& wanted) {
   // Of the parent's renderer a process that was forked has no more than the memory: it cannot even be taken down.
   if (kept.owner != ::getpid()) (void)kept.renderer.release(), kept.owner = ::getpid();
   const auto all = [](const RenderOptions& o) {
-    return std::tie(o.width, o.height, o.samples, o.style, o.deep, o.open);
+    return std::tie(o.width, o.height, o.samples, o.style, o.linear, o.unclamped);
   };
   if (!kept.renderer || all(kept.options) != all(wanted)) {
     kept.renderer.reset();
@@ -59,16 +59,17 @@ Renderer& renderer_for(const RenderOptions& wanted) {
   return *kept.renderer;
 }
 
-Pixels draw(const Program& program, Time t, RenderOptions options, const std::optional<Exposure>& exposure,
+Pixels draw(const Program& program, Time t, RenderOptions options, const std::optional<Blur>& exposure,
             std::vector<std::string>& problems) {
-  options.deep = program.document().transparent() || exposure;
+  options.linear = program.document().transparent() || exposure;
   Renderer& renderer = renderer_for(options);
   Evaluation evaluation(program);
   Picture shown;
-  if (options.deep) {
-    DeepPicture light;
+  if (options.linear) {
+    LinearPicture light;
     if (!exposure) evaluation.to(t);
-    value_or_raise(exposure ? renderer.expose(evaluation, t, *exposure, light) : renderer.render(evaluation, light));
+    value_or_raise(exposure ? renderer.render_blurred(evaluation, t, *exposure, light)
+                            : renderer.render(evaluation, light));
     to_shown(light, shown);
   } else {
     evaluation.to(t);
@@ -124,10 +125,10 @@ FilmStats render(const Film& film, const std::filesystem::path& path,
   if (segment) first = time_of(segment->first, document), last = time_of(segment->second, document);
   if (segment && last < first) raise(fail(ErrorCode::range, "the segment ends before it begins"));
   const FrameList frames = value_or_raise(frames_between(first, last, document.rate()));
-  Shoot shoot = shoot_of(program, path.string(), frames, options_for(document, {.style = style}, size, samples),
-                         exposure_of(document, shutter, subframes), bits);
-  shoot.film.jobs = jobs, shoot.film.overwrite = overwrite, shoot.film.missing = missing;
-  value_or_raise(check_options(shoot.pictures));
+  RenderJob job = render_job(program, path.string(), frames, options_for(document, {.style = style}, size, samples),
+                             exposure_of(document, shutter, subframes), bits);
+  job.film.jobs = jobs, job.film.overwrite = overwrite, job.film.only_missing = missing;
+  value_or_raise(check_options(job.pictures));
   std::mutex mutex;
   std::set<std::string> problems;
   const auto tell = [&](const std::vector<std::string>& all) {
@@ -137,10 +138,10 @@ FilmStats render(const Film& film, const std::filesystem::path& path,
   Telling telling(std::move(progress));
   const Result<FilmStats> made = unlocked([&] {
     const auto told = [&](int done, int of, double seconds) { return telling(done, of, seconds); };
-    return shoot.pictures.deep ? make_deep_film(
-                                     shoot.film, [&] { return deep_painter_of(program, shoot, tell); }, told)
+    return job.pictures.linear ? make_linear_film(
+                                     job.film, [&] { return linear_painter_of(program, job, tell); }, told)
                                : make_film(
-                                     shoot.film, [&] { return painter_of(program, shoot, tell); }, told);
+                                     job.film, [&] { return painter_of(program, job, tell); }, told);
   });
   telling.raise_again();
   for (const std::string& p : problems) warn(p);

@@ -20,7 +20,7 @@ Time of_words(const std::string& said, const Document& document) {
 
 Time in_reach(double seconds, Time (*make)(double, Rate), double n, Rate rate) {
   if (!(std::abs(seconds) <= longest_seconds))
-    raise(fail(ErrorCode::range, std::isfinite(n) ? "that is too far from the beginning" : "that is no time",
+    raise(fail(ErrorCode::range, std::isfinite(n) ? "this time is too far from the beginning" : "that is no time",
                "a number is a frame; seconds are words: \"2.5s\""));
   return make(n, rate);
 }

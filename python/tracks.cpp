@@ -48,7 +48,7 @@ std::vector<TrackOf> tracks_of(const Document& document, const std::string& patt
 
 std::vector<EventOf> events_of(const TrackOf& t) {
   std::vector<EventOf> made;
-  each_event(t.document, t.view.target, from_the_beginning, for_good, [&](const EventView& e) {
+  each_event(t.document, t.view.target, earliest_time, latest_time, [&](const EventView& e) {
     made.push_back({t.document, t.view.target, e});
   });
   return made;
@@ -84,7 +84,7 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           "value", [](const EventOf& e) { return value_or_none(e.view.value, e); },
           "The value; None for an event without one.")
       .def_property_readonly(
-          "before", [](const EventOf& e) { return value_or_none(e.view.before, e); },
+          "before", [](const EventOf& e) { return value_or_none(e.view.cut_from, e); },
           "The value before the jump of a cut; None for other events.")
       .def_property_readonly(
           "twerper", [](const EventOf& e) { return e.view.twerper; },
@@ -138,20 +138,21 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           "twerper", [](const TrackOf& t) { return t.view.twerper; },
           "The twerper of the whole track; empty if each event has its own.")
       .def_property_readonly(
-          "unsaid", [](const TrackOf& t) { return t.view.unsaid; }, "The default twerper.")
+          "unsaid", [](const TrackOf& t) { return t.view.default_twerper; }, "The default twerper.")
       .def_property_readonly(
-          "before", [](const TrackOf& t) { return t.view.before; },
+          "before", [](const TrackOf& t) { return t.view.extrapolation_before; },
           "The extrapolation before the first event, a word of `extend`.")
       .def_property_readonly(
-          "after", [](const TrackOf& t) { return t.view.after; },
+          "after", [](const TrackOf& t) { return t.view.extrapolation_after; },
           "The extrapolation after the last event, a word of `extend`.")
       .def_property_readonly("events", events_of, "Its events, in the order of time.")
       .def(
-          "__len__", [](const TrackOf& t) { return t.view.events; }, says("How many events it has."))
+          "__len__", [](const TrackOf& t) { return t.view.event_count; }, says("How many events it has."))
       .def(
           "__repr__",
           [](const TrackOf& t) {
-            return "<Track " + t.document.name(t.view.target) + " of " + std::to_string(t.view.events) + " events>";
+            return "<Track " + t.document.name(t.view.target) + " of " + std::to_string(t.view.event_count) +
+                   " events>";
           },
           says("Its name, and how many events it has."));
   film.def(

@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # The rules of the house: no room includes a lower one, public headers include no third party, every file has its licence
-# and its layout, every item has a test, and the prose is plain.
+# and its layout, every item has a test, the links of the pages lead somewhere, and the prose is plain.
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
-rooms=(base algebra track scene program procedure exchange language commands editor export render film server app studio)
+rooms=(base syntax algebra track scene program procedure exchange language commands editor export render film lsp server app studio)
 passed=0 failed=0
 # verdict WHAT FINDINGS: passes where there are no findings.
 verdict() {
@@ -83,6 +83,7 @@ verdict "a file that is not laid out as .clang-format says (tools/format.sh does
 )"
 [ "$failed" != 0 ] || { mkdir -p build && mv "$begun" "$laid_out"; }
 rm -f "$begun"
+verdict "a link of a page that leads nowhere (tests/links.py)" "$(python3 tests/links.py)"
 verdict "turns of phrase that are hard to read (tests/plain_words.py)" "$(python3 tests/plain_words.py)"
 verdict "what the tests show" "$(tools/coverage.sh --check 2>&1)"
 printf '%d passed, %d failed\n' "$passed" "$failed"

@@ -18,7 +18,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 # What is counted, and how often it may occur in a thousand words.
 USUAL = 2
 GROUPS = {
-    "docs": (USUAL, ["README.md", "docs/*.md", "*/README.md"]),
+    "docs": (USUAL, ["README.md", "docs/*.md", "docs/*/*.md", "*/README.md"]),
     "headers": (USUAL, ["include/betwixt/*.h"]),
     "others": (USUAL, ["python/**/*.py", "python/**/*.pyi", "clients/**/*.py", "web/*.js", "web/*.ts"]),
 }

@@ -95,13 +95,15 @@ SECTIONS = (
     Section("command line", "usual full", "build release betwixt_command",
             scripts("tests/app/*_test.sh", without=EDITORS)),
     Section("examples", "usual full", "", lambda: [Job("films", ["tests/examples.sh", PROGRAM]),
-                                                Job("coming from", ["python3", "tests/coming_from.py", PROGRAM])]),
+                                                Job("coming from", ["python3", "tests/coming_from.py", PROGRAM]),
+                                                Job("pages", ["python3", "tests/docs.py", PROGRAM])]),
     Section("unit tests", "usual full", "build release unit_tests", units("bin")),
     Section("Python", "usual full", "build release betwixt_python", python),
     Section("studio", "usual full", "build release betwixt_studio studio_tests", studio),
     Section("installation", "usual full", "build release all", one("tests/install/run.sh", BUILD)),
     Section("editors", "full", "", scripts(*EDITORS)),
     Section("unit tests under sanitizers", "full", "build release watched_tests", units("watched")),
+    Section("benchmarks", "full", "build release benchmarks", lambda: [Job("they are built", ["true"])]),
     Section("Blender", "full", "", one("tests/blender/run.sh", BUILD)),
     Section("pages in a browser", "full", "build_player", pages),
     Section("other programs", "full", "tests/peers/run.sh --install", peers),
@@ -138,10 +140,25 @@ def run(command, env):
     try:
         output, _ = process.communicate(timeout=LONGEST)
     except subprocess.TimeoutExpired:
+        waiting = waiting_for(process.pid)
         os.killpg(process.pid, signal.SIGKILL)
-        output = process.communicate()[0] + f"\nkilled after {LONGEST} s\n"
+        output = process.communicate()[0] + f"\nkilled after {LONGEST} s\n{waiting}"
     running.discard(process)
     return output, process.returncode
+
+
+def waiting_for(pid, depth=0):
+    """A process and those that it started, a line each: the state, where in the kernel it waits, and its command."""
+    def read(name):
+        with open(f"/proc/{pid}/{name}", errors="replace") as file:
+            return file.read()
+    try:
+        state, wait, command = read("stat").rsplit(")", 1)[1].split()[0], read("wchan"), read("cmdline").replace("\0", " ")
+        below = [waiting_for(int(child), depth + 1)
+                 for thread in os.listdir(f"/proc/{pid}/task") for child in read(f"task/{thread}/children").split()]
+    except OSError:  # it has ended
+        return ""
+    return f"{'  ' * depth}{pid} {state} {wait} {command[:100]}\n" + "".join(below)
 
 
 running = set()
@@ -161,6 +178,8 @@ def timed_run(job, section, times):
         output, code = run(job.command, dict(os.environ, BETWIXT_TIMES=file.name))
         seconds = time.monotonic() - begun
         rows = [line.rstrip("\n").split("\t", 1) for line in file]
+    if code == -signal.SIGKILL and rows:
+        output += f"the last check that ended: {rows[-1][1]}\n"
     times += [(float(row[0]), row[1]) for row in rows] or [(seconds, f"{section}, {job.label}")]
     return output, code, seconds
 

@@ -27,6 +27,7 @@ def environment(program):
     env = dict(os.environ)
     env.setdefault("RC_PARAMS", "seed=1")
     env.setdefault("UBSAN_OPTIONS", "print_stacktrace=1")
+    env.setdefault("ASAN_SYMBOLIZER_PATH", "/usr/bin/llvm-symbolizer-19")
     env.setdefault("LSAN_OPTIONS", f"suppressions={ROOT}/tests/leaks.txt:print_suppressions=0")
     # The threads of the graphics driver live on while the leak checker stops all threads to look, and now and then it
     # crashes on them. So it does not look where there is graphics.

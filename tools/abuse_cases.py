@@ -313,6 +313,11 @@ LINES = {
     "a filter without an end": ['procedure slow filter lua "for i = 1, 1e9 do end return input()"', "filter ball.position slow"],
     "a twerper without an end": ['procedure late twerper lua "for i = 1, 1e9 do end return u"', "at 1f ball.position (0 0 0) late",
                                  "at 1000f ball.position (9 0 0)"],
+    "a twerper without an end on 300 things": spheres(300, 'procedure late twerper lua "for i = 1, 1e9 do end return u"',
+                                                      "bundle\nat 1f o*.position (0 0 0) late\nat 100000f o*.position (9 0 0)\nend"),
+    "a shape between two of 5,000 points": ["bundle\n" + "".join(
+        f"create form{i} polygon points=(" + " ".join(f"({n % 71} {n * i % 53})" for n in range(5000)) + ")\n" for i in (1, 2)) +
+        "create form polygon\nat 1f form.geometry shape(form1) linear\nat 100000f form.geometry shape(form2)\nend"],
     "a filter that looks everywhere": ['procedure wide filter lua "local s = input() for i = 1, 1e5 do s = s + input(t + i) end return s"',
                                        "filter ball.radius wide"],
     "a megabyte of 't and t and'": "set ball.radius = \"" + "t and " * 170000 + "t\"",

@@ -12,7 +12,7 @@ page() {
   printf '# Gallery\n\nShort films, each with its whole script. `./test` renders them, and `tools/gallery.sh PROGRAM` makes this page.\n'
   set -- $films
   for (( ; $#; )); do
-    printf '\n## %s\n\n%s\n\n![%s](pictures/gallery/%s.png)\n\n```\n' "$1" "$(sed -n '/^# /!q; s/^# //p' "$root/examples/$1.bx")" "$1" "$1"
+    printf '\n## %s\n\n%s\n\n![%s](pictures/gallery/%s.png)\n\n<!-- live: new -->\n```\n' "$1" "$(sed -n '/^# /!q; s/^# //p' "$root/examples/$1.bx")" "$1" "$1"
     sed '/^[^#]/,$!d' "$root/examples/$1.bx"
     printf '```\n'
     shift 2

@@ -66,13 +66,13 @@ class Model:
         return self.states[-1]
 
 
-def states(stand, deeds, of):
-    """What there is after none, one, two … of the deeds."""
+def states(stand, changes, of):
+    """What there is after none, one, two … of the changes."""
     model = Model(stand)
     out = [of(model)]
-    for deed in deeds:
-        if deed:
-            deed(model)
+    for change in changes:
+        if change:
+            change(model)
         out.append(of(model))
     return out
 
@@ -166,11 +166,11 @@ class Rounds:
 
         ear = threading.Thread(target=listen)
         ear.start()
-        deeds, last = [], time.monotonic() + self.rng.random() * 0.3
+        changes, last = [], time.monotonic() + self.rng.random() * 0.3
         try:
-            for number, lines, deed in commands(self.rng, self.number, True):
+            for number, lines, change in commands(self.rng, self.number, True):
                 self.number = number
-                deeds.append(deed)
+                changes.append(change)
                 wire.sendall(("\n".join(lines) + "\n").encode())
                 if time.monotonic() > last:
                     break
@@ -188,8 +188,8 @@ class Rounds:
         lines = answers.decode().split("\n")[:-1]
         refused = [line for line in lines if '"ok":true' not in line]
         self.verdict(not refused, f"{what}: {refused[:1]}")
-        self.answered, self.sent = self.answered + len(lines), self.sent + len(deeds)
-        return deeds, len(lines)
+        self.answered, self.sent = self.answered + len(lines), self.sent + len(changes)
+        return changes, len(lines)
 
     def serve(self, index):
         """Some lives of a server on one file, and a cut at their end."""
@@ -199,18 +199,18 @@ class Rounds:
             f.write(AUTHOR)
         stand, all_states = [], []
         for life in range(1 + self.rng.randrange(3)):
-            deeds, answered = self.live(f"server {index}.{life}")
-            ways = states(stand, deeds, Model.state)
+            changes, answered = self.live(f"server {index}.{life}")
+            ways = states(stand, changes, Model.state)
             all_states += ways
             found = self.found()
             n = next((n for n in range(len(ways) - 1, answered - 1, -1) if ways[n] == found), None)
-            self.verdict(n is not None, f"server {index}.{life}: {answered} of {len(deeds)} were answered; {found[0]}")
+            self.verdict(n is not None, f"server {index}.{life}: {answered} of {len(changes)} were answered; {found[0]}")
             if n is None:
                 return
             model = Model(stand)
-            for deed in deeds[:n]:
-                if deed:
-                    deed(model)
+            for change in changes[:n]:
+                if change:
+                    change(model)
             stand = model.stand
         self.checkpoints += os.path.exists("live.bx.orig")
         if os.path.exists(".live.bx.journal"):
@@ -227,13 +227,13 @@ class Rounds:
             f.write(AUTHOR)
         shell = subprocess.Popen([self.program, "shell", "film.bx"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                  stderr=subprocess.DEVNULL)
-        deeds = []
+        changes = []
         text = ""
-        for number, lines, deed in commands(self.rng, self.number, False):
+        for number, lines, change in commands(self.rng, self.number, False):
             self.number = number
-            deeds.append(deed)
+            changes.append(change)
             text += "\n".join(lines) + "\n"
-            if len(deeds) > 400:
+            if len(changes) > 400:
                 break
         threading.Timer(0.02 + self.rng.random() * 0.2, shell.kill).start()
         try:
@@ -241,7 +241,7 @@ class Rounds:
         except BrokenPipeError:
             out = b""
         answered = out.decode().split("\n").count("ok")
-        self.answered, self.sent = self.answered + answered, self.sent + len(deeds)
+        self.answered, self.sent = self.answered + answered, self.sent + len(changes)
         cut = self.rng.randrange(2) == 1 and os.path.exists(".film.bx.journal")
         if cut:
             self.cut(".film.bx.journal")
@@ -249,10 +249,10 @@ class Rounds:
                        check=False)
         with open("film.bx") as f:
             found = f.read()
-        ways = ["\n".join([AUTHOR, *text, ""]) if text else AUTHOR for text in states([], deeds, Model.text)]
+        ways = ["\n".join([AUTHOR, *text, ""]) if text else AUTHOR for text in states([], changes, Model.text)]
         self.kills += 1
         self.verdict(found in ways[0 if cut else answered:],
-                     f"shell {index}{', cut' if cut else ''}: {answered} of {len(deeds)} were answered; {found[-60:]!r}")
+                     f"shell {index}{', cut' if cut else ''}: {answered} of {len(changes)} were answered; {found[-60:]!r}")
 
 
 def main():

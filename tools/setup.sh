@@ -94,12 +94,15 @@ build_player() {
 
 configure() {
   local cache=$root/build/$1/CMakeCache.txt log=$root/build/$1.log options=()
-  # A checkout that was moved is configured anew.
-  if [ -f "$root/build/$1/build.ninja" ] && [ "$cache" -nt "$root/CMakePresets.json" ] &&
+  if [ -f "$cache" ] && [ "$cache" -nt "$root/CMakePresets.json" ] &&
     grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
-    return
+    [ ! -f "$root/build/$1/build.ninja" ] || return 0
+  else
+    # A checkout that was moved is configured afresh. `--fresh` deletes what is compiled, so a new part alone does not.
+    [ ! -f "$cache" ] || options+=(--fresh)
+    # clang needs two thirds of the time of g++, which is as good otherwise.
+    ! command -v clang++-19 >/dev/null || options+=(-DCMAKE_CXX_COMPILER=clang++-19)
   fi
-  [ ! -f "$cache" ] || options+=(--fresh)
   # What it has been told once stays.
   local part
   for part in STUDIO PYTHON TESTS; do

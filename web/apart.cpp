@@ -31,7 +31,7 @@ namespace betwixt {
 
 std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read, bool,
                                   std::optional<ParserCeilings>) {
-  if (read_contents(path).hindrance != Hindrance::none) return read_whole(path).error();
+  if (read_contents(path).problem != ReadProblem::none) return read_whole(path).error();
   const std::unique_ptr<char, decltype(&std::free)> asked(betwixt_read_apart(static_cast<int>(task), path.c_str()),
                                                           std::free);
   if (!asked)
@@ -40,12 +40,13 @@ std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, cons
   for (std::string file; std::getline(lines, file);) (void)may_read(file);
   const OpenFile handed(::open("/handed", O_RDONLY));
   Parsed out;
-  if (!handed || take_over(handed.fd(), out) != 0) return fail(ErrorCode::file, fmt::format("{} cannot be read", path));
+  if (!handed || read_parsed(handed.fd(), out) != 0)
+    return fail(ErrorCode::file, fmt::format("{} cannot be read", path));
   return out;
 }
 
 // Never: it is read apart, or there is an error.
-Parsed parse_here(ParserTask, const std::string& path, Shelf&, bool) {
+Parsed parse_here(ParserTask, const std::string& path, FileSource&, bool) {
   return fail(ErrorCode::file, fmt::format("{} cannot be read", path));
 }
 

@@ -36,7 +36,7 @@ struct Easel {
   unsigned graphics = 0;
   bool fits(const RenderOptions& o) const {
     return renderer && graphics == graphics_generation() && how.width == o.width && how.height == o.height &&
-           how.samples == o.samples && how.style == o.style && how.deep == o.deep;
+           how.samples == o.samples && how.style == o.style && how.linear == o.linear;
   }
 };
 // Of films that are over. Who types makes a film with each key, and making a renderer takes longer than its picture.
@@ -81,7 +81,7 @@ struct Film {
     };
     for (const auto& e : errors) keep(Severity::error, e.message, e.source);
     for (const std::string& p : evaluation->problems())
-      if (std::none_of(errors.begin(), errors.end(), [&](const auto& e) { return p.find(e.message) != p.npos; }))
+      if (std::none_of(errors.begin(), errors.end(), [&](const auto& e) { return p == e.message; }))
         keep(Severity::warning, p, "");
   }
   void compile() {
@@ -105,7 +105,7 @@ RenderOptions options(const Film& film, int width, int height) {
   RenderOptions out = options_for(film.document(), otherwise, std::pair{width, height});
   if (out.style == "traced") out.style = "shaded";
   if (out.samples > 16 || !check_options(out)) out.samples = otherwise.samples;
-  out.deep = film.document().transparent();
+  out.linear = film.document().transparent();
   return out;
 }
 
@@ -120,9 +120,9 @@ Status need_renderer(Film& film, int width, int height) {
     return Nothing{};
   }
   auto made = make_renderer(wanted);
-  if (!made && wanted.deep) {  // graphics without pictures of light: what is clear is black there
+  if (!made && wanted.linear) {  // graphics without pictures of light: what is clear is black there
     RenderOptions over_black = wanted;
-    over_black.deep = false;
+    over_black.linear = false;
     made = make_renderer(over_black);
   }
   if (!made) return made.error();

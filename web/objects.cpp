@@ -29,14 +29,14 @@ std::filesystem::path beside(const std::string& path, std::string name) {
 }
 
 // The materials of the libraries that the text names, as one text.
-std::string materials_of(const std::string& path, const std::string& text, Shelf& shelf) {
+std::string materials_of(const std::string& path, const std::string& text, FileSource& files) {
   std::string all;
   for (std::size_t at = text.find("mtllib"); at != text.npos; at = text.find("mtllib", at + 1)) {
     if (at > 0 && text[at - 1] != '\n') continue;
     std::string name = text.substr(at + 6, text.find_first_of("\r\n", at) - at - 6);
     name.erase(0, name.find_first_not_of(" \t"));
     name.erase(name.find_last_not_of(" \t") + 1);
-    if (const auto library = shelf.read(beside(path, name).string())) all += *library + '\n';
+    if (const auto library = files.read(beside(path, name).string())) all += *library + '\n';
   }
   return all;
 }
@@ -90,12 +90,12 @@ class Piece {
   bool normals_, uvs_, polygons_ = false;
 };
 
-Result<std::shared_ptr<const Mesh>> load_objects(const std::string& path, const std::string& text, Shelf& shelf) {
+Result<std::shared_ptr<const Mesh>> load_objects(const std::string& path, const std::string& text, FileSource& files) {
   Assembly assembly(path);
   tinyobj::ObjReader reader;
   tinyobj::ObjReaderConfig how;
   how.triangulate = false;
-  if (!reader.ParseFromString(text, materials_of(path, text, shelf), how)) {
+  if (!reader.ParseFromString(text, materials_of(path, text, files), how)) {
     std::string why = reader.Error();
     why.erase(std::min(why.find('\n'), why.size()));
     return assembly.error(why.empty() ? "it holds no triangles" : why);
@@ -133,8 +133,8 @@ Result<std::shared_ptr<const Mesh>> load_objects(const std::string& path, const 
         if (!m.diffuse_texname.empty()) {
           const auto [known, fresh] = pictures.try_emplace(m.diffuse_texname);
           const std::string file = beside(path, m.diffuse_texname).string();
-          if (fresh && shelf.has(file))
-            if (auto picture = parse_picture(file, shelf)) known->second = *picture;
+          if (fresh && files.has(file))
+            if (auto picture = parse_picture(file, files)) known->second = *picture;
           look.texture = known->second;
         }
       }
@@ -146,11 +146,11 @@ Result<std::shared_ptr<const Mesh>> load_objects(const std::string& path, const 
 
 }  // namespace
 
-Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, Shelf& shelf) {
-  const auto bytes = shelf.read(path);
+Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, FileSource& files) {
+  const auto bytes = files.read(path);
   if (!bytes) return bytes.error();
-  if (bytes->starts_with("glTF")) return load_gltf(path, shelf);
-  if (ending(path) == "obj") return load_objects(path, *bytes, shelf);
+  if (bytes->starts_with("glTF")) return load_gltf(path, files);
+  if (ending(path) == "obj") return load_objects(path, *bytes, files);
   return fail(ErrorCode::file, fmt::format("{} cannot be read in a page", path),
               "glTF (.gltf .glb), .obj and .ply can be; a page made by betwixt web brings the others along");
 }

@@ -1,145 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// <betwixt-player> plays a film from its text, with the interface of <video>. It draws with the engine of engine.js; the
-// build puts both together. docs/web.md explains how to use it.
+// <betwixt-player> plays a film from its text, with the interface of <video>. It draws with the engine of engine.js; its
+// look, its source and its controls are in the player_*.js. The build puts all together. docs/web.md explains how to use it.
 if (globalThis.customElements && !customElements.get("betwixt-player")) {
   const longest_side = 4096;     // of a picture, in pixels
   const timeupdate_every = 250;  // ms, as videos do
   const tries_again = 1000;      // ms, after drawing failed
   const flags = ["autoplay", "loop", "controls", "muted", "stepped"];
-  const speeds = [-2, -1, -0.5, 0.25, 0.5, 1, 1.5, 2, 4];
   let upgrading = false;         // while elements that the page already has are defined
-  const script_query = 'script[type="text/betwixt"]';
-  const files_query = 'script[type="application/json"][data-betwixt-files]';
-
-  const text_of = (script) =>
-    script.textContent.replace(/^\r?\n/, "").replace(/<\\(\\*(?:\/script|script|!--))/gi, "<$1");
-  const bytes_of = (base64) => {
-    const held = atob(base64), bytes = new Uint8Array(held.length);  // a loop: Uint8Array.from takes ten times as long
-    for (let i = 0; i < held.length; ++i) bytes[i] = held.charCodeAt(i);
-    return bytes;
-  };
-  const as_bytes = (held) =>
-    typeof held === "string" ? new TextEncoder().encode(held)
-    : ArrayBuffer.isView(held) ? new Uint8Array(held.buffer, held.byteOffset, held.byteLength)
-    : new Uint8Array(held);
-  const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
-  const has_words = (error) => (error && error.message) || String(error);
   const wants_calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-  // Returns the first comment of a script, without the file name in front.
-  const first_comment = (script) => {
-    const said = [];
-    for (const line of script.split("\n")) {
-      const words = line.match(/^\s*#\s?(.*)$/);
-      if (!words) break;
-      said.push(words[1].trim());
-    }
-    return said.join(" ").replace(/^[\w.-]+\.bx\s*[—:-]+\s*/, "").trim();
-  };
-
-  // Returns the URL of a file, or null if it is not in the script's folder or below it.
-  const below = (base, path) => {
-    const url = new URL(path.split("/").map(encodeURIComponent).join("/"), base);
-    return url.href.startsWith(base.href) ? url : null;
-  };
-  const folder_of = (url) => {
-    const folder = new URL(".", url);
-    folder.search = folder.hash = "";
-    return folder;
-  };
-
-  async function fetched(url, signal) {
-    if (url.protocol === "file:")
-      throw new Error(
-        `A page that was opened from a disk may not read ${url.pathname.split("/").pop()}.\n` +
-          "betwixt web FILE -o page.html makes a page that holds its film and plays anywhere; " +
-          "or serve this folder: python3 -m http.server");
-    let answer;
-    try {
-      answer = await fetch(url, { signal });
-    } catch (error) {
-      if (signal.aborted) throw error;
-      throw new Error(`${url} cannot be fetched: ${has_words(error)}`);
-    }
-    if (!answer.ok) throw new Error(`${url} cannot be fetched: the server answered ${answer.status}`);
-    return new Uint8Array(await answer.arrayBuffer());
-  }
-
-  const icons = {
-    play: "M6 4l14 8-14 8z",
-    pause: "M6 4h4v16H6zM14 4h4v16h-4z",
-    again: "M12 5a7 7 0 1 1-6.7 5l2.9.9A4 4 0 1 0 12 8v4L6 6.5 12 1z",
-    full: "M4 4h7v2H6v5H4zM13 18h5v-5h2v7h-7z",
-    small: "M9 4h2v7H4V9h5zM13 13h7v2h-5v5h-2z",
-  };
-
-  const look = sheet(`
-:host { display: block; position: relative; aspect-ratio: 16 / 9; max-width: 100%;
-  min-height: 2rem; overflow: hidden; background: var(--betwixt-letterbox, #000); color: #fff;
-  font: var(--betwixt-font, 14px/1.4 system-ui, sans-serif); }
-:host([hidden]) { display: none; }
-:host(:fullscreen) { max-width: none; aspect-ratio: auto !important; }
-.stage { position: absolute; inset: 0; display: grid; place-items: center; outline: none; }
-.stage > canvas, .stage > img { grid-area: 1 / 1; max-width: 100%; max-height: 100%; }
-.stage > img { width: 100%; height: 100%; object-fit: contain; z-index: 1; }
-[hidden] { display: none !important; }
-.wait { grid-area: 1 / 1; z-index: 2; color: #bbb; opacity: 0; animation: appear 0.3s 0.6s forwards; }
-@keyframes appear { to { opacity: 1; } }
-.message { position: absolute; inset: 0; z-index: 3; overflow: auto; padding: 1rem 1.25rem; box-sizing: border-box;
-  background: Canvas; color: CanvasText; border: 1px solid color-mix(in srgb, CanvasText 20%, Canvas); }
-.message strong { display: block; margin-bottom: 0.5em; }
-.message pre { margin: 0 0 1em; white-space: pre-wrap; overflow-wrap: anywhere;
-  font: 13px/1.45 ui-monospace, monospace; }
-.message button { font: inherit; padding: 0.25em 0.9em; }
-.banner { position: absolute; inset: auto 0 0; z-index: 3; padding: 0.4em 0.8em; background: #7a1d14; color: #fff;
-  white-space: nowrap; overflow: hidden; text-overflow: ellipsis; }
-.controls { position: absolute; inset: auto 0 0; z-index: 2; display: flex; align-items: center; gap: 0.5em;
-  padding: 1.6em 0.6em 0.35em; background: linear-gradient(transparent, #000a); transition: opacity 0.25s;
-  user-select: none; -webkit-user-select: none; }
-.idle .controls:not(:focus-within) { opacity: 0; }
-.idle:not(:focus-within) { cursor: none; }
-.controls button, .controls select { font: inherit; color: inherit; background: none; border: 0; border-radius: 4px;
-  height: 2.2em; cursor: pointer; }
-.controls button { width: 2.2em; flex: none; padding: 0.3em; }
-.controls select { appearance: none; text-align: center; padding: 0 0.3em; min-width: 3em; }
-.controls option { color: #000; background: #fff; }
-.controls :is(button, select):hover { background: #fff3; }
-.controls :focus-visible { outline: 2px solid #fff; outline-offset: 1px; }
-.controls svg { width: 100%; height: 100%; fill: currentColor; display: block; }
-.clock { flex: none; font-variant-numeric: tabular-nums; white-space: nowrap; }
-input[type="range"] { flex: 1; min-width: 3em; height: 1.6em; margin: 0; appearance: none; background: none;
-  cursor: pointer; --track: linear-gradient(to right, var(--betwixt-accent, #ffb000) var(--at, 0%), #fff5 0); }
-input::-webkit-slider-runnable-track { height: 4px; border-radius: 2px; background: var(--track); }
-input::-moz-range-track { height: 4px; border-radius: 2px; background: var(--track); }
-input::-webkit-slider-thumb { appearance: none; width: 14px; height: 14px; margin-top: -5px; border: 0;
-  border-radius: 50%; background: var(--betwixt-accent, #ffb000); }
-input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 50%;
-  background: var(--betwixt-accent, #ffb000); }
-.narrow .clock, .narrow select { display: none; }
-@media (pointer: coarse) {
-  .controls button, .controls select, .message button { min-width: 44px; min-height: 44px; }
-  .controls button { padding: 11px; }
-  input[type="range"] { min-width: 44px; height: 44px; touch-action: pan-y; }
-  input::-webkit-slider-thumb { width: 24px; height: 24px; margin-top: -10px; }
-  input::-moz-range-thumb { width: 24px; height: 24px; }
-}
-@media (prefers-reduced-motion: reduce) { .controls { transition: none; } .wait { animation-duration: 1ms; } }
-@media (forced-colors: active) { .controls { background: Canvas; color: CanvasText; } }
-`);
-  const insides = () => element("div", { class: "stage", part: "stage", tabindex: "-1", role: "group" },
-    element("canvas", { part: "picture", role: "img", width: 1, height: 1 }),
-    element("img", { part: "poster", alt: "", hidden: "" }),
-    element("span", { class: "wait", part: "wait", hidden: "" }, "loading …"),
-    element("div", { class: "controls", part: "controls", hidden: "" },
-      element("button", { part: "button play", type: "button", "data-do": "toggle" }),
-      element("input", { part: "time", type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" }),
-      element("span", { class: "clock", part: "clock", "aria-hidden": "true" }),
-      element("select", { part: "speed", "aria-label": "Speed" }),
-      element("button", { part: "button fullscreen", type: "button", "data-do": "fullscreen" })),
-    element("div", { class: "banner", part: "banner", role: "status", hidden: "" }),
-    element("div", { class: "message", part: "message", role: "alert", hidden: "" }));
+  const look = player_look();
 
   class BetwixtPlayer extends HTMLElement {
     static observedAttributes = ["src", "controls", "poster", "autoplay", "playbackrate", "alt", "width", "height",
@@ -200,7 +72,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #said_size = "";
     #film = null;         // the film that is shown
     #engine = null;
-    #source = null;       // {text, name, base, files, failed}
+    #source = null;       // a FilmSource
     #given_text = null;   // set by `script`; overrides the page's text
     #given_files = {};    // set by `files`
     #text_wrong = false;
@@ -227,13 +99,12 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #drawn = {};
     #trouble = "";        // the error of the last draw
     #retry = 0;
-    #quiet_timer = 0;
-    #spoken = 0;
+    #controls;            // a PlayerControls
 
     constructor() {
       super();
       this.#root = this.attachShadow({ mode: "open", delegatesFocus: true });
-      this.#root.append(insides());
+      this.#root.append(player_insides());
       this.#root.adoptedStyleSheets = [look, this.#size];
       const part = (name) => this.#root.querySelector(name);
       this.#parts = {
@@ -241,7 +112,10 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         controls: part(".controls"), play: part("[data-do=toggle]"), time: part("input"), clock: part(".clock"),
         speed: part("select"), full: part("[data-do=fullscreen]"), banner: part(".banner"), message: part(".message"),
       };
-      this.#listen();
+      this.#controls = new PlayerControls(this, this.#parts, {
+        time: () => this.#time, moving: () => this.#moving(), stuck: () => this.#stuck(),
+        frames_at: (time) => this.#frames_at(time), hold: () => this.#hold(),
+      });
     }
 
     connectedCallback() {
@@ -276,7 +150,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         this.#let_go();
         this.pause();
         clearTimeout(this.#retry);
-        clearTimeout(this.#quiet_timer);
+        this.#controls.stop();
         this.#begin = this.currentTime;
         this.#forget();
       });
@@ -440,70 +314,6 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       if (this.#network === 0 && this.preload !== "none") this.#load_source();
     }
 
-    #inline_files() {
-      const found = {};
-      const all = [...document.querySelectorAll(files_query)].filter(
-        (script) => this.contains(script) || !script.closest("betwixt-player"));
-      for (const script of all)
-        for (const [name, held] of Object.entries(JSON.parse(script.textContent))) found[name] = bytes_of(held);
-      return found;
-    }
-
-    async #find_source(signal) {
-      // The children exist once the page has been parsed.
-      if (!this.hasAttribute("src") && this.#given_text === null && document.readyState === "loading")
-        await new Promise((done) => document.addEventListener("DOMContentLoaded", done, { once: true, signal }));
-      const inline = this.querySelector(script_query);
-      const src = this.getAttribute("src");
-      const here = { failed: [], base: folder_of(document.baseURI), name: "film.bx", url: "" };
-      const held = { ...(src === null ? this.#inline_files() : {}), ...this.#given_files };
-      here.files = new Map(Object.entries(held));
-      if (inline && inline.dataset.name) here.name = inline.dataset.name;
-      if (src !== null) {
-        const url = new URL(src, document.baseURI);
-        here.url = url.href;
-        here.name = decodeURIComponent(url.pathname.split("/").pop()) || here.name;
-        here.base = folder_of(url);
-        here.text = this.#given_text ?? new TextDecoder().decode(await fetched(url, signal));
-      } else if (this.#given_text !== null || inline) {
-        here.text = this.#given_text ?? text_of(inline);
-      } else {
-        return null;
-      }
-      return here;
-    }
-
-    // Opens the film and fetches the files that it lacks, until no missing file can be fetched.
-    async #open(signal) {
-      const source = this.#source;
-      for (const tried = new Set(); ;) {
-        await this.#engine.prepare(Object.fromEntries(source.files));
-        const film = this.#open_now();
-        const missing = this.#missing(film).filter((path) => !tried.has(path));
-        if (!missing.length) return film;
-        film.dispose();
-        await Promise.all(missing.map(async (path) => {
-          tried.add(path);
-          const url = below(source.base, path);
-          if (!url) return;
-          try {
-            source.files.set(path, await fetched(url, signal));
-          } catch (error) {
-            if (signal.aborted) throw error;
-            source.failed.push({ path, words: has_words(error) });
-          }
-        }));
-      }
-    }
-    #open_now() {
-      const { text, name, files } = this.#source;
-      return this.#engine.open(text, { name, files: Object.fromEntries(files) });
-    }
-    #missing(film) {
-      const { files, failed } = this.#source;
-      return film.wants.filter((path) => !files.has(path) && !failed.some((f) => f.path === path));
-    }
-
     async #load_source() {
       if (this.#loading) this.#loading.abort();
       const loading = (this.#loading = new AbortController());
@@ -515,7 +325,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       try {
         const engine = Betwixt.engine();  // loads in parallel with the source
         engine.catch(() => {});
-        const source = await this.#find_source(signal);
+        const source = await FilmSource.find(this, this.#given_text, this.#given_files, signal);
         if (signal.aborted) return;
         if (!source) {
           this.#loading = null;
@@ -526,7 +336,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         this.#source = source;
         this.#engine = await engine;
         if (signal.aborted) return;
-        const film = await this.#open(signal);
+        const film = await source.open(this.#engine, signal);
         if (signal.aborted) film.dispose();
         else this.#take(film);
       } catch (error) {
@@ -540,18 +350,18 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
     #open_again() {
       let film;
       try {
-        film = this.#open_now();
+        film = this.#source.open_now(this.#engine);
       } catch (error) {
         this.#fail(3, has_words(error));
         return;
       }
-      if (!this.#missing(film).length) {
+      if (!this.#source.missing(film).length) {
         this.#take(film);
         return;
       }
       film.dispose();
       const loading = (this.#loading = new AbortController());
-      this.#open(loading.signal)
+      this.#source.open(this.#engine, loading.signal)
         .then((film) => (loading.signal.aborted ? film.dispose() : this.#take(film)))
         .catch((error) => loading.signal.aborted || this.#fail(3, has_words(error)))
         .finally(() => this.#loading === loading && (this.#loading = null));
@@ -561,7 +371,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#network = 1;
       this.#diagnostics = film.diagnostics;
       this.#text_wrong = !film.ok;
-      this.#message = film.message + this.#failed_files(film);
+      this.#message = film.message + this.#source.failed_files(film);
       if (!film.ok) {
         film.dispose();
         if (this.#film) this.#show();
@@ -595,11 +405,6 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
         this.#settle();
       }
       this.#autoplay();
-    }
-
-    #failed_files(film) {
-      const bad = this.#source.failed.filter((f) => film.wants.includes(f.path));
-      return bad.length ? "\n" + bad.map((f) => f.words).join("\n") : "";
     }
 
     #autoplay() {
@@ -771,7 +576,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       this.#tick();
       if (this.#film && this.#visible) this.#draw();
       this.#sought();
-      this.#show_time();
+      this.#controls.show_time();
       return this.#moving() && this.#visible;
     }
 
@@ -864,7 +669,7 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       stage.setAttribute("aria-label", this.getAttribute("aria-label") || `Film: ${source || words}`);
       canvas.setAttribute("aria-label", words);
       full.hidden = !document.fullscreenEnabled;
-      this.#show_controls();
+      this.#controls.show();
     }
 
     #show_message(said) {
@@ -881,128 +686,6 @@ input::-moz-range-thumb { width: 14px; height: 14px; border: 0; border-radius: 5
       again.textContent = "Try again";
       again.addEventListener("click", () => this.load());
       message.append(again);
-    }
-
-    #show_controls() {
-      if (!this.controls) return;
-      const { controls, play, full, speed } = this.#parts;
-      controls.hidden = !!this.#error;
-      const at_rest = this.#paused || this.#stuck();
-      const name = !at_rest ? "pause" : this.ended ? "again" : "play";
-      this.#set_button(play, name, { play: "Play", pause: "Pause", again: "Play again" }[name]);
-      const large = document.fullscreenElement === this;
-      this.#set_button(full, large ? "small" : "full", large ? "Leave full screen" : "Full screen");
-      const rates = [...new Set([...speeds, this.#rate])].sort((a, b) => a - b);
-      if (speed.options.length !== rates.length)
-        speed.replaceChildren(...rates.map((r) => new Option(`${r}×`.replace("-", "−"), r)));
-      speed.value = String(this.#rate);
-    }
-    #set_button(button, name, words) {
-      if (button.dataset.icon === name) return;
-      button.dataset.icon = name;
-      button.replaceChildren(drawing(icons[name]));
-      button.setAttribute("aria-label", words);
-      button.title = words;
-    }
-
-    #show_time() {
-      if (!this.#film || !this.controls) return;
-      const { time, clock } = this.#parts, now = this.#time, end = this.duration;
-      const frame = this.#frames_at(now) + this.#film.firstFrame;
-      time.max = end;
-      time.value = now;
-      time.style.setProperty("--at", `${(100 * now) / end}%`);
-      clock.textContent = `${now.toFixed(1)} / ${end.toFixed(1)}`;
-      clock.title = `frame ${frame} of ${this.#film.lastFrame}`;
-      // A screen reader should not read every frame of a playing film.
-      if (this.#moving() && performance.now() - this.#spoken < 1000) return;
-      this.#spoken = performance.now();
-      time.setAttribute("aria-valuetext", `frame ${frame} of ${this.#film.lastFrame}, ${now.toFixed(1)} seconds`);
-    }
-
-    // ---- Input
-
-    #listen() {
-      const { stage, time, speed, canvas, poster } = this.#parts;
-      const shown = () => this.#show_controls();
-      for (const name of ["play", "pause", "ended", "ratechange", "seeked", "timeupdate"])
-        this.addEventListener(name, shown);
-      this.addEventListener("fullscreenchange", shown);
-      this.addEventListener("keydown", (event) => this.controls && this.#key(event));
-      stage.addEventListener("click", (event) => {
-        const button = event.target.closest("[data-do]");
-        if (button && button.dataset.do === "toggle") this.#toggle();
-        if (button && button.dataset.do === "fullscreen") this.#fullscreen();
-      });
-      for (const picture of [canvas, poster])
-        picture.addEventListener("click", () => this.controls && this.#toggle());
-      time.addEventListener("pointerdown", (event) => event.button === 0 && this.#hold());
-      time.addEventListener("input", () => (this.currentTime = Number(time.value)));
-      speed.addEventListener("change", () => (this.playbackRate = Number(speed.value)));
-      for (const name of ["pointermove", "pointerdown", "focusin", "play", "pause"])
-        this.addEventListener(name, () => this.#stir());
-      stage.addEventListener("pointerleave", () => this.#rest());
-    }
-
-    // Hides the controls if the film plays and the pointer rests.
-    #stir() {
-      this.#parts.stage.classList.remove("idle");
-      clearTimeout(this.#quiet_timer);
-      this.#quiet_timer = setTimeout(() => this.#rest(), 2000);
-    }
-    #rest() { this.#parts.stage.classList.toggle("idle", this.#moving()); }
-
-    #toggle() {
-      if (this.#paused) {
-        this.play();
-      } else if (this.#stuck()) {
-        this.playbackRate = -this.#rate;  // at an end, the only way is back
-      } else {
-        this.pause();
-      }
-    }
-    #fullscreen() {
-      if (document.fullscreenElement === this) document.exitFullscreen();
-      else this.requestFullscreen?.().catch(() => {});
-    }
-    #by_frames(count) {
-      if (!this.#film) return;
-      this.pause();
-      this.currentTime = (this.#frames_at(this.currentTime) + count) / this.#film.fps;
-    }
-    // As on an editing table: j runs backwards, l forwards, and again doubles the speed.
-    #shuttle(way) {
-      const faster = !this.#paused && Math.sign(this.#rate) === way;
-      this.playbackRate = faster ? clamp(2 * this.#rate, -8, 8) : way;
-      if (this.#paused && way < 0 && this.#time <= 0) this.currentTime = this.duration;
-      this.play();
-    }
-    #speed(way) {
-      const next = way > 0 ? speeds.find((s) => s > this.#rate) : speeds.findLast((s) => s < this.#rate);
-      if (next !== undefined) this.playbackRate = next;
-    }
-
-    #key(event) {
-      if (event.ctrlKey || event.altKey || event.metaKey || event.defaultPrevented) return;
-      const at = event.composedPath()[0], key = event.key;
-      const on_button = at.localName === "button", on_speed = at.localName === "select";
-      if (on_button && (key === " " || key === "Enter")) return;
-      if (on_speed && key !== "f") return;
-      if (!this.#parts.stage.contains(at) && at !== this) return;  // an element that the page put inside
-      const second = this.#film ? Math.round(this.#film.fps) : 1, by = event.shiftKey ? second : 1;
-      const keys = {
-        " ": () => this.#toggle(), k: () => this.#toggle(),
-        ArrowRight: () => this.#by_frames(by), ArrowLeft: () => this.#by_frames(-by),
-        ArrowUp: () => this.#by_frames(second), ArrowDown: () => this.#by_frames(-second),
-        ".": () => this.#by_frames(1), ",": () => this.#by_frames(-1),
-        Home: () => (this.currentTime = 0), End: () => (this.currentTime = this.duration || 0),
-        j: () => this.#shuttle(-1), l: () => this.#shuttle(1),
-        f: () => this.#fullscreen(), "+": () => this.#speed(1), "-": () => this.#speed(-1),
-      };
-      const act = keys[key.length === 1 ? key.toLowerCase() : key];
-      if (!act) return;
-      event.preventDefault();
-      act();
     }
   }
 

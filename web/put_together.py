@@ -5,6 +5,8 @@
 # it here, the player: betwixt-player.js, one file for pages, and package, for npm.
 import base64, gzip, json, os, re, shutil, sys
 
+from scripts import editor_scripts, engine_scripts, player_scripts
+
 folder, version = sys.argv[1], sys.argv[2]
 here = os.path.dirname(os.path.abspath(__file__))
 
@@ -33,7 +35,7 @@ for name in programs:
         packed[name] = gzip.compress(file.read(), 9, mtime=0)
     # What glue says to other module systems is of no use where it stands in a function.
     glue[name] = re.sub(r"if\s*\(typeof exports\s*===.*", "", read(folder, name + ".js"), flags=re.S)
-parts = "".join(slim(read(here, name)) for name in ("algebra.js", "engine.js", "dom.js", "player.js", "editor.js"))
+parts = "".join(slim(read(here, name)) for name in engine_scripts + player_scripts + editor_scripts)
 # Within a page's script these would end or begin something.
 tame = lambda text: re.sub(r"<(?=/script|!--)", r"\\x3c", text, flags=re.I)
 glue, parts = {name: tame(text) for name, text in glue.items()}, tame(parts)

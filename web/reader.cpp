@@ -15,8 +15,8 @@ extern "C" EMSCRIPTEN_KEEPALIVE const char* betwixt_parse(int task, const char* 
   static std::string asked;
   asked.clear();
   const MayRead may_read = [](const std::string& file) { return asked += file + '\n', true; };
-  MachineShelf shelf(may_read);
+  LocalFiles files(may_read);
   const OpenFile handed(::open("/handed", O_RDWR | O_CREAT | O_TRUNC, 0600));
-  if (handed) hand_over(parse_here(static_cast<ParserTask>(task), path, shelf), handed.fd());
+  if (handed) write_parsed(parse_here(static_cast<ParserTask>(task), path, files), handed.fd());
   return asked.c_str();
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/files.h"
+#include "exchange/pictures.h"
 #include "exchange/scene_file.h"
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
@@ -20,9 +21,11 @@ Error not_here(const std::string& what) {
 
 }  // namespace
 
-Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string& path, Shelf&) {
+Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string& path, FileSource&) {
   return fail(ErrorCode::file, fmt::format("{} cannot be read in a page", path), "glTF (.gltf .glb) and .svg can be");
 }
+
+Result<LinearPicture> decode_exr(std::string_view, const std::string&) { return not_here("OpenEXR is not read"); }
 
 Result<std::shared_ptr<const Outline>> set_by_tex(const std::string&, std::chrono::milliseconds) {
   return not_here("formulas of TeX are not set");

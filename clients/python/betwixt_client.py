@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""A client of the imaging server, `betwixt serve`. It needs only Python's standard library.
+"""A client of the imaging server, `betwixt serve`. It needs only Python's standard library, and it is one file, so that
+you can copy it beside your program.
 
     from betwixt_client import Server
 
@@ -91,7 +92,7 @@ class Server(_Closing):
         if where is None:
             folder = os.environ.get("XDG_RUNTIME_DIR")
             if not folder:
-                raise ValueError("no socket is named, and XDG_RUNTIME_DIR is not set")
+                raise ValueError("no socket is given, and XDG_RUNTIME_DIR is not set")
             where = os.path.join(folder, "betwixt.sock")
         self._timeout = timeout
         self._read = b""
@@ -164,7 +165,7 @@ class Server(_Closing):
     def begin_bundle(self):
         """Starts to collect commands."""
         if self._bundle is not None:
-            raise ValueError("a bundle is open already")
+            raise ValueError("a bundle is already open")
         self._bundle = []
 
     def end_bundle(self):
@@ -227,7 +228,7 @@ class Server(_Closing):
 
     def _asked(self, question):
         if self._bundle is not None:
-            raise ValueError("nothing can be asked in a bundle")
+            raise ValueError("a bundle cannot contain questions")
         return self._answer_to(question)
 
     def _answer_to(self, *lines):
@@ -263,7 +264,7 @@ class Server(_Closing):
         try:
             wire.sendall(sent)
         except ConnectionError as why:
-            raise self._lost(Gone("the server has gone")) from why
+            raise self._lost(Gone("the server closed the connection")) from why
 
     def _next_message(self, wait):
         while b"\n" not in self._read:
@@ -271,9 +272,9 @@ class Server(_Closing):
             try:
                 more = wire.recv(1 << 16)
             except ConnectionError as why:
-                raise self._lost(Gone("the server has gone")) from why
+                raise self._lost(Gone("the server closed the connection")) from why
             if not more:
-                raise self._lost(Gone("the server has gone"))
+                raise self._lost(Gone("the server closed the connection"))
             self._read += more
         line, _, self._read = self._read.partition(b"\n")
         try:
@@ -401,7 +402,7 @@ class Host(Server):
     def polygon(self, points):
         points = [_point(p) for p in points]
         if len(points) < 3:
-            raise ValueError("a polygon has at least three points")
+            raise ValueError("a polygon must have at least three points")
         self._row(f"polygon {' '.join(points)}")
 
     def text(self, text):
@@ -534,7 +535,7 @@ class Host(Server):
 
     def _none_open(self):
         if self._open is not None:
-            raise ValueError("an object is open already")
+            raise ValueError("an object is already open")
 
     def _opened(self, object):
         self._open, self._interrupted, self._replacing = object, False, False
@@ -544,7 +545,7 @@ class Host(Server):
             raise ValueError("no object is open")
         if self._interrupted:
             if self._replacing:
-                raise ValueError("another command came after 'replace': it must be said again")
+                raise ValueError("another command came after 'replace', so repeat 'replace' first")
             self.do(f"edit O{self._open}")
             self._interrupted = False
         super().do("  " + text)

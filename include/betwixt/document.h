@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A document: an immutable value that holds a film. Copies are cheap and share their content. To undo, keep one.
+// A document: an immutable value that holds a film. Copies are cheap and share their content. To be able
+// to undo, keep a copy.
 //
 // Room: scene
 #pragma once
@@ -25,18 +26,18 @@ namespace betwixt {
 struct Scene;  // src/scene/document.h
 
 // The earliest and the latest time.
-inline constexpr Time from_the_beginning{INT64_MIN}, for_good{INT64_MAX};
+inline constexpr Time earliest_time{INT64_MIN}, latest_time{INT64_MAX};
 
-// Values of an object that you can read and not set. A target has one in place of a display function.
+// Values of an object that you can read but not set. Target::function holds a query in place of a display function.
 enum class Query : std::uint16_t {
   loudness = 0xfff8,  // of a sound, as heard at the time: the root mean square over 50 ms, 0 to 1
   onsets,             // how many onsets (beats, strokes) of the sound there were until the time
   in_view,            // whether any part of a drawn object is in view
   touching,           // the names of the objects that a drawn object touches
-  count,              // of an environment: the number of updates until the time
-  interval,           // of an environment: ticks from one update to the next
-  motion,             // of an environment: M, the matrix of one update
-  world,              // of an object: the matrix from its space to the world; of an environment: A
+  count,              // ENV.count: the number of updates of an environment until the time
+  every,              // ENV.every: ticks from one update of an environment to the next
+  by,                 // ENV.by: the matrix of one update of an environment
+  world,              // the matrix from the object's space to the world; of an environment, the product of its updates
 };
 
 // A display function (animatable property) of an object, one of its components (0 x r, 1 y g, 2 z b; -1: all), or a
@@ -51,7 +52,7 @@ struct Target {
   }
 
   ObjectId object;
-  std::uint16_t function = 0;
+  std::uint16_t function = 0;  // FunctionView::id of an object's display function (betwixt/object.h), or a Query
   int component = -1;
   bool velocity = false;  // the rate of change instead, per second
   ObjectId layer;         // the layer whose track it is; without one, the object's own
@@ -66,22 +67,25 @@ class Document {
   Document();
   explicit Document(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
 
-  Rate rate() const;   // frames a second
-  Rate ticks() const;  // ticks a second, for environments, contacts and the imaging server
-  // Returns the times of the first and the last frame. Without a `range` command: frame 1 to the last event, or one
-  // second if there are no events.
+  Rate rate() const;  // frames a second
+  // Ticks a second: the time step of environments (transforms that are applied again and again), of contacts and of the
+  // imaging server.
+  Rate ticks() const;
+  // Returns the first and the last time of the film; the last frame may be a little earlier. Without a `range` command:
+  // frame 1 to the last event, camera cut, note or change of a display list, or one second if none is after frame 1.
   std::pair<Time, Time> range() const;
-  // Return the width and height in pixels, and the samples a pixel, that the script sets; nullopt if it sets none.
+  // Return what the script sets, or else std::nullopt: the width and height in pixels (of a flat film otherwise 1920
+  // and 1080), the samples a pixel, and the largest number of pictures that are averaged into a blurred one.
   std::optional<std::pair<int, int>> size() const;
   std::optional<int> samples() const;
-  std::optional<int> subframes() const;  // pictures that a blurred one is averaged from
-  bool transparent() const;              // whether the background is transparent
-  double aspect() const;                 // width / height; 16:9 if the script sets no size
-  int frame_count() const;               // frames in the range, ends included; at least 1
+  std::optional<int> subframes() const;
+  bool transparent() const;  // whether the background is transparent
+  double aspect() const;     // width / height; 16:9 if the script sets no size
+  int frame_count() const;   // frames in the range, ends included; at least 1
 
-  std::vector<std::string> names() const;      // of all objects, in order of creation
-  ObjectId find(std::string_view name) const;  // an empty id if no object has the name
-  std::string name(ObjectId) const;
+  std::vector<std::string> names() const;                                     // of all objects, in order of creation
+  ObjectId find(std::string_view name) const;                                 // an empty id if no object has the name
+  std::string name(ObjectId) const;                                           // "none" if there is no such object
   std::string name(const Target&) const;                                      // "ball.position.x"
   std::vector<std::pair<Time, std::string>> notes(Time from, Time to) const;  // both ends included
   const Aliases& aliases() const;

@@ -37,7 +37,7 @@ void each_environment_event(const Document&, ObjectId, const std::function<void(
 // The environments that an object is in, or that drive it, from `from` to just before `until`, the outermost first. An
 // object for which the script sets none has no spans.
 struct EnvironmentSpan {
-  Time from = from_the_beginning, until = for_good;
+  Time from = earliest_time, until = latest_time;
   std::vector<ObjectId> environments;
 };
 std::vector<EnvironmentSpan> surrounding(const Document&, ObjectId);  // move the object and everything attached to it

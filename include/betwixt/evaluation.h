@@ -23,19 +23,23 @@
 
 namespace betwixt {
 
-class Beside;  // src/program/beside.h
+class DeferredEvaluation;  // src/program/deferred_evaluation.h
 
 class Evaluation {
  public:
   explicit Evaluation(const Program&);
-  // Each frame is ready in time: `beside` works out what may take long, and a slow value is the last one that has come.
-  Evaluation(const Program&, Beside& beside);
+  // Each frame is ready in time: `deferred` works out what may take long, and a slow value is the last one that has
+  // come.
+  Evaluation(const Program&, DeferredEvaluation& deferred);
   Evaluation(Evaluation&&) noexcept;
   Evaluation& operator=(Evaluation&&) noexcept;
   ~Evaluation();
 
   // Evaluates the program at a time.
   void to(Time);
+  // Evaluates the program at a time in advance, on any thread that has this object to itself, so that the first `to` at
+  // a time close to it is only an update. Asks `deferred` nothing. It does not count as a `to`.
+  void prepare(Time);
   // Replaces the program by an edited one. The next `to` then lists what differs from the last time of the old one.
   void use(const Program&);
 

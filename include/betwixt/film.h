@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "betwixt/deep_picture.h"
+#include "betwixt/linear_picture.h"
 #include "betwixt/program.h"
 #include "betwixt/render.h"
 #include "betwixt/result.h"
@@ -26,34 +26,35 @@ namespace betwixt {
 using Painter = std::function<Status(int k, Picture& out)>;
 
 // The same, as linear light.
-using DeepPainter = std::function<Status(int k, DeepPicture& out)>;
+using LinearPainter = std::function<Status(int k, LinearPicture& out)>;
 
-// Fills in a film's sound: left, right, left, …, `sound_rate` pairs a second. Called once, before the first picture.
+// Fills in a film's sound: left, right, left, …, 48,000 pairs a second (sound_rate in betwixt/sound.h), from -1 to 1;
+// the encoder clips what is outside. Called once, before the first picture; `stereo` is silent then.
 using Sounds = std::function<Status(std::span<float> stereo)>;
 
-// Mixes all sounds of a program from a time on, each to the nearest sample. `at`, `from`, `until` and the fades have
-// their values of the film's beginning; `gain` varies as its track says. Errors: file (a sound file is missing),
-// machine (no ffmpeg).
+// Adds all sounds of a program from a time on to `stereo` (as in Sounds), each to the nearest sample. The functions
+// `at`, `from`, `until` and the fades have their values at time 0; `gain` varies as its track says. Errors: file (a
+// sound file is missing), machine (no ffmpeg).
 Status mix_sounds(const Program&, Time from, std::span<float> stereo);
 bool has_sounds(const Document&);
 // Return whether a format (by the extension of `path`) can hold sound, transparency, more than 8 bits a channel, or
 // unclamped light. Numbered PNG has more than 8 bits only if FilmOptions::bits asks for it.
 bool takes_sound(const std::string& path);
 bool takes_alpha(const std::string& path);
-bool takes_depth(const std::string& path);
-bool takes_open_light(const std::string& path);
+bool takes_16_bits(const std::string& path);
+bool takes_unclamped_light(const std::string& path);
 
 struct FilmOptions {
   std::string path;      // the extension gives the format
-  int frames = 0;        // how many
+  int frames = 0;        // how many, at least 1
   int first_number = 1;  // number of the first picture file
   Rate rate;
   int width = 1280, height = 720;
-  int jobs = 0;  // painters that work at the same time; 0: as many as suits this machine
+  int jobs = 0;  // painters that work at the same time, at most 256; 0: as many as suits this machine
   bool overwrite = true;
-  // For numbered pictures: keeps those that exist, are complete and have this size. Each other one is put in place as
-  // soon as it is made, even if the film fails later.
-  bool missing = false;
+  // For numbered pictures: keeps those that exist, are complete and have this size, and makes the others. Each is put
+  // in place as soon as it is made, even if the film fails later.
+  bool only_missing = false;
   bool alpha = false;  // keeps transparency, if the format can hold it
   int bits = 8;        // bits a channel of numbered PNG: 8 or 16
   Sounds sounds;       // without it the film is silent
@@ -68,24 +69,26 @@ Status check_encoding(const FilmOptions&);
 
 struct FilmStats {
   int frames = 0;
-  int found = 0;        // pictures of these that existed already (FilmOptions::missing)
+  int found = 0;        // of these, pictures that existed already and were kept (FilmOptions::only_missing)
   double seconds = 0;   // wall clock, in total
   double painting = 0;  // seconds inside painters, summed over jobs
   double encoding = 0;  // seconds of waiting for the encoder or the disk
 };
 
-// Called now and then, from one thread. Return false to stop the film; then no file is left under its final name.
+// Called now and then, from one thread: `done` of `frames` are made, `seconds` after the film was begun. Return false
+// to stop the film; then no file is left under its final name, except the pictures made with `only_missing`.
 using Progress = std::function<bool(int done, int frames, double seconds)>;
 
 // Make a film. Each job calls new_painter once, from its own thread, one job at a time. At most two pictures for each
 // job are in memory. The film (or all its pictures) is written under a hidden name beside the final one and renamed
-// when it is complete. Errors: range (an unknown extension, invalid sizes, `missing` for a film in one file), file (no
-// such folder, the file exists), machine (no ffmpeg, not writable, disk full, stopped), and the painter's errors,
-// unchanged.
+// when it is complete; with `only_missing` each picture is renamed when it is complete. OpenEXR and PNG of 16 bits need
+// make_linear_film. Errors: range (an unknown extension, options out of bounds, a picture of another size,
+// `only_missing` or 16 bits for a format without it), file (no such folder, the file exists), machine (no ffmpeg, not
+// writable, disk full, stopped), and the painter's errors, unchanged.
 Result<FilmStats> make_film(const FilmOptions&, const std::function<Result<Painter>()>& new_painter,
                             const Progress& = {});
-Result<FilmStats> make_deep_film(const FilmOptions&, const std::function<Result<DeepPainter>()>& new_painter,
-                                 const Progress& = {});
+Result<FilmStats> make_linear_film(const FilmOptions&, const std::function<Result<LinearPainter>()>& new_painter,
+                                   const Progress& = {});
 
 // Writes a picture as JPEG over black, and renames it into place when it is complete. `quality` is 1 to 100.
 // Errors: file (the file exists), machine.
@@ -103,18 +106,20 @@ struct FrameList {
 // Returns the frames of a segment, both ends included, at least one. Errors: range (too many, too far from time 0).
 Result<FrameList> frames_between(Time first, Time last, Rate);
 
-// What `betwixt render` makes of a program: the request and everything that follows from it.
-struct Shoot {
+// The settings with which `betwixt render` makes a film of a program, worked out from what the user asks for.
+struct RenderJob {
   FrameList frames;
   RenderOptions pictures;
-  std::optional<Exposure> exposure;  // nullopt: no blur
-  FilmOptions film;                  // painted as light if `pictures` are deep
+  std::optional<Blur> blur;  // nullopt: no blur
+  FilmOptions film;          // of make_linear_film if `pictures.linear`, otherwise of make_film
 };
-Shoot shoot_of(const Program&, const std::string& path, const FrameList&, RenderOptions, std::optional<Exposure>,
-               int bits = 8);
-// Return painters for the frames. Each passes the problems of procedures to TellProblems, from its own thread.
+RenderJob render_job(const Program&, const std::string& path, const FrameList&, RenderOptions, std::optional<Blur>,
+                     int bits = 8);
+// Return painters for the frames; call each from the thread that made it. After each frame it passes the problems of
+// procedures, which may be none, to TellProblems: from several threads at once if a film has several jobs. Errors:
+// those of make_renderer.
 using TellProblems = std::function<void(const std::vector<std::string>&)>;
-Result<Painter> painter_of(const Program&, const Shoot&, const TellProblems& = {});
-Result<DeepPainter> deep_painter_of(const Program&, const Shoot&, const TellProblems& = {});
+Result<Painter> painter_of(const Program&, const RenderJob&, const TellProblems& = {});
+Result<LinearPainter> linear_painter_of(const Program&, const RenderJob&, const TellProblems& = {});
 
 }  // namespace betwixt

@@ -52,7 +52,7 @@ std::vector<FunctionView> functions(const Document&, ObjectId);
 // The parent of an object from `from` to just before `until`. The first span begins at the earliest time and the last
 // one ends at the latest. An object without attachments has no spans.
 struct AttachmentSpan {
-  Time from = from_the_beginning, until = for_good;
+  Time from = earliest_time, until = latest_time;
   Attachment to;
   bool computed = false;  // code computes the parent at each time, and `to` has no meaning
 };

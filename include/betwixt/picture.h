@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "betwixt/deep_picture.h"
+#include "betwixt/linear_picture.h"
 #include "betwixt/mesh.h"
 #include "betwixt/result.h"
 
@@ -20,10 +20,10 @@ Result<std::string> to_png(const Picture&);
 // (cannot be written), machine (disk full).
 Status write_png(const std::string& path, const Picture&, bool overwrite = true);
 // The same for linear light: a PNG with 16 bits a channel, as a screen shows it; an OpenEXR in half floats, unchanged.
-Status write_png(const std::string& path, const DeepPicture&, bool overwrite = true);
-Status write_exr(const std::string& path, const DeepPicture&, bool overwrite = true);
+Status write_png(const std::string& path, const LinearPicture&, bool overwrite = true);
+Status write_exr(const std::string& path, const LinearPicture&, bool overwrite = true);
 // Reads PNG or OpenEXR and returns linear light. Errors: those of read_picture.
-Result<DeepPicture> read_deep_picture(const std::string& path);
+Result<LinearPicture> read_linear_picture(const std::string& path);
 // Reads PNG, JPEG, TGA or BMP. Errors: file (missing, unreadable, broken), range (more than 16384 pixels a side).
 Result<std::shared_ptr<const Picture>> read_picture(const std::string& path);
 

@@ -25,6 +25,9 @@ enum class ErrorCode : std::uint8_t {
   machine,  // the machine failed: disk full, no such device, a missing program
 };
 
+// What the program may do only if a person permits it by an option.
+enum class Permission : std::uint8_t { none, read_anywhere, tex };
+
 // A place in a text. Line and column count from 1, the column in characters. Line 0: the place is unknown.
 struct Place {
   std::string file;
@@ -36,6 +39,20 @@ struct Error {
   std::string message;  // the error in plain words, without a full stop
   std::string hint;     // a suggestion; may be empty
   Place place;
+  std::string instead = {};  // the text to write at the place, if the hint is a correction; otherwise empty
+  std::string subject = {};  // the name that the error is about, for example of a missing object; may be empty
+  Permission needs = Permission::none;  // the permission that is missing
+};
+
+// A suggestion to the author: its text and, if it is a correction of one word, the word to write instead. `needs`: the
+// permission without which the program cannot go on.
+struct Hint {
+  std::string text, instead;
+  Permission needs = Permission::none;
+  Hint(std::string t = {}, std::string word = {}) : text(std::move(t)), instead(std::move(word)) {}
+  Hint(const char* t) : text(t) {}
+  Hint(Permission p, std::string t) : text(std::move(t)), needs(p) {}
+  bool empty() const { return text.empty(); }
 };
 
 // A message to the author about a text.
@@ -76,8 +93,11 @@ class [[nodiscard]] Result {
 struct Nothing {};
 using Status = Result<Nothing>;
 
-inline Error fail(ErrorCode code, std::string message, std::string hint = {}) {
-  return {code, std::move(message), std::move(hint), {}};
+inline Error fail(ErrorCode code, std::string message, Hint hint = {}) {
+  return {code, std::move(message), std::move(hint.text), {}, std::move(hint.instead), {}, hint.needs};
+}
+inline void set_hint(Error& e, Hint hint) {
+  e.hint = std::move(hint.text), e.instead = std::move(hint.instead), e.needs = hint.needs;
 }
 
 }  // namespace betwixt

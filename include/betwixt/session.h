@@ -23,18 +23,27 @@ class Session {
  public:
   static constexpr std::string_view called_off = "\x03";  // the answer after Ctrl-C: cancels the line
 
+  // A question to the user.
+  struct Question {
+    std::string above;  // lines to show above the question; may be empty
+    std::string text;   // "1 command is not saved"
+    std::vector<std::string> choices;
+  };
   // Callbacks into the host. Each may be empty.
-  struct Doors {
-    // Returns the answer to a question, `called_off` to cancel, or std::nullopt if there is no one to answer.
-    std::function<std::optional<std::string>(const std::string& question)> ask;
+  struct Callbacks {
+    // Returns the user's choice, `called_off` to cancel, or std::nullopt if there is no one to answer.
+    std::function<std::optional<std::string>(const Question&)> ask;
+    // Draws a plot of a target (or of those that a pattern names) into an SVG file.
     std::function<Status(const Document&, const std::string& target, const std::string& file)> plot;
+    // Plays the frames "A..B", from "A" to the end, or all of them: "".
     std::function<Status(const Document&, const std::string& frames)> play;
-    std::function<Status(const std::string& file)> load;
+    // Loads a plug-in, so that its words can be used.
+    std::function<Status(const std::string& file)> load_plugin;
     // Changes style, samples or size of `play` and returns a message. With an empty value, returns the current one.
-    std::function<Result<std::string>(const std::string& what, const std::string& value)> picture;
+    std::function<Result<std::string>(const std::string& what, const std::string& value)> set_play_option;
     std::vector<std::string> styles;  // the styles that exist, for completion
     // Like `ask`, for questions about the meaning of a line. Leave it empty if lines come faster than a person reads.
-    std::function<std::optional<std::string>(const std::string& question)> ask_about_line;
+    std::function<std::optional<std::string>(const Question&)> ask_about_line;
   };
   // What to do with the commands of an earlier session that ended without saving.
   enum class Earlier { ask, recover, discard };
@@ -47,15 +56,15 @@ class Session {
   };
 
   struct State;
-  explicit Session(Doors = {}, const LoadOptions& = {});
+  explicit Session(Callbacks = {}, const LoadOptions& = {});
   ~Session();
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
   // Opens a script, a new film if the file does not exist, or no file at all: "".
   Answer open(const std::string& file, Earlier = Earlier::ask);
-  // Starts from a text, for hosts that store the film themselves. `file` need not exist. There is no journal, and other
-  // sessions may use the file.
+  // Starts from a text, for hosts that store the film themselves. `file` is the name in messages, and files are read
+  // below its folder; it need not exist. There is no journal, and other sessions may use the file.
   void begin(std::string text, const std::string& file);
   // Carries out one logical line: a command, a row of the open sheet, or a word of the shell.
   Answer enter(std::string_view line);
@@ -68,11 +77,11 @@ class Session {
   Loaded look_ahead(int first, int last, std::string_view others) const;
   // From now on edits the text in place, as an author would: a changed event changes its row, and only new lines are
   // appended. `rewrite FIRST..LAST "…"` then changes the text itself.
-  void keep_in_place();
+  void edit_in_place();
   // Returns the line that replaces lines as above: `rewrite FIRST..LAST "…"`.
   static std::string rewrite_line(int first, int last, std::string_view others);
-  // Takes the file as it is now for the saved version. Call it after another program wrote the file and you have dealt
-  // with its changes.
+  // From now on what the file holds counts as saved, and the rest of the text as unsaved. Call it after another program
+  // wrote the file and you have dealt with its changes. Errors: file (there is none), machine.
   Status go_on_from_file();
   // Returns the errors and warnings of the text, each with its place.
   const Diagnostics& diagnostics() const;
@@ -94,5 +103,8 @@ class Session {
  private:
   std::unique_ptr<State> state_;
 };
+
+// Returns the question in one line, with the lines above it: "1 command is not saved: save, discard or stay? ".
+std::string to_string(const Session::Question&);
 
 }  // namespace betwixt

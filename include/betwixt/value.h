@@ -61,10 +61,11 @@ using Names = Shared<std::vector<std::string>>;
 using Matrix = Shared<Mat4>;   // affine
 using Moves = Shared<Motion>;  // from this event to the next one
 
-// The parent of an object, and how much of the parent's matrix it inherits (rules, section 5).
+// The parent of an object, and how much of the parent's matrix it inherits (docs/guide/attachment.md).
 //   hang    the parent's matrix moves its position, and no more
 //   attach  the parent also turns it; the parent's scale moves its position only
-//   couple  the parent's whole matrix                      detach  no parent: its tracks are in world space
+//   couple  the parent's whole matrix
+//   detach  no parent: its tracks are in world space
 //   letgo   no parent, but it keeps the parent's matrix of that moment
 enum class AttachmentKind : std::uint8_t { detach, letgo, hang, attach, couple };
 struct Attachment {
@@ -74,7 +75,7 @@ struct Attachment {
   friend constexpr bool operator==(const Attachment&, const Attachment&) = default;
 };
 
-// A value that the author's code computes (an inquisitive event). Equal if code and language are equal.
+// A value that the author's code computes, anew for each time. Equal if code and language are equal.
 class Routine;  // src/track/procedure.h
 struct Procedure {
   std::shared_ptr<const Routine> code;

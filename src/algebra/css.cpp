@@ -25,9 +25,10 @@ Status has_css(const Motion& motion) {
   for (std::size_t i = 0; i < motion.factors.size(); ++i) {
     const Factor& f = motion.factors[i];
     if (!f.about.empty())
-      return about(i, fmt::format("its centre is '{}', and CSS knows no objects", f.about), "a place in numbers");
+      return about(i, fmt::format("its centre is the object '{}', but CSS has no objects", f.about),
+                   "write the centre as numbers");
     if (f.kind == Kind::scale && f.law == Law::exponential && f.by != Vec3{1, 1, 1})
-      return about(i, "it grows by the exponential law, and CSS by the linear one", "S(… linear)");
+      return about(i, "it scales by the exponential law, but CSS scales by the linear law", "write S(… linear)");
   }
   return Nothing{};
 }

@@ -65,9 +65,9 @@ bool CssNumbers::number(double& out) {
   if (end == first) {
     const std::string_view name = word();
     if (!name.empty() && peek() == '(')
-      return fail(from, at, ErrorCode::type, fmt::format("{}() is not worked out here", name),
-                  "write the number; calc(), min(), max() and clamp() are");
-    return fail(from, std::max(at, from + 1), ErrorCode::syntax, "a number is wanted here");
+      return fail(from, at, ErrorCode::type, fmt::format("{}() is not supported", name),
+                  "write the number, or use calc(), min(), max() or clamp()");
+    return fail(from, std::max(at, from + 1), ErrorCode::syntax, "expected a number here");
   }
   if (small(c(end)) == 'e' &&
       (is_digit(c(end + 1)) || ((c(end + 1) == '+' || c(end + 1) == '-') && is_digit(c(end + 2)))))
@@ -79,8 +79,7 @@ bool CssNumbers::number(double& out) {
 }
 
 bool CssNumbers::too_large(std::size_t from) {
-  return fail(from, at, ErrorCode::range,
-              fmt::format("'{}' is too large or too small a number", text.substr(from, at - from)));
+  return fail(from, at, ErrorCode::range, fmt::format("'{}' is too large or too small", text.substr(from, at - from)));
 }
 
 // Reads the unit after a number, possibly "".
@@ -96,13 +95,13 @@ bool CssNumbers::pixels(double& number, std::string_view name, std::size_t from,
     const auto& whole = percent_of == Part::width ? width : height;
     if (!whole)
       return fail(unit_from, at, ErrorCode::type, "'%' is not a unit of length here",
-                  "px, or the size of what is moved: percentages are of it");
+                  "use px, or give the size of the element, to which percentages refer");
     number = number / 100 * *whole;
   } else if (const Unit* u = unit_named(css_lengths, name)) {
     number = number * u->of / u->divisor;
   } else {
     return fail(unit_from, at, ErrorCode::type, fmt::format("'{}' is not a unit of length here", name),
-                name == "%" ? "px: along z nothing has a size" : "px: what others come to depends on the page");
+                name == "%" ? "use px: elements have no size along z" : "use px: other units depend on the page");
   }
   return std::isfinite(number) || too_large(from);
 }
@@ -145,8 +144,8 @@ bool CssNumbers::plain(double& out) {
   const std::size_t unit_from = at;
   const std::string_view name = unit();
   return name.empty() ||
-         fail(unit_from, at, ErrorCode::type, fmt::format("a number without a unit is wanted here, not '{}'", name),
-              name == "%" ? "50% is 0.5" : "");
+         fail(unit_from, at, ErrorCode::type, fmt::format("expected a number without a unit here, not '{}'", name),
+              name == "%" ? "write 0.5 instead of 50%" : "");
 }
 
 // ---- Expressions
@@ -165,9 +164,9 @@ bool CssNumbers::worked_out(double& out, Type wanted, Part percent_of) {
   Value v;
   if (!function(v, percent_of)) return false;
   if (v.type != wanted)
-    return fail(from, at, ErrorCode::type,
-                fmt::format("{} is wanted here, and this comes to {}", names[static_cast<int>(wanted)],
-                            names[static_cast<int>(v.type)]));
+    return fail(
+        from, at, ErrorCode::type,
+        fmt::format("expected {} here, not {}", names[static_cast<int>(wanted)], names[static_cast<int>(v.type)]));
   out = v.number;
   if (wanted == Type::angle && !(std::abs(out) < 2 * pi * most_turns)) return too_large(from);
   return std::isfinite(out) || too_large(from);
@@ -177,7 +176,8 @@ bool CssNumbers::function(Value& out, Part percent_of) {
   const std::size_t from = at;
   const std::string_view name = word();
   ++at;  // '('
-  if (++depth_ > deepest) return fail(from, at, ErrorCode::range, fmt::format("no more than {} brackets", deepest));
+  if (++depth_ > deepest)
+    return fail(from, at, ErrorCode::range, fmt::format("brackets can be at most {} levels deep", deepest));
   const bool read = arguments(name, from, out, percent_of);
   --depth_;
   return read;
@@ -193,7 +193,7 @@ bool CssNumbers::arguments(std::string_view name, std::size_t from, Value& out, 
     Value next;
     if (!sum(next, percent_of)) return false;
     if (count > 0 && next.type != values[0].type)
-      return fail(from, at, ErrorCode::type, fmt::format("{}() of values of different kinds", name));
+      return fail(from, at, ErrorCode::type, fmt::format("the values of {}() must be of the same kind", name));
     if (count == 0 || most != 0)
       v = next;
     else
@@ -203,9 +203,10 @@ bool CssNumbers::arguments(std::string_view name, std::size_t from, Value& out, 
   }
   if (at == text.size()) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
   if (peek() != ')')
-    return fail(at, at + 1, ErrorCode::syntax, most == 1 ? "')' is wanted here" : "',' or ')' is wanted here");
+    return fail(at, at + 1, ErrorCode::syntax, most == 1 ? "expected ')' here" : "expected ',' or ')' here");
   ++at;
-  if (most == 3 && count < 3) return fail(from, at, ErrorCode::syntax, "clamp() takes the least, the value, the most");
+  if (most == 3 && count < 3)
+    return fail(from, at, ErrorCode::syntax, "clamp() needs a minimum, a value and a maximum");
   out = values[0];
   if (most == 3) out.number = std::max(values[0].number, std::min(values[1].number, values[2].number));
   return true;
@@ -222,7 +223,7 @@ bool CssNumbers::sum(Value& out, Part percent_of) {
     ++at;
     // As in CSS, 1 -2 are two numbers.
     if (!apart || std::string_view(" \t\r\n\f/").find(peek()) == std::string_view::npos)
-      return fail(sign_at, at, ErrorCode::syntax, fmt::format("blanks on both sides of '{}' are wanted", sign));
+      return fail(sign_at, at, ErrorCode::syntax, fmt::format("'{}' needs a space on both sides", sign));
     space();
     Value next;
     if (!term(next, percent_of)) return false;
@@ -242,8 +243,9 @@ bool CssNumbers::term(Value& out, Part percent_of) {
     if (!value(next, percent_of)) return false;
     if (next.type != Type::number && (quotient || out.type != Type::number))
       return fail(sign_at, at, ErrorCode::type,
-                  quotient ? "what divides is a number without a unit" : "one of both is a number without a unit");
-    if (quotient && next.number == 0) return fail(sign_at, at, ErrorCode::range, "nothing can be divided by 0");
+                  quotient ? "a divisor must be a number without a unit"
+                           : "one of the two factors must be a number without a unit");
+    if (quotient && next.number == 0) return fail(sign_at, at, ErrorCode::range, "a divisor must not be 0");
     if (out.type == Type::number) out.type = next.type;
     out.number = quotient ? out.number / next.number : out.number * next.number;
   }
@@ -254,7 +256,8 @@ bool CssNumbers::value(Value& out, Part percent_of) {
   const std::size_t from = at;
   if (peek() == '(') {
     ++at;
-    if (++depth_ > deepest) return fail(from, at, ErrorCode::range, fmt::format("no more than {} brackets", deepest));
+    if (++depth_ > deepest)
+      return fail(from, at, ErrorCode::range, fmt::format("brackets can be at most {} levels deep", deepest));
     if (!sum(out, percent_of)) return false;
     --depth_;
     if (peek() != ')') return fail(at, at + 1, ErrorCode::syntax, "')' is missing");

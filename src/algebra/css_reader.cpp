@@ -45,7 +45,7 @@ constexpr FunctionRow functions[] = {
     {"matrix", CssKind::matrix, 6, "nnnnnn", -1, "six numbers"},
     {"matrix3d", CssKind::matrix, 16, "nnnnnnnnnnnnnnnn", -1, "sixteen numbers"},
 };
-constexpr const char* motions = "translate(), rotate() and scale(), with X, Y, Z or 3d behind the name";
+constexpr const char* motions = "translate(), rotate() and scale(), also with X, Y, Z or 3d after the name";
 
 struct ListReader : algebra::CssNumbers {
   bool motions_only = false;
@@ -53,14 +53,13 @@ struct ListReader : algebra::CssNumbers {
   algebra::Angle turned;
 
   bool refuse(std::size_t from, std::string_view name) {
-    const std::string hint = fmt::format("what is read: {}{}", motions,
-                                         motions_only ? "" : "; skew(), matrix(), matrix3d() and perspective()");
-    if (algebra::same_in_css(name, "none"))
-      return fail(from, at, ErrorCode::syntax, "'none' stands alone or not at all");
+    const std::string hint =
+        fmt::format("supported: {}{}", motions, motions_only ? "" : "; skew(), matrix(), matrix3d() and perspective()");
+    if (algebra::same_in_css(name, "none")) return fail(from, at, ErrorCode::syntax, "'none' must be alone");
     if (name.empty())
-      return fail(from, from + 1, ErrorCode::syntax, "a CSS transform is wanted here",
+      return fail(from, from + 1, ErrorCode::syntax, "expected a CSS transform here",
                   "as in translate(10px, 20px) rotate(90deg)");
-    return fail(from, at, ErrorCode::name, fmt::format("'{}' is no CSS transform", name), hint);
+    return fail(from, at, ErrorCode::name, fmt::format("'{}' is not a CSS transform", name), hint);
   }
   const FunctionRow* row() {
     const std::size_t from = at;
@@ -70,10 +69,10 @@ struct ListReader : algebra::CssNumbers {
     if (found == std::end(functions)) {
       refuse(from, name);
     } else if (motions_only && found->kind > CssKind::scale) {
-      fail(from, at, ErrorCode::type, fmt::format("{}() is no translation, rotation or scaling", found->name),
-           fmt::format("what is read: {}", motions));
+      fail(from, at, ErrorCode::type, fmt::format("{}() is not a translation, rotation or scaling", found->name),
+           fmt::format("supported: {}", motions));
     } else if (peek() != '(') {
-      fail(at, at + 1, ErrorCode::syntax, fmt::format("'(' is missing right behind {}", found->name));
+      fail(at, at + 1, ErrorCode::syntax, fmt::format("'(' is missing directly after {}", found->name));
     } else {
       return found;
     }
@@ -97,7 +96,9 @@ struct ListReader : algebra::CssNumbers {
     at = from;
     double d = 0;
     if (!length(d, Part::none)) return false;
-    if (d < 0) return fail(from, at, ErrorCode::range, "a distance is not below 0", "perspective(none) is none");
+    if (d < 0)
+      return fail(from, at, ErrorCode::range, "a distance must not be negative",
+                  "for no perspective: perspective(none)");
     nearness = 1 / std::max(d, 1.0);
     return true;
   }
@@ -116,7 +117,7 @@ struct ListReader : algebra::CssNumbers {
       space();
     } while (peek() == ',');
     if (at == text.size()) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
-    if (peek() != ')') return fail(at, at + 1, ErrorCode::syntax, "',' or ')' is wanted here");
+    if (peek() != ')') return fail(at, at + 1, ErrorCode::syntax, "expected ',' or ')' here");
     if (count < f->least) return wrong_count(*f, from);
     ++at;
     return fill(out, *f, count) || fail(from, at, ErrorCode::range, "this axis has no direction");
@@ -170,7 +171,7 @@ Result<CssList> read_list(std::string_view text, std::optional<CssSize> size, bo
   if (algebra::same_in_css(r.word(), "none") && (r.space(), r.at == text.size())) return list;
   for (r.at = 0, r.space(); r.at < text.size(); r.space()) {
     if (list.size() == 10'000) {
-      r.fail(r.at, r.at + 1, ErrorCode::range, "no more than 10000 transforms");
+      r.fail(r.at, r.at + 1, ErrorCode::range, "there can be at most 10000 transforms");
       return *r.error;
     }
     CssFunction f;

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "algebra/counted.h"
-#include "base/in_parts.h"
+#include "base/in_parallel.h"
 
 // This file is compiled once for each kind of machine (SSSE3 without SSE4 existed until 2008 only, so it is left out).
 // Vectors without a fixed size cannot be members of a Lane.
@@ -115,7 +115,7 @@ void step_threaded(Kernel kernel, const Arrays<Number>& a, const Number* inputs,
   const std::size_t threads = std::clamp<std::size_t>(a.count / thread_share, 1, most);
   constexpr std::size_t grain = line / sizeof(Number);
   const auto bound = [&](std::size_t i) { return i == threads ? a.count : a.count / threads * i / grain * grain; };
-  in_parts(threads, [&](std::size_t i) { dispatch(kernel, part(a, bound(i), bound(i + 1)), inputs, through); });
+  in_parallel(threads, [&](std::size_t i) { dispatch(kernel, part(a, bound(i), bound(i + 1)), inputs, through); });
 }
 
 }  // namespace

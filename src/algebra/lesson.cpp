@@ -37,7 +37,8 @@ Result<Motion> understood(std::string_view text) {
   if (!motion) return motion;
   for (const Factor& f : motion->factors)
     if (!f.about.empty())
-      return fail(ErrorCode::name, fmt::format("there is no object '{}' here", f.about), "a centre is a place: @ 0 1");
+      return fail(ErrorCode::name, fmt::format("there is no object '{}' here", f.about),
+                  "write the centre as a point: @ 0 1");
   return motion;
 }
 
@@ -198,7 +199,7 @@ std::string methods_answer(std::string_view text, std::int64_t steps, const Plac
   if (!motion) return refused(motion.error());
   if (!is_planar(*motion))
     return refused(
-        fail(ErrorCode::type, "this motion leaves the plane", "the methods of the source are for the plane"));
+        fail(ErrorCode::type, "this motion leaves the plane", "the methods of the paper work only in the plane"));
   if (auto first = frame(*motion, 0, steps); !first) return refused(first.error());
   std::vector<Taught> all;
   const auto source = printed_costs(*motion);

@@ -44,8 +44,8 @@ class Scheme {
 
   Result<Plan<Number>> made() {
     if (s_ && s_->law == Factor::Law::exponential && !(s_->by.x == 1 && s_->by.y == 1))
-      return fail(ErrorCode::type, "the geometric method scales by the linear law",
-                  "S(… linear), or the method `matrix`");
+      return fail(ErrorCode::type, "the geometric method needs the linear law for scalings",
+                  "write S(… linear), or use the method `matrix`");
     if (!r_) return go_straight(), plan_;
     Turns all, so_far;
     for (const Factor& f : motion_.factors)
@@ -53,7 +53,7 @@ class Scheme {
     for (const Factor& f : motion_.factors)
       if (f.kind == Factor::Kind::rotate &&
           (half_turn(so_far = so_far + planar_turns(f), plan_.steps) || half_turn(all, plan_.steps)))
-        return fail(ErrorCode::range, "half a turn in one step cannot be made of shears", "more steps");
+        return fail(ErrorCode::range, "shears cannot make half a turn in one step", "use more steps");
     return turn(all), plan_;
   }
 
@@ -162,8 +162,8 @@ Result<Plan<Number>> geometric(const Motion& motion, std::int64_t steps) {
   constexpr const char* rows[] = {"T", "S", "R", "TS", "ST", "TR", "RT", "RS", "SR", "TRS"};
   if (!arms && std::find(std::begin(rows), std::end(rows), row) == std::end(rows))
     return fail(ErrorCode::type,
-                fmt::format("the geometric method has no scheme for {}", row.empty() ? "no factors" : row),
-                "it knows T, S, R, TS, ST, TR, RT, RS, SR, TRS and R…R; `best` takes every string");
+                fmt::format("the geometric method does not support {}", row.empty() ? "no factors" : row),
+                "it supports T, S, R, TS, ST, TR, RT, RS, SR, TRS and R…R; `best` supports every string");
   return Scheme<Number>(motion, steps, row).made();
 }
 
@@ -184,8 +184,8 @@ template <class Number>
 Result<Plan<Number>> same_steps(const Motion& motion, std::int64_t steps) {
   const Canonical<Number> string = canonical<Number>(motion, steps);
   const auto none = [](std::string why) {
-    return fail(ErrorCode::type, "no one matrix makes all steps of this motion: " + why,
-                "the method `best` takes every string");
+    return fail(ErrorCode::type, "no single matrix makes all steps of this motion: " + why,
+                "the method `best` supports every string");
   };
   Plan<Number> plan;
   plan.steps = steps;
@@ -200,14 +200,15 @@ Result<Plan<Number>> same_steps(const Motion& motion, std::int64_t steps) {
   if (string.blocks.size() > 1) return none("its factors do not commute, so the root of the whole takes another path");
   const Block& b = string.blocks[0];
   const Offset<Number>& inner = string.offsets[1];
-  if (b.linear) return none("the steps of a scaling by the linear law are not alike");
+  if (b.linear) return none("the steps of a scaling by the linear law differ");
   const Number drift_x = outer.drift_x + inner.drift_x, drift_y = outer.drift_y + inner.drift_y;
   const bool commutes =
       b.turns.none() && (b.log_x == 0 || drift_x == Number(0)) && (b.log_y == 0 || drift_y == Number(0));
   if (!(outer.fixed() && inner.fixed()) && !commutes)
-    return none(!b.turns.none()
-                    ? "a way and a turn do not commute, so the root of the whole is an arc and not this path"
-                    : "a way and a scaling do not commute, so the root of the whole takes another path");
+    return none(
+        !b.turns.none()
+            ? "a translation and a rotation do not commute, so the root of the whole is an arc instead of this path"
+            : "a translation and a scaling do not commute, so the root of the whole takes another path");
   plan.centre_x = inner.x, plan.centre_y = inner.y;
   plan.home_x = outer.x, plan.home_y = outer.y;
   plan.gain_x = drift_x, plan.gain_y = drift_y;

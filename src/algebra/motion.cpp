@@ -101,18 +101,17 @@ Status check(const Motion& motion) {
     const Factor& f = motion.factors[i];
     const auto endless = [&](Vec3 v, std::string_view name) -> Status {
       for (int c = 0; c < 3; ++c)
-        if (!std::isfinite(v[c]))
-          return about_factor(motion, i, fmt::format("its {} {} is no finite number", name, axes[c]));
+        if (!std::isfinite(v[c])) return about_factor(motion, i, fmt::format("its {} {} is not finite", name, axes[c]));
       return Nothing{};
     };
     if (f.kind == Kind::translate) {
-      if (auto bad = endless(f.by, "way along"); !bad) return bad;
+      if (auto bad = endless(f.by, "translation along"); !bad) return bad;
       continue;
     }
     if (auto bad = endless(f.centre, "centre's"); !bad) return bad;
     if (f.kind == Kind::rotate) {
       if (!std::isfinite(f.angle) || !std::isfinite(f.angle_rest))
-        return about_factor(motion, i, "its angle is no finite number");
+        return about_factor(motion, i, "its angle is not finite");
       if (!(std::abs(f.angle) < 2 * pi * algebra::most_turns))
         return about_factor(motion, i, fmt::format("its angle has more than {} turns", algebra::most_turns));
       if (auto bad = endless(f.axis, "axis'"); !bad) return bad;
@@ -122,8 +121,9 @@ Status check(const Motion& motion) {
     if (auto bad = endless(f.by, "factor along"); !bad) return bad;
     for (int c = 0; c < 3; ++c)
       if (f.law == Law::exponential && !(f.by[c] > 0))
-        return about_factor(motion, i, fmt::format("a scaling by {} along {} has no in-betweens", f.by[c], axes[c]),
-                            "factors above 0, or the linear law: S(… linear)");
+        return about_factor(motion, i,
+                            fmt::format("a scaling by {} along {} has no in-between values", f.by[c], axes[c]),
+                            "use factors greater than 0, or the linear law: S(… linear)");
   }
   return Nothing{};
 }
@@ -143,8 +143,8 @@ Mat4 at(const Motion& motion, double t) {
 
 Result<Mat4> frame(const Motion& motion, std::int64_t k, std::int64_t steps) {
   if (steps < 1)
-    return fail(ErrorCode::range, fmt::format("{} steps lead nowhere", steps),
-                "at least 1: frame 0 is rest, frame 1 the end");
+    return fail(ErrorCode::range, fmt::format("the number of steps must be at least 1, not {}", steps),
+                "frame 0 is the start and frame 1 the end");
   // k / steps is rounded; the remainder matters for a motion of many turns.
   Mat4 product;
   const double t = static_cast<double>(k) / static_cast<double>(steps);
@@ -164,11 +164,11 @@ Result<Motion> inverse(const Motion& motion) {
   for (std::size_t i = motion.factors.size(); i-- > 0;) {
     Factor f = motion.factors[i];
     if (f.kind == Kind::scale && f.law == Law::linear && f.by != Vec3{1, 1, 1})
-      return about_factor(motion, i, "under the linear law what undoes it is no such motion",
-                          "under the exponential law every motion can be undone");
+      return about_factor(motion, i, "the inverse of a scaling by the linear law is not a motion",
+                          "with the exponential law every motion has an inverse");
     if (f.kind == Kind::scale) f.by = {1 / f.by.x, 1 / f.by.y, 1 / f.by.z};
     if (f.kind == Kind::scale && !finite(f.by))
-      return about_factor(motion, i, "what undoes this scaling is beyond all numbers");
+      return about_factor(motion, i, "the inverse of this scaling is not finite");
     if (f.kind == Kind::translate) f.by = -f.by;
     f.angle = -f.angle, f.angle_rest = -f.angle_rest;
     back.factors.push_back(std::move(f));

@@ -16,8 +16,7 @@ using algebra::Tally;
 Status ready(const Motion& motion, std::int64_t steps) {
   if (auto bad = check(motion); !bad) return bad;
   if (auto first = frame(motion, 0, steps); !first) return first.error();
-  if (!is_planar(motion))
-    return fail(ErrorCode::type, "this motion leaves the plane", "steps are made in the plane only");
+  if (!is_planar(motion)) return fail(ErrorCode::type, "this motion leaves the plane", "steps work only in the plane");
   return Nothing{};
 }
 

@@ -71,15 +71,15 @@ Status can_be_shown(const Motion& motion, const Places& points) {
   if (auto bad = check(motion); !bad) return bad;
   if (motion.factors.size() > most_factors)
     return fail(ErrorCode::range, fmt::format("{} factors are too many for a lesson", motion.factors.size()),
-                fmt::format("at most {}", most_factors));
+                fmt::format("the limit is {}", most_factors));
   if (points.size() > most_points)
     return fail(ErrorCode::range, fmt::format("{} points are too many for a lesson", points.size()),
-                fmt::format("at most {}", most_points));
+                fmt::format("the limit is {}", most_points));
   for (const Vec3& p : points)
     if (!(reach_of(p) <= farthest))
-      return fail(ErrorCode::range, "a point lies too far out for a lesson", "numbers up to a thousand million");
+      return fail(ErrorCode::range, "a point is too far away for a lesson", "the limit is 1e9");
   if (!stays_near(motion))
-    return fail(ErrorCode::range, "this motion goes too far out for a lesson", "numbers up to a thousand million");
+    return fail(ErrorCode::range, "this motion goes too far away for a lesson", "the limit is 1e9");
   return Nothing{};
 }
 

@@ -184,8 +184,8 @@ Result<Symbols> in_symbols(const Motion& motion) {
     product = times(product, make.of(i));
     for (const Sum& sum : product)
       if (sum.size() > most_terms)
-        return fail(ErrorCode::range, fmt::format("a number of this matrix has more than {} terms", most_terms),
-                    "fewer factors can be written out in letters");
+        return fail(ErrorCode::range, fmt::format("an element of this matrix has more than {} terms", most_terms),
+                    "use fewer factors");
   }
   for (std::size_t i = 0; i < product.size(); ++i)
     for (const auto& [letters, count] : product[i]) symbols.sums[i].push_back({count, letters});

@@ -75,8 +75,8 @@ struct MotionReader : algebra::Cursor {
       const std::size_t to = std::max(at, from + 1);
       return end != first || bad == std::errc::result_out_of_range
                  ? fail(from, to, ErrorCode::range,
-                        fmt::format("'{}' is no finite number", text.substr(from, to - from)))
-                 : fail(from, to, ErrorCode::syntax, "a number is wanted here");
+                        fmt::format("'{}' is not a finite number", text.substr(from, to - from)))
+                 : fail(from, to, ErrorCode::syntax, "expected a number here");
     }
     at += static_cast<std::size_t>(end - first);
     const std::size_t unit_from = at;
@@ -100,7 +100,7 @@ struct MotionReader : algebra::Cursor {
     const std::string_view apart = next_word();
     const bool blank = std::any_of(units, units + n, [&](const Unit& u) { return u.name == apart; });
     return fail(from, to, ErrorCode::type, fmt::format("an angle needs its unit: {}", text.substr(from, to - from)),
-                blank ? fmt::format("no blank before it: {}{}", text.substr(from, to - from), apart)
+                blank ? fmt::format("write the unit without a space: {}{}", text.substr(from, to - from), apart)
                       : fmt::format("units are {}", known));
   }
   // Reads a number without a unit: a scale or a direction.
@@ -113,11 +113,11 @@ struct MotionReader : algebra::Cursor {
     }
     error.reset();
     return fail(from, at, ErrorCode::type,
-                fmt::format("a plain number is wanted here, not {}", text.substr(from, at - from)));
+                fmt::format("expected a plain number here, not {}", text.substr(from, at - from)));
   }
   bool numbers(double (&out)[3], int& count, bool plain = false) {
     for (count = 0; at_number(); ++count) {
-      if (count == 3) return fail(at, at + 1, ErrorCode::syntax, "no more than three numbers stand here");
+      if (count == 3) return fail(at, at + 1, ErrorCode::syntax, "expected at most three numbers here");
       if (!(plain ? plain_number(out[count]) : number(out[count], lengths, "length"))) return false;
     }
     return true;
@@ -133,11 +133,11 @@ struct MotionReader : algebra::Cursor {
       word();
     const std::size_t to = std::max(at, from + 1);
     constexpr const char* forms[] = {"T(6 0) or T(6 0 0)", "R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)",
-                                     "S(2 2 @ 0 0), behind it perhaps linear"};
+                                     "S(2 2 @ 0 0) or S(2 2 @ 0 0 linear)"};
     constexpr const char* names[] = {"translation", "rotation", "scaling"};
     return fail(
         from, to, ErrorCode::syntax,
-        fmt::format("'{}' does not belong here, in a {}", text.substr(from, to - from), names[static_cast<int>(kind)]),
+        fmt::format("'{}' is not expected in a {}", text.substr(from, to - from), names[static_cast<int>(kind)]),
         forms[static_cast<int>(kind)]);
   }
   // Reads a position or a name after '@'.
@@ -147,7 +147,8 @@ struct MotionReader : algebra::Cursor {
     if (!at_number() && peek() != '(') {
       const std::string_view name = word();
       if (!is_name(name))
-        return fail(from, at, ErrorCode::syntax, "a centre is wanted here", "@ 0 1, @ 0 1 2 or the name of an object");
+        return fail(from, at, ErrorCode::syntax, "expected a centre here",
+                    "write @ 0 1, @ 0 1 2 or the name of an object");
       f.about = name;
       return true;
     }
@@ -155,7 +156,7 @@ struct MotionReader : algebra::Cursor {
     double n[3] = {};
     int count = 0;
     if (!numbers(n, count)) return false;
-    if (count < 2) return fail(from, at, ErrorCode::syntax, "a centre has two or three numbers");
+    if (count < 2) return fail(from, at, ErrorCode::syntax, "a centre must have two or three numbers");
     if (bracket && !accept(')')) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
     f.centre = {n[0], n[1], n[2]};
     return true;
@@ -165,7 +166,8 @@ struct MotionReader : algebra::Cursor {
     int count = 0;
     if (!numbers(n, count)) return false;
     if (count < 2)
-      return fail(from, behind(), ErrorCode::syntax, "a translation has two or three numbers", "T(6 0) or T(6 0 0)");
+      return fail(from, behind(), ErrorCode::syntax, "a translation must have two or three numbers",
+                  "T(6 0) or T(6 0 0)");
     f.by = {n[0], n[1], n[2]};
     return true;
   }
@@ -197,17 +199,18 @@ struct MotionReader : algebra::Cursor {
         const std::size_t name_at = at;
         const std::string_view name = word();
         if (name.size() != 1 || name[0] < 'x' || name[0] > 'z')
-          return fail(name_at, at, ErrorCode::syntax, "an axis is wanted here", "axis x, y or z, or three numbers");
+          return fail(name_at, at, ErrorCode::syntax, "expected an axis here",
+                      "write axis x, y or z, or three numbers");
         n[name[0] - 'x'] = 1, count = 3;
       } else if (!numbers(n, count, true)) {
         return false;
       }
       if (bracket && !accept(')')) return fail(at, at + 1, ErrorCode::syntax, "')' is missing");
-      if (count != 3) return fail(from, at, ErrorCode::syntax, "an axis has three numbers", "as in axis 0 1 0");
+      if (count != 3) return fail(from, at, ErrorCode::syntax, "an axis must have three numbers", "as in axis 0 1 0");
       f.axis = {n[0], n[1], n[2]};
       if (f.axis == Vec3{}) return fail(from, at, ErrorCode::range, "this axis has no direction");
     } else if (!w.empty()) {
-      return fail(from, at, ErrorCode::syntax, fmt::format("'{}' means nothing in a rotation", w),
+      return fail(from, at, ErrorCode::syntax, fmt::format("'{}' is not expected in a rotation", w),
                   "R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)");
     }
     return true;
@@ -218,7 +221,7 @@ struct MotionReader : algebra::Cursor {
     f.kind = Kind::scale;
     if (!numbers(n, count, true)) return false;
     if (count == 0)
-      return fail(from, behind(), ErrorCode::syntax, "a scaling has one, two or three numbers",
+      return fail(from, behind(), ErrorCode::syntax, "a scaling must have one, two or three numbers",
                   "S(2), S(2 1) or S(2 1 1)");
     f.by = count == 1 ? Vec3{n[0], n[0], n[0]} : Vec3{n[0], n[1], count == 3 ? n[2] : 1};
     if (accept('@') && !centre(f)) return false;
@@ -227,12 +230,12 @@ struct MotionReader : algebra::Cursor {
     if (const std::string_view w = word(); w == "linear")
       f.law = Law::linear;
     else if (!w.empty())
-      return fail(word_at, at, ErrorCode::syntax, fmt::format("'{}' means nothing in a scaling", w),
+      return fail(word_at, at, ErrorCode::syntax, fmt::format("'{}' is not expected in a scaling", w),
                   "S(2 2 @ 0 0 linear)");
     for (int c = 0; c < 3; ++c)
       if (f.law == Law::exponential && !(f.by[c] > 0))
-        return fail(from, behind(), ErrorCode::range, fmt::format("a scaling by {} has no in-betweens", f.by[c]),
-                    "factors above 0, or the linear law: S(… linear)");
+        return fail(from, behind(), ErrorCode::range, fmt::format("a scaling by {} has no in-between values", f.by[c]),
+                    "use factors greater than 0, or the linear law: S(… linear)");
     return true;
   }
   bool factor(Factor& f) {
@@ -245,12 +248,12 @@ struct MotionReader : algebra::Cursor {
     else if (letter == "S")
       f.kind = Kind::scale;
     else if (letter == "t" || letter == "r" || letter == "s")
-      return fail(from, at, ErrorCode::syntax, fmt::format("'{}' is no factor of a motion", letter),
-                  fmt::format("did you mean '{}'?", static_cast<char>(letter[0] - 'a' + 'A')));
+      return fail(from, at, ErrorCode::syntax, fmt::format("'{}' is not a factor of a motion", letter),
+                  correction(std::string(1, static_cast<char>(letter[0] - 'a' + 'A'))));
     else
-      return fail(from, std::max(at, from + 1), ErrorCode::syntax, "a motion is a string of T(…), R(…) and S(…)",
+      return fail(from, std::max(at, from + 1), ErrorCode::syntax, "expected a string of T(…), R(…) and S(…) here",
                   "as in T(6.28 0) R(-1turn @ 0 1)");
-    if (!accept('(')) return fail(at, at + 1, ErrorCode::syntax, fmt::format("'(' is missing behind {}", letter));
+    if (!accept('(')) return fail(at, at + 1, ErrorCode::syntax, fmt::format("'(' is missing after {}", letter));
     const bool read = f.kind == Kind::translate ? translate(f, from)
                       : f.kind == Kind::rotate  ? rotate(f)
                                                 : scale(f, from);
@@ -275,7 +278,7 @@ std::string centre_text(const Factor& f, int count) {
 
 namespace algebra {
 
-bool Cursor::fail(std::size_t from, std::size_t to, ErrorCode code, std::string message, std::string hint) {
+bool Cursor::fail(std::size_t from, std::size_t to, ErrorCode code, std::string message, Hint hint) {
   if (error) return false;
   error = betwixt::fail(code, std::move(message), std::move(hint));
   const std::string_view before = text.substr(0, from), about = text.substr(before.size()).substr(0, to - from);
@@ -294,7 +297,7 @@ Result<Motion> parse_motion(std::string_view text) {
   for (r.space(); r.at < text.size(); r.space()) {
     if (!motion.factors.empty() && r.accept('*')) r.space();
     if (motion.factors.size() == 10'000) {
-      r.fail(r.at, r.at + 1, ErrorCode::range, "no more than 10000 factors");
+      r.fail(r.at, r.at + 1, ErrorCode::range, "there can be at most 10000 factors");
       return *r.error;
     }
     Factor f;

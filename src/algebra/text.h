@@ -27,7 +27,7 @@ struct Cursor {
   std::optional<Error> error = {};
 
   // Records an error at the bytes from..to. Returns false.
-  bool fail(std::size_t from, std::size_t to, ErrorCode, std::string message, std::string hint = {});
+  bool fail(std::size_t from, std::size_t to, ErrorCode, std::string message, Hint hint = {});
   char peek() const { return at < text.size() ? text[at] : '\0'; }
 };
 

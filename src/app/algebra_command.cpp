@@ -28,7 +28,7 @@ Status placed(double k, std::vector<Point>& points, const std::function<Vec3(std
   for (std::size_t p = 0; p < points.size(); ++p) {
     points[p].at = place(p);
     if (!finite(points[p].at))
-      return fail(ErrorCode::range, fmt::format("frame {}: a place beyond all numbers", write_number(k)));
+      return fail(ErrorCode::range, fmt::format("frame {}: a position is not finite", write_number(k)));
   }
   return Nothing{};
 }
@@ -68,7 +68,7 @@ Result<Asked> read(const Call& call) {
     const auto k = algebra_command::read_number(text, "--at");
     if (!k) return k.error();
     if (asked.method && (*k != std::floor(*k) || std::abs(*k) > 9e15))
-      return fail(ErrorCode::range, fmt::format("--at: a method goes from step to step, and {} is none", text));
+      return fail(ErrorCode::range, fmt::format("--at: methods need whole steps, not {}", text));
     asked.frames.push_back(*k);
   }
   return asked;
@@ -79,8 +79,7 @@ Status read_steps(Call& call) {
   const char* end = call.steps_text.data() + call.steps_text.size();
   const auto [at, bad] = std::from_chars(call.steps_text.data(), end, call.steps);
   if (bad == std::errc() && at == end) return Nothing{};
-  return fail(ErrorCode::syntax,
-              fmt::format("--steps: '{}' is no whole number of steps", call.steps_text.substr(0, 60)));
+  return fail(ErrorCode::syntax, fmt::format("--steps: '{}' is not a whole number", call.steps_text.substr(0, 60)));
 }
 
 // Reads --origin into `asked`.
@@ -88,7 +87,7 @@ Status read_origin(const Call& call, Asked& asked) {
   if (call.origin.empty()) return Nothing{};
   const auto place = algebra_command::read_points(call.origin);
   if (!place || place->size() != 1)
-    return fail(ErrorCode::syntax, fmt::format("--origin: '{}' is no point", call.origin.substr(0, 60)),
+    return fail(ErrorCode::syntax, fmt::format("--origin: '{}' is not a point", call.origin.substr(0, 60)),
                 "as in --origin 50,50");
   asked.origin = (*place)[0].at;
   return Nothing{};
@@ -102,9 +101,9 @@ int read_motion(const Call& call, Asked& asked) {
   if (!motion) return algebra_command::complain_about(call.motion, motion.error());
   for (const Factor& f : motion->factors)
     if (!f.about.empty())
-      return complain(
-          fail(ErrorCode::name, fmt::format("there is no object '{}' here", f.about), "a centre is a place: @ 0 1"),
-          wrong_input);
+      return complain(fail(ErrorCode::name, fmt::format("there is no object '{}' here", f.about),
+                           "write the centre as a point: @ 0 1"),
+                      wrong_input);
   if (call.inverse) motion = inverse(*motion);
   if (!motion) return complain(motion.error(), wrong_input);
   asked.motion = *std::move(motion);
@@ -133,11 +132,12 @@ int look_ahead(const Call& call, const Asked& asked) {
   const auto steps = made_steps(call, asked);
   if (!steps) return complain(steps.error(), wrong_input);
   for (const Point& p : asked.points)
-    if (p.numbers == 3) return complain(fail(ErrorCode::type, "the methods move points of the plane"), wrong_call);
+    if (p.numbers == 3) return complain(fail(ErrorCode::type, "the methods work only in the plane"), wrong_call);
   if (asked.method == Method::geometric && algebra_command::end_only(asked.motion))
-    fmt::print(stderr,
-               "betwixt: notice: this scheme meets the motion at its end, and leaves it in between: by up to {}\n",
-               write_number(algebra_command::off_the_way(call, asked)));
+    fmt::print(
+        stderr,
+        "betwixt: notice: this method is exact only at the end of the motion; in between the error is up to {}\n",
+        write_number(algebra_command::off_the_way(call, asked)));
   return all_done;
 }
 
@@ -174,65 +174,69 @@ int algebra(Call& call) {
     for (Point& p : asked->points) p.numbers = 3;
   if (call.to_css) return print_css(*asked);
   if (call.count && !planar)
-    return complain(fail(ErrorCode::type, "this motion leaves the plane", "operations are counted in the plane only"),
-                    wrong_input);
+    return complain(
+        fail(ErrorCode::type, "this motion leaves the plane", "operations can be counted only in the plane"),
+        wrong_input);
   return show_motion(call, *asked);
 }
 
 Status known_method(const std::string& name, std::string& to) {
   for (const Method known : methods)
     if (name == name_of(known)) return to = name, Nothing{};
-  return fail(ErrorCode::name, fmt::format("'{}' is no method: matrix, geometric, differences or best", name));
+  return fail(ErrorCode::name,
+              fmt::format("the method must be matrix, geometric, differences or best, not '{}'", name));
 }
 
 std::vector<Parameter> algebra_parameters(Call& call) {
-  return {
-      {.name = "MOTION", .sentence = "the string, the leftmost applied last", .into = &call.motion, .required = true},
-      option("--steps", "N", "the number of steps to the end (24)", &call.steps_text),
-      {.name = "--at",
-       .value = "K[,K…]",
-       .sentence = "only these frames: 0 is rest, N the end",
-       .into = &call.at,
-       .separated = true},
-      option("--points", "\"X,Y …\"", "the points to move (\"1,0\")", &call.points),
-      {.name = "--method",
-       .value = "NAME",
-       .sentence = "matrix, geometric, differences or best; by default each frame is computed on its own",
-       .into = ReadValue([&call](const std::string& name) { return known_method(name, call.method); }),
-       .words = {"matrix", "geometric", "differences", "best"}},
-      flag("--count", "counts operations per step, as the source prints them and as they are", call.count),
-      flag("--symbols", "prints the matrix of A(t) in letters, and the meaning of the letters", call.symbols),
-      flag("--css", "MOTION is a list of CSS transforms: \"translate(10px, 0) rotate(90deg)\"", call.css),
-      {.name = "--to",
-       .value = "LIST",
-       .sentence = "with --css: the list at the end; MOTION is the list at the beginning",
-       .into = &call.css_to,
-       .needs = "--css"},
-      {.name = "--under",
-       .value = "LIST",
-       .sentence = "with --css: the underlying list, to which the others are added",
-       .into = &call.css_under,
-       .needs = "--css"},
-      {.name = "--accumulate",
-       .sentence = "with --under: accumulates function by function",
-       .into = &call.accumulate,
-       .needs = "--under"},
-      {.name = "--size",
-       .value = "W,H",
-       .sentence = "with --css: the size that % refer to, in pixels",
-       .into = &call.size,
-       .needs = "--css"},
-      {.name = "--origin",
-       .value = "X,Y",
-       .sentence = "with --css: the transform-origin, in pixels (0,0)",
-       .into = &call.origin,
-       .needs = "--css"},
-      flag("--to-css", "prints the motion as two lists of CSS transforms, to animate from one to the other",
-           call.to_css),
-      flag("--inverse", "prints the motion that undoes this one", call.inverse),
-      flag("--json", "one JSON object", call.json),
-      file_option("--lesson", "OUT.html", "writes a page that teaches the motion and lets you edit it", &call.lesson,
-                  "--json")};
+  return {{.name = "MOTION",
+           .sentence = "the string; the leftmost factor is applied last",
+           .into = &call.motion,
+           .required = true},
+          option("--steps", "N", "the number of steps to the end (24)", &call.steps_text),
+          {.name = "--at",
+           .value = "K[,K…]",
+           .sentence = "only these frames: 0 is the start, N the end",
+           .into = &call.at,
+           .separated = true},
+          option("--points", "\"X,Y …\"", "the points to move (\"1,0\")", &call.points),
+          {.name = "--method",
+           .value = "NAME",
+           .sentence = "matrix, geometric, differences or best; by default each frame is computed directly",
+           .into = ReadValue([&call](const std::string& name) { return known_method(name, call.method); }),
+           .words = {"matrix", "geometric", "differences", "best"}},
+          flag("--count", "counts the operations per step, as the paper prints them and as measured", call.count),
+          flag("--symbols", "prints the matrix of A(t) in symbols, and the meaning of the symbols", call.symbols),
+          flag("--css", "MOTION is a list of CSS transforms: \"translate(10px, 0) rotate(90deg)\"", call.css),
+          {.name = "--to",
+           .value = "LIST",
+           .sentence = "with --css: the list at the end; MOTION is the list at the beginning",
+           .into = &call.css_to,
+           .needs = "--css"},
+          {.name = "--under",
+           .value = "LIST",
+           .sentence = "with --css: the underlying list, to which the others are added",
+           .into = &call.css_under,
+           .needs = "--css"},
+          {.name = "--accumulate",
+           .sentence = "with --under: accumulates function by function",
+           .into = &call.accumulate,
+           .needs = "--under"},
+          {.name = "--size",
+           .value = "W,H",
+           .sentence = "with --css: the size that % refer to, in pixels",
+           .into = &call.size,
+           .needs = "--css"},
+          {.name = "--origin",
+           .value = "X,Y",
+           .sentence = "with --css: the transform-origin, in pixels (0,0)",
+           .into = &call.origin,
+           .needs = "--css"},
+          flag("--to-css", "prints the motion as two lists of CSS transforms, to animate from one to the other",
+               call.to_css),
+          flag("--inverse", "prints the motion that undoes this one", call.inverse),
+          flag("--json", "one JSON object", call.json),
+          file_option("--lesson", "OUT.html", "writes a page that teaches the motion and lets you edit it",
+                      &call.lesson, "--json")};
 }
 
 const Enlisted enlisted_algebra(algebra, [](Call& call) -> Subcommand {

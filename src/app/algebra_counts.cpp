@@ -56,7 +56,7 @@ std::string notes(const Call& call, const Asked& asked, const std::vector<Counte
   if (counted(asked.motion, Method::geometric) != asked.motion)
     text += "  geometric: with the scalings by the linear law\n";
   if (end_only(asked.motion))
-    text += fmt::format("  geometric: right at the end only, on the way up to {} beside the motion\n",
+    text += fmt::format("  geometric: exact only at the end; in between the error is up to {}\n",
                         write_number(off_the_way(call, asked)));
   return text;
 }
@@ -121,13 +121,13 @@ void print_counts(const Call& call, const Asked& asked) {
     return !paper || m > Method::geometric ? "-" : to_string(m == Method::matrix ? matrix : geometric);
   };
   const Printed none, &p = paper ? *paper : none;
-  fmt::print("Operations per step for Np points{}\n\n", paper ? row + " of the source's first table" : "");
+  fmt::print("Operations per step for Np points{}\n\n", paper ? row + " of the paper's first table" : "");
   fmt::print("  {:<12} {:<16} {:<12} {:<12} {}\n", "", "paper", "ours", "measured", "kernel");
   for (const auto& [m, c] : all)
     fmt::print("  {:<12} {:<16} {}\n", name_of(m), printed(m, p.matrix, p.geometric),
                c ? fmt::format("{:<12} {:<12} {}", to_string(c->planned), to_string(c->step), c->kernel) : "-");
   fmt::print("\nOperations before the first step{} (f: sines and exponentials)\n\n",
-             paper ? row + " of the source's second table" : "");
+             paper ? row + " of the paper's second table" : "");
   fmt::print("  {:<12} {:<16} {:<25} {}\n", "", "paper", "measured", "afterwards, paper");
   for (const auto& [m, c] : all)
     fmt::print("  {:<12} {:<16} {:<25} {}\n", name_of(m), printed(m, p.matrix_before, p.geometric_before),

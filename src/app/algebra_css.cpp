@@ -61,11 +61,12 @@ bool planar(const CssList& list) {
 void say_what_is_lost(const CssBetween& now) {
   const auto say = [](const std::string& what) { tell_user(fmt::format("betwixt: notice: {}\n", what)); };
   if (now.mixed != 0)
-    say(fmt::format("from function {} on the lists differ: matrices are mixed, and whole turns are lost", now.mixed));
+    say(fmt::format("the lists differ from function {} on, so matrices are blended and whole turns are lost",
+                    now.mixed));
   if (now.short_way != 0)
-    say(fmt::format("function {} turns about two axes: it goes the short way, and whole turns are lost",
+    say(fmt::format("function {} rotates about two axes, so it takes the short way and whole turns are lost",
                     now.short_way));
-  if (now.jumps) say("a matrix is flat and cannot be mixed: one list is shown up to half way, then the other");
+  if (now.jumps) say("a matrix is flat and cannot be blended, so one list applies up to half way, then the other");
 }
 
 Status see(const Mat4& m, double k, const std::vector<Point>& rest, Shown& shown) {
@@ -76,7 +77,7 @@ Status see(const Mat4& m, double k, const std::vector<Point>& rest, Shown& shown
     if (w <= 0) return fail(ErrorCode::range, fmt::format("frame {}: a point is behind the eye", write_number(k)));
     shown.points[p].at = 1 / w * transform_point(m, at);
     if (!finite(shown.points[p].at) || !finite(m))
-      return fail(ErrorCode::range, fmt::format("frame {}: a place beyond all numbers", write_number(k)));
+      return fail(ErrorCode::range, fmt::format("frame {}: a position is not finite", write_number(k)));
   }
   return Nothing{};
 }
@@ -93,7 +94,7 @@ Result<std::optional<CssSize>> read_size(const Call& call) {
   if (call.size.empty()) return std::optional<CssSize>();
   const auto size = read_points(call.size);
   if (!size || size->size() != 1 || (*size)[0].numbers != 2)
-    return fail(ErrorCode::syntax, fmt::format("--size: '{}' is no size", call.size.substr(0, 60)),
+    return fail(ErrorCode::syntax, fmt::format("--size: '{}' is not a size", call.size.substr(0, 60)),
                 "as in --size 100,50");
   return std::optional(CssSize{(*size)[0].at.x, (*size)[0].at.y});
 }
@@ -103,8 +104,8 @@ int show_css(const Call& call, const Asked& given) {
   if (const int code = read_lists(call, lists); code != all_done) return code;
   if (call.lesson || call.symbols || call.count || call.inverse || call.to_css || given.method)
     return complain(
-        fail(ErrorCode::type, "these lists are no motion, and have frames only",
-             "methods, counts, inverses, matrices in letters and lessons are of translations, rotations and scalings"),
+        fail(ErrorCode::type, "these lists are not a motion; only their frames can be printed",
+             "methods, counts, inverses, symbolic matrices and lessons need translations, rotations and scalings"),
         wrong_call);
   Asked asked = given;
   if (!planar(lists.from) || !planar(lists.to))

@@ -51,7 +51,7 @@ Result<double> read_number(std::string_view text, std::string_view what) {
   double x = 0;
   const auto [end, bad] = std::from_chars(text.data(), text.data() + text.size(), x);
   if (bad != std::errc() || end != text.data() + text.size() || !std::isfinite(x))
-    return fail(ErrorCode::syntax, fmt::format("{}: '{}' is no number", what, text.substr(0, 60)));
+    return fail(ErrorCode::syntax, fmt::format("{}: '{}' is not a number", what, text.substr(0, 60)));
   return x;
 }
 
@@ -61,7 +61,7 @@ Result<std::vector<Point>> read_points(const std::string& text) {
     const auto numbers = parts(word, ",");
     const bool gaps = word.find(",,") != std::string_view::npos || word.front() == ',' || word.back() == ',';
     if (gaps || (numbers.size() != 2 && numbers.size() != 3))
-      return fail(ErrorCode::syntax, fmt::format("--points: '{}' is no point", word.substr(0, 60)),
+      return fail(ErrorCode::syntax, fmt::format("--points: '{}' is not a point", word.substr(0, 60)),
                   "as in --points \"1,0 -0.5,2\"");
     Point p{{}, static_cast<int>(numbers.size())};
     for (int c = 0; c < p.numbers; ++c) {
@@ -71,7 +71,7 @@ Result<std::vector<Point>> read_points(const std::string& text) {
     }
     points.push_back(p);
   }
-  if (points.empty()) return fail(ErrorCode::syntax, "--points: there is no point", "as in --points \"1,0 -0.5,2\"");
+  if (points.empty()) return fail(ErrorCode::syntax, "--points: a point is missing", "as in --points \"1,0 -0.5,2\"");
   return points;
 }
 

@@ -52,7 +52,7 @@ const Enlisted enlisted_check(check, [](CheckCall& call) -> Subcommand {
           .name = "check",
           .sentence = "prints all errors and warnings of a script, and those that appear only in its frames",
           .takes = {script_parameter(call.file),
-                    flag("-v,--verbose", "prints for each command how many objects its pattern named", call.counts)},
+                    flag("-v,--verbose", "prints for each command how many objects its pattern matched", call.counts)},
           .example = "betwixt check examples/bounce.bx",
           .manual = "It checks up to 60 frames. The exit code is 1 if there is an error."};
 });

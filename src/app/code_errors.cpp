@@ -14,7 +14,7 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/tell_user.h"
-#include "language/line_words.h"
+#include "syntax/script_text.h"
 
 namespace betwixt {
 namespace {
@@ -22,12 +22,11 @@ namespace {
 // Returns the files that a script includes by `use`.
 std::vector<std::string> used(const std::string& file, std::string_view text) {
   std::vector<std::string> all;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const auto words = line_words(text.substr(at, end - at));
+  const ScriptText lines{std::string(text)};
+  for (std::size_t i = 0; i < lines.count(); i = lines.behind(i)) {
+    const auto words = line_words(lines.line(i));
     if (words.size() > 1 && words[0] == "use")
       all.push_back((std::filesystem::path(file).parent_path() / words[1]).string());
-    at = end + 1;
   }
   return all;
 }
@@ -97,9 +96,7 @@ bool stopped_by(const Findings& found, bool keep_going) {
     tell_user(d);
   }
   if (found.errors.empty() || keep_going) return false;
-  tell_user(
-      "betwixt: error: nothing was made; --keep-going makes it with the values that the tracks have without that "
-      "code\n");
+  tell_user("betwixt: error: nothing was made; to use the tracks' values without that code: --keep-going\n");
   return true;
 }
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "app/subcommand.h"
-#include "base/likewise.h"
+#include "base/message_groups.h"
 #include "betwixt/program.h"
 #include "betwixt/result.h"
 
@@ -15,7 +15,7 @@ struct Findings {
   Diagnostics errors;                 // of the author's code, with their places in the script
   std::vector<std::string> warnings;  // all others
   std::vector<std::string> placed;    // the errors' messages before they got their places
-  Likewise errors_said, warnings_said;
+  MessageGroups errors_said, warnings_said;
 };
 // Evaluates some frames from `first` to `last`, both included, for at most a second or two. Returns the errors found.
 Findings look_through(const Program&, const std::string& file, Time first, Time last, int frames);
@@ -23,7 +23,7 @@ Findings look_through(const Program&, const std::string& file, Time first, Time 
 void add_findings(Findings&, const Frame&, const std::string& file);
 
 inline Parameter keep_going_flag(bool& into) {
-  return flag("--keep-going", "where code of the script errs, use what the tracks say without it", into);
+  return flag("--keep-going", "if code of the script fails, use the tracks' values without it", into);
 }
 // Prints the errors. Returns true if there are any and --keep-going is not set.
 bool stopped_by(const Findings&, bool keep_going);

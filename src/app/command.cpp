@@ -60,7 +60,7 @@ Result<FrameList> read_frames(const std::string& text, const Document& document,
   if (!text.empty()) {
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos)
-      return fail(ErrorCode::range, fmt::format("{}: \"{}\" is no segment", option, text), "such as 1f..24f");
+      return fail(ErrorCode::range, fmt::format("{}: \"{}\" is not a segment", option, text), "as in 1f..24f");
     const auto from = read_time(text.substr(0, dots), document, option);
     if (!from) return from.error();
     first = *from;
@@ -75,7 +75,7 @@ Result<FrameList> read_frames(const std::string& text, const Document& document,
   }
   Result<FrameList> frames = frames_between(first, last, document.rate());
   if (frames) return frames;
-  return fail(ErrorCode::range, frames.error().message, fmt::format("name some: {} A..B", option));
+  return fail(ErrorCode::range, frames.error().message, fmt::format("choose some: {} A..B", option));
 }
 
 void Problems::say(const std::vector<std::string>& problems) {

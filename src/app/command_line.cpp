@@ -77,7 +77,7 @@ CLI::App* add_subcommand(CLI::App& app, const Subcommand& s) {
 }
 
 std::string hinted(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
-  const std::string hint = did_you_mean(word, {known.begin(), known.end()});
+  const std::string hint = did_you_mean(word, {known.begin(), known.end()}).text;
   return what + " '" + word + "'" + (hint.empty() ? "" : "\n  " + hint);
 }
 
@@ -97,10 +97,11 @@ std::string explain(const CLI::App& app, const CLI::ParseError& e) {
     if (word.size() > 1 && word[0] == '-')
       return hinted("no such option", word.substr(0, word.find('=')), option_names(place));
   for (const std::string& word : app.remaining(true)) {
-    if (!asked.empty()) return fmt::format("'{}' is one word too many", word);
+    if (!asked.empty()) return fmt::format("'{}' is not expected here", word);
     std::vector<std::string> names;
     for (const Subcommand& s : subcommands()) names.push_back(s.name);
-    if (word.ends_with(".bx")) return fmt::format("no such command '{0}'\n  to see it: betwixt play {0}", word);
+    if (word.ends_with(".bx"))
+      return fmt::format("no such command '{0}'\n  to play this script: betwixt play {0}", word);
     return hinted("no such command", word, names);
   }
   return e.what();
@@ -141,7 +142,7 @@ int command_line(int argc, char** argv) {
     if (!app.got_subcommand(s.name)) continue;
     const int exit_code = s.run();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      return complain(fail(ErrorCode::machine, "the answer cannot be written to standard output"), machine_failed);
+      return complain(fail(ErrorCode::machine, "the output cannot be written to standard output"), machine_failed);
     return exit_code;
   }
   fmt::print(stderr, "{}", app.help());

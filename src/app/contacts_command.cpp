@@ -35,7 +35,7 @@ int contacts(const ContactsCall& call) {
     problems.say(frame.problems);
     for (const ContactEvent& e : watch.step(frame)) fmt::print("{}\n", to_json(e, *document));
     if (!watch.now().complete)
-      problems.say({fmt::format("more than {} pairs touch at once: the rest is left out", Contacts::most_pairs)});
+      problems.say({fmt::format("more than {} pairs touch at once; the others are left out", Contacts::most_pairs)});
   }
   return all_done;
 }
@@ -45,8 +45,8 @@ const Enlisted enlisted_contacts(contacts, [](ContactsCall& call) -> Subcommand 
           .name = "contacts",
           .sentence = "prints which things touch and which leave the view, tick by tick",
           .takes = {script_parameter(call.file), frames_parameter(call.frames),
-                    flag("--swept", "also contacts between two ticks", call.sweep),
-                    flag("--related", "also contacts between the parts of one body", call.options.related)},
+                    flag("--swept", "finds contacts between two ticks, too", call.sweep),
+                    flag("--related", "finds contacts between the parts of one body, too", call.options.related)},
           .example = "betwixt contacts examples/bounce.bx --frames 1f..24f",
           .manual = "A line of JSON for each."};
 });

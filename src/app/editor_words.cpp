@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "commands/line_head.h"
 #include "editor/help.h"
 #include "editor/line_pieces.h"
 #include "export/json.h"
@@ -31,8 +32,13 @@ Words words_of(HelpGroup group) {
     if (e.group == group) all.push_back(e.word);
   return all;
 }
-// Verbs whose next word is a new name.
-constexpr const char* makers[] = {"create", "layer", "animate", "make", "alias", "define", "procedure"};
+// The verbs before a name and a kind.
+Words kind_verbs() {
+  Words all;
+  for (const Verb& v : verbs())
+    if (has_word(words_at(v.words, 1), "KIND")) all.push_back(v.word);
+  return all;
+}
 
 constexpr const char* not_by_hand = "Written by betwixt help --print {}: the words are those of its rows.";
 
@@ -57,10 +63,12 @@ std::string vim_syntax() {
   match("Function", fmt::format(R"(\.\zs\%({}\)\>)", any(HelpGroup::function)));
   match("Function", fmt::format(R"(\<\%({}\)\ze[.a-z]*=)", any(HelpGroup::function)));
   match("Option", R"(\<\%(ease\|tangent\|handle\)-\%(in\|out\)\ze=)");
-  match("Kind", fmt::format(R"(\%(^create\s\+\S\+\s\+\)\@<=\%({}\)\>)", any(HelpGroup::kind)));
+  match("Kind",
+        fmt::format(R"(\%(^\%({}\)\s\+\S\+\s\+\)\@<=\%({}\)\>)", either(kind_verbs(), "\\|"), any(HelpGroup::kind)));
   match("Verb", fmt::format(R"(^\s\+\zs\%({}\)\>)", any(HelpGroup::row)));
   match("Verb", fmt::format(R"(^\%({}\)\>)", any(HelpGroup::verb)));
-  match("Verb", fmt::format(R"(\%(^\%(at\|on\)\s\+\S\+\s\+\)\@<=\%({}\)\>)", any(HelpGroup::verb)));
+  match("Verb", fmt::format(R"(\%(^\%({}\)\s\+\S\+\s\+\)\@<=\%({}\)\>)", either(verb_words(Verb::prefix), "\\|"),
+                            any(HelpGroup::verb)));
   match("Comment", R"(\%(^\|[ \t(),=]\)\@1<=#\%(\s.*\)\=$)");
   out += R"(syn region betwixtText start='"' skip='\\.' end='"' oneline
 syn region betwixtText start='"""' end='"""'
@@ -105,11 +113,10 @@ std::string textmate_grammar() {
     patterns.push_back({{"match", pattern}, {"captures", std::move(captures)}});
   };
   constexpr std::string_view name = "[A-Za-z](?:\\{[^}]*\\}|[^\\s,()=\"@{])*";
-  captured(fmt::format("^(create)\\s+({})\\s+({}){}", name, any(HelpGroup::kind), end),
+  captured(fmt::format("^({})\\s+({})\\s+({}){}", either(kind_verbs(), "|"), name, any(HelpGroup::kind), end),
            {"keyword.control", "entity.name", "storage.type"});
-  captured(fmt::format("^({})\\s+({})", either({std::begin(makers), std::end(makers)}, "|"), name),
-           {"keyword.control", "entity.name"});
-  captured(fmt::format("^(at|on)\\s+(\\S+)\\s+({}){}", any(HelpGroup::verb), end),
+  captured(fmt::format("^({})\\s+({})", either(making_verbs(), "|"), name), {"keyword.control", "entity.name"});
+  captured(fmt::format("^({})\\s+(\\S+)\\s+({}){}", either(verb_words(Verb::prefix), "|"), any(HelpGroup::verb), end),
            {"keyword.control", "constant.numeric.time", "keyword.control"});
   match("keyword.control", fmt::format("^(?:{}){}", any(HelpGroup::verb), end));
   match("keyword.control", fmt::format("^\\s+(?:{}){}", any(HelpGroup::row), end));

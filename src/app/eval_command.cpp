@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/stats.h"
 #include "app/subcommand.h"
+#include "base/names.h"
 #include "base/tell_user.h"
 #include "base/utf8.h"
 #include "betwixt/evaluation.h"
@@ -51,7 +52,7 @@ int eval(const EvalCall& call) {
     times.emplace_back(text, *t);
   }
   const auto found = targets_of(*document, call.targets, [](const std::string& pattern) {
-    tell_user(fmt::format("betwixt: notice: '{}' names nothing\n", pattern));
+    tell_user(fmt::format("betwixt: notice: {}\n", nothing_named(pattern).message));
   });
   if (!found) return complain(found.error(), wrong_input);
   const std::vector<Target>& targets = *found;

@@ -32,7 +32,7 @@ Result<std::vector<ObjectId>> named(const std::vector<std::string>& words, const
     if (found.empty()) {
       const auto target = find_targets(word, d);
       if (!target) return target.error();
-      return fail(ErrorCode::name, fmt::format("'{}' is no object", word));
+      return fail(ErrorCode::name, fmt::format("'{}' is not an object", word));
     }
     for (const ObjectId id : found)
       if (std::find(all.begin(), all.end(), id) == all.end()) all.push_back(id);
@@ -143,7 +143,7 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
                      return fail(ErrorCode::range, fmt::format("it is a number from 1e-9 to 1, not \"{}\"", text));
                    return Nothing{};
                  })},
-                flag("--no-overwrite", "keep a file that exists", call.keep_old)},
+                flag("--no-overwrite", "keeps an existing file", call.keep_old)},
       .example = "betwixt export examples/bounce.bx -o bounce.glb",
       .manual =
           "Objects keep their names and parents. Motion becomes as many keys as the tolerance needs. Lottie and SVG "

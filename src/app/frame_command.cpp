@@ -28,7 +28,7 @@ constexpr int usual_quality = 92;  // of JPEG
 
 bool is_jpeg(const std::string& path) { return ending(path) == "jpg" || ending(path) == "jpeg"; }
 
-Status write(const FrameCall& call, const DeepPicture& light) {
+Status write(const FrameCall& call, const LinearPicture& light) {
   if (is_jpeg(call.out)) {
     Picture shown;
     to_shown(light, shown);
@@ -43,13 +43,13 @@ Status write(const FrameCall& call, const DeepPicture& light) {
 
 // Renders the picture and writes it in the format of its name.
 Status draw(const FrameCall& call, const Program& program, Time t, const RenderOptions& options,
-            const std::optional<Exposure>& exposure, Renderer& renderer) {
+            const std::optional<Blur>& exposure, Renderer& renderer) {
   Evaluation evaluation(program);
   evaluation.to(t);
-  if (options.deep) {
-    DeepPicture light;
+  if (options.linear) {
+    LinearPicture light;
     const Status drawn =
-        exposure ? renderer.expose(evaluation, t, *exposure, light) : renderer.render(evaluation, light);
+        exposure ? renderer.render_blurred(evaluation, t, *exposure, light) : renderer.render(evaluation, light);
     return drawn ? write(call, light) : drawn;
   }
   Picture picture;
@@ -66,25 +66,26 @@ int frame(FrameCall& call) {
   if (!outgoing) return complain(outgoing.error(), wrong_call);
   const std::string kind = ending(call.out);
   if (kind != "png" && kind != "exr" && !is_jpeg(call.out))
-    return complain(fail(ErrorCode::range, "one picture is a .png, .jpg or .exr, not \"" + call.out + "\"",
-                         "for films: betwixt render"),
+    return complain(fail(ErrorCode::range, "one picture must be a .png, .jpg or .exr, not \"" + call.out + "\"",
+                         "to make a film: betwixt render"),
                     wrong_call);
   if (kind != "png" && call.bits != 8)
-    return complain(fail(ErrorCode::range, kind == "exr" ? "--bits is for PNG: a channel of OpenEXR is half a float"
-                                                         : "--bits is for PNG: a channel of JPEG has 8"),
-                    wrong_call);
+    return complain(
+        fail(ErrorCode::range, kind == "exr" ? "--bits is for PNG; a channel of OpenEXR is always a half float"
+                                             : "--bits is for PNG; a channel of JPEG always has 8 bits"),
+        wrong_call);
   if (!is_jpeg(call.out) && call.quality != 0)
-    return complain(fail(ErrorCode::range, "--quality is for .jpg: others lose nothing"), wrong_call);
+    return complain(fail(ErrorCode::range, "--quality is for .jpg; the other formats are lossless"), wrong_call);
   if (Status s = check_place(call.out, !call.keep_old); !s) return complain(s.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
   const Result<Time> time = call.at.empty() ? document->range().first : read_time(call.at, *document, "--at");
   if (!time) return complain(time.error(), wrong_call);
-  const Result<std::optional<Exposure>> exposure = call.exposure.of(*document);
+  const Result<std::optional<Blur>> exposure = call.exposure.of(*document);
   if (!exposure) return complain(exposure.error(), wrong_call);
   RenderOptions options = call.picture.of(*document);
-  options.open = kind == "exr";
-  options.deep = options.open || call.bits > 8 || document->transparent() || *exposure;
+  options.unclamped = kind == "exr";
+  options.linear = options.unclamped || call.bits > 8 || document->transparent() || *exposure;
   Result<std::unique_ptr<Renderer>> renderer = make_renderer(options);
   if (!renderer) return complain(renderer.error(), wrong_call);
   const Program program = Program::compile(*document);
@@ -102,23 +103,22 @@ int frame(FrameCall& call) {
 }
 
 const Enlisted enlisted_frame(frame, [](FrameCall& call) -> Subcommand {
-  return {
-      .rank = 20,
-      .name = "frame",
-      .sentence = "makes one picture: PNG, JPEG or OpenEXR",
-      .takes = joined(
-          {{script_parameter(call.file),
-            {.name = "--at",
-             .value = "TIME",
-             .sentence = "the time: 24f, 2.5s, 00:01:02.5; by default the film's first frame",
-             .into = &call.at},
-            output_parameter(call.out, "PICTURE",
-                             "the picture: .png .jpg .exr; - is standard output, -.jpg a JPEG there", "png")},
-           picture_parameters(call.picture),
-           exposure_parameters(call.exposure),
-           {bits_parameter(call.bits), quality_parameter(call.quality, "of JPEG; by default 92"),
-            flag("--no-overwrite", "keep a picture that exists", call.keep_old), keep_going_flag(call.keep_going)}}),
-      .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png"};
+  return {.rank = 20,
+          .name = "frame",
+          .sentence = "makes one picture: PNG, JPEG or OpenEXR",
+          .takes = joined(
+              {{script_parameter(call.file),
+                {.name = "--at",
+                 .value = "TIME",
+                 .sentence = "the time: 24f, 2.5s, 00:01:02.5; by default the film's first frame",
+                 .into = &call.at},
+                output_parameter(call.out, "PICTURE",
+                                 "the picture: .png .jpg .exr; - is standard output, -.jpg a JPEG there", "png")},
+               picture_parameters(call.picture),
+               exposure_parameters(call.exposure),
+               {bits_parameter(call.bits), quality_parameter(call.quality, "the quality of JPEG; by default 92"),
+                flag("--no-overwrite", "keeps an existing file", call.keep_old), keep_going_flag(call.keep_going)}}),
+          .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png"};
 });
 
 }  // namespace

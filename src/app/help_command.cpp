@@ -9,6 +9,7 @@
 #include "app/completion.h"
 #include "app/editor_words.h"
 #include "app/manual.h"
+#include "app/reference.h"
 #include "base/names.h"
 #include "commands/plugins.h"
 #include "editor/help.h"
@@ -25,9 +26,9 @@ std::string overview() {
   std::string out = "Betwixt makes films from scripts: event-driven animation.\nUsage: betwixt COMMAND …\n\nCommands\n";
   for (const Subcommand& s : subcommands()) out += fmt::format("  {:10} {}\n", s.name, s.sentence);
   return out +
-         "\nbetwixt help COMMAND says more about one, as in betwixt help render.\n"
-         "betwixt help WORD explains a word of the language, as in betwixt help create.\n"
-         "betwixt shell makes a film line by line; there, help lists all words.\n";
+         "\nbetwixt help COMMAND explains a command, as in betwixt help render.\nbetwixt help WORD explains a word of "
+         "the language, as in betwixt help create.\nbetwixt shell makes a film line by line; there, help lists all "
+         "words.\n";
 }
 
 std::string to_print(const std::string& what) {
@@ -36,6 +37,8 @@ std::string to_print(const std::string& what) {
   if (what == "fish") return fish_completion();
   if (what == "vim") return vim_syntax();
   if (what == "textmate") return textmate_grammar();
+  if (what == "reference") return language_reference();
+  if (what == "command-line") return command_line_reference();
   return manual_page();
 }
 
@@ -60,9 +63,7 @@ int help(const HelpCall& call) {
   adopt_plugins(words);
   if (const std::string text = help_text(call.word, words); !text.empty()) return say(text);
   for (const Subcommand& s : subcommands()) known.push_back(s.name);
-  return complain(
-      fail(ErrorCode::name, fmt::format("there is no help about '{}'", call.word), did_you_mean(call.word, known)),
-      wrong_call);
+  return complain(unknown_name("help for", call.word, did_you_mean(call.word, known)), wrong_call);
 }
 
 const Enlisted enlisted_help(help, [](HelpCall& call) -> Subcommand {
@@ -76,11 +77,11 @@ const Enlisted enlisted_help(help, [](HelpCall& call) -> Subcommand {
                      .offer = Offer::commands},
                     {.name = "--print",
                      .value = "WHAT",
-                     .sentence = "a completion, the manual page, or the colours of scripts for an editor",
+                     .sentence = "a completion, a page of documentation, or colours of scripts for an editor",
                      .into = &call.print,
                      .hidden = true,
                      .words_only = true,
-                     .words = {"bash", "zsh", "fish", "manual", "vim", "textmate"}}},
+                     .words = {"bash", "zsh", "fish", "manual", "reference", "command-line", "vim", "textmate"}}},
           .example = "betwixt help copy"};
 });
 

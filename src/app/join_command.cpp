@@ -40,29 +40,29 @@ std::optional<std::pair<int, int>> two_numbers(std::string_view text, std::strin
 Status read_numbers(const std::string& text, JoinCall& to) {
   to.numbers = two_numbers(text, "..");
   if (to.numbers && to.numbers->first <= to.numbers->second) return Nothing{};
-  return fail(ErrorCode::range, fmt::format("'{}' is no range of numbers such as 1..48", text));
+  return fail(ErrorCode::range, fmt::format("'{}' is not a range of numbers such as 1..48", text));
 }
 
 Status read_rate(const std::string& text, JoinCall& to) {
   const auto ratio = two_numbers(text.find('/') == std::string::npos ? text + "/1" : text, "/");
   if (!ratio || ratio->first < 1 || ratio->second < 1 || ratio->first / ratio->second > 1000)
-    return fail(ErrorCode::range, fmt::format("'{}' is no rate such as 24 or 30000/1001", text));
+    return fail(ErrorCode::range, fmt::format("'{}' is not a rate such as 24 or 30000/1001", text));
   to.rate = Rate{ratio->first, ratio->second};
   return Nothing{};
 }
 
 Error holes(const JoinCall& call, const std::vector<int>& missing, std::size_t of) {
   return fail(ErrorCode::file,
-              fmt::format("{} of {} pictures {} not there, or broken: {}", missing.size(), of,
+              fmt::format("{} of {} pictures {} missing or broken: {}", missing.size(), of,
                           missing.size() == 1 ? "is" : "are", runs(missing)),
-              fmt::format("betwixt render SCRIPT -o {} --missing makes them", call.pictures));
+              fmt::format("to make them: betwixt render SCRIPT -o {} --missing", call.pictures));
 }
 
 // Returns the numbers of the film's pictures. Errors: range, file (missing pictures).
 Result<std::vector<int>> numbers(const JoinCall& call, const Output& pictures) {
   if (pictures.format)
-    return fail(ErrorCode::range, fmt::format("\"{}\" is no name of numbered pictures", call.pictures),
-                "such as frame-%04d.png");
+    return fail(ErrorCode::range, fmt::format("\"{}\" is not a name of numbered pictures", call.pictures),
+                "as in frame-%04d.png");
   const auto there = numbers_there(pictures);
   if (!there) return there.error();
   if (there->empty() && !call.numbers)
@@ -70,7 +70,7 @@ Result<std::vector<int>> numbers(const JoinCall& call, const Output& pictures) {
   const auto [first, last] = call.numbers.value_or(std::pair(0, 0));
   const int from = call.numbers ? first : *there->begin(), to = call.numbers ? last : *there->rbegin();
   if (static_cast<std::int64_t>(to) - from >= 10'000'000)
-    return fail(ErrorCode::range, "a film has at most 10,000,000 pictures");
+    return fail(ErrorCode::range, "a film can have at most 10,000,000 pictures");
   std::vector<int> all(static_cast<std::size_t>(to - from + 1)), missing;
   std::iota(all.begin(), all.end(), from);
   for (const int n : all)
@@ -83,7 +83,7 @@ Result<std::vector<int>> numbers(const JoinCall& call, const Output& pictures) {
 std::vector<int> other_sizes(const Output& pictures, const std::vector<int>& all, const FilmOptions& options) {
   std::vector<int> others;
   for (const int n : all)
-    if (const auto p = read_deep_picture(pictures.path(n));
+    if (const auto p = read_linear_picture(pictures.path(n));
         p && (p->width != options.width || p->height != options.height))
       others.push_back(n);
   return others;
@@ -97,7 +97,7 @@ std::vector<int> broken_ones(const Output& pictures, const std::vector<int>& all
   return broken;
 }
 
-bool has_clear(const DeepPicture& picture) {
+bool has_clear(const LinearPicture& picture) {
   for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
     if (picture.rgba[i] < 1) return true;
   return false;
@@ -108,7 +108,7 @@ int open_sounds(const JoinCall& call, std::optional<Program>& heard) {
   if (call.sound.empty()) return all_done;
   if (!takes_sound(call.out))
     return complain(
-        fail(ErrorCode::range, fmt::format("--sound: {} can have none; .mp4, .webm and .mov can", call.out)),
+        fail(ErrorCode::range, fmt::format("--sound: {} cannot have sound; .mp4, .webm and .mov can", call.out)),
         wrong_call);
   const std::optional<Document> script = open_script(call.sound);
   if (!script) return wrong_input;
@@ -120,20 +120,20 @@ int join(const JoinCall& call) {
   const Result<Output> pictures = read_output(call.pictures);
   if (!pictures) return complain(pictures.error(), wrong_call);
   if (call.out == call.pictures)
-    return complain(fail(ErrorCode::range, "the film would be written over the pictures it is made of"), wrong_call);
+    return complain(fail(ErrorCode::range, "the film would overwrite its own pictures"), wrong_call);
   const Result<std::vector<int>> all = numbers(call, *pictures);
   if (!all) return complain(all.error(), all.error().code == ErrorCode::range ? wrong_call : wrong_input);
   std::optional<Program> heard;
   if (const int code = open_sounds(call, heard); code != all_done) return code;
-  const bool deep = pictures->exr || takes_depth(call.out);
-  const auto first = read_deep_picture(pictures->path(all->front()));
+  const bool linear = pictures->exr || takes_16_bits(call.out);
+  const auto first = read_linear_picture(pictures->path(all->front()));
 
   FilmOptions options;
   options.path = call.out;
   options.frames = static_cast<int>(all->size());
   options.rate = call.rate.value_or(heard ? heard->document().rate() : Rate{24, 1});
   if (heard && !(options.rate == heard->document().rate()))
-    tell_user(fmt::format("betwixt: notice: {} has another rate: its sounds will not be in step\n", call.sound));
+    tell_user(fmt::format("betwixt: notice: {} has another rate, so its sounds will be out of sync\n", call.sound));
   if (first) options.width = first->width, options.height = first->height;
   options.alpha = call.alpha || (first && has_clear(*first));
   if (options.alpha && !takes_alpha(call.out)) say_not_clear(call.out);
@@ -144,8 +144,8 @@ int join(const JoinCall& call) {
       return mix_sounds(*heard, heard->document().rate().frame(all->front()), stereo);
     };
   const auto path = [&](int k) { return pictures->path((*all)[static_cast<std::size_t>(k)]); };
-  const DeepPainter deep_painter = [&](int k, DeepPicture& out) -> Status {
-    auto read = read_deep_picture(path(k));
+  const LinearPainter linear_painter = [&](int k, LinearPicture& out) -> Status {
+    auto read = read_linear_picture(path(k));
     if (!read) return read.error();
     out = *std::move(read);
     return Nothing{};
@@ -156,14 +156,15 @@ int join(const JoinCall& call) {
     out = **read;
     return Nothing{};
   };
-  const Result<FilmStats> made = deep
-                                     ? make_deep_showing(options, [&]() -> Result<DeepPainter> { return deep_painter; })
-                                     : make_showing(options, [&]() -> Result<Painter> { return painter; });
+  const Result<FilmStats> made =
+      linear ? make_linear_showing(options, [&]() -> Result<LinearPainter> { return linear_painter; })
+             : make_showing(options, [&]() -> Result<Painter> { return painter; });
   if (made || stop_requested()) return say_made(made, options);
   if (const std::vector<int> others = other_sizes(*pictures, *all, options); first && !others.empty())
-    return complain(fail(ErrorCode::range, fmt::format("the first picture has {}x{} pixels, and another size: {}",
-                                                       options.width, options.height, runs(others))),
-                    wrong_input);
+    return complain(
+        fail(ErrorCode::range, fmt::format("the first picture has {}x{} pixels, but these have another size: {}",
+                                           options.width, options.height, runs(others))),
+        wrong_input);
   const std::vector<int> broken = broken_ones(*pictures, *all, options);
   return broken.empty() ? say_made(made, options) : complain(holes(call, broken, all->size()), wrong_input);
 }
@@ -174,14 +175,14 @@ const Enlisted enlisted_join(join, [](JoinCall& call) -> Subcommand {
       .name = "join",
       .sentence = "makes a film of numbered pictures",
       .takes = {{.name = "PICTURES",
-                 .sentence = "their name, as in frame-%04d.png",
+                 .sentence = "the name of the pictures, as in frame-%04d.png",
                  .into = &call.pictures,
                  .required = true,
                  .offer = Offer::files},
                 output_parameter(call.out, "OUT", "the film; its ending chooses the format"),
                 {.name = "--frames",
                  .value = "A..B",
-                 .sentence = "the required numbers; by default from the first picture to the last",
+                 .sentence = "the numbers of the pictures; by default from the first to the last",
                  .into = ReadValue([&call](const std::string& text) { return read_numbers(text, call); })},
                 {.name = "--rate",
                  .value = "N",
@@ -189,16 +190,16 @@ const Enlisted enlisted_join(join, [](JoinCall& call) -> Subcommand {
                  .into = ReadValue([&call](const std::string& text) { return read_rate(text, call); })},
                 {.name = "--jobs",
                  .value = "N",
-                 .sentence = "pictures read at once; by default as many as suit this machine",
+                 .sentence = "pictures read in parallel; by default chosen for this machine",
                  .into = &call.jobs,
                  .range = {{1, 256}}},
                 {.name = "--sound",
                  .value = "SCRIPT",
-                 .sentence = "a script whose sounds the film has, from the frame of the first picture on",
+                 .sentence = "a script; the film gets its sounds, starting at the first picture's frame",
                  .into = &call.sound,
                  .offer = Offer::scripts},
-                flag("--alpha", "give the film an opacity, even if the whole first picture is opaque", call.alpha),
-                flag("--no-overwrite", "keep a film that exists", call.keep_old)},
+                flag("--alpha", "gives the film an alpha channel, even if the first picture is opaque", call.alpha),
+                flag("--no-overwrite", "keeps an existing file", call.keep_old)},
       .example = "betwixt join frame-%04d.png -o film.mp4 --rate 25",
       .manual = "If a picture is missing or broken, no film is made, and these pictures are listed."};
 });

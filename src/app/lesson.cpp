@@ -34,12 +34,12 @@ std::string begins_with(const std::string& text, const LessonOptions& options) {
 
 Status write_lesson(const std::string& path, const Motion& motion, const LessonOptions& options) {
   if (const std::string type = ending(path); type != "html" && type != "htm")
-    return fail(ErrorCode::range, fmt::format("a lesson is a .html, not \"{}\"", path));
+    return fail(ErrorCode::range, fmt::format("a lesson must be a .html file, not \"{}\"", path));
   if (auto bad = algebra::can_be_shown(motion, options.points); !bad) return bad;
   if (auto first = frame(motion, 0, options.steps); !first) return first.error();
   if (options.steps > most_lesson_steps)
     return fail(ErrorCode::range, fmt::format("{} steps are too many for a lesson", options.steps),
-                fmt::format("at most {}", most_lesson_steps));
+                fmt::format("the limit is {}", most_lesson_steps));
   const auto player = read_player();
   if (!player) return player.error();
   const std::string text = to_string(motion);

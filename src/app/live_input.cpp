@@ -200,8 +200,8 @@ Result<std::unique_ptr<LiveInput>> LiveInput::open(const std::string& where) {
   int number = 0;
   const auto [end, wrong] = std::from_chars(port.data(), port.data() + port.size(), number);
   if (wrong != std::errc() || end != port.data() + port.size() || number < 1 || number > 65535 || host.empty())
-    return fail(ErrorCode::range, fmt::format("--listen: \"{}\" is no port", where),
-                "such as 9000, or 192.168.1.5:9000");
+    return fail(ErrorCode::range, fmt::format("--listen: \"{}\" is not a port", where),
+                "as in 9000 or 192.168.1.5:9000");
   addrinfo wanted{}, *found = nullptr;
   wanted.ai_socktype = SOCK_DGRAM;
   wanted.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
@@ -217,7 +217,7 @@ Result<std::unique_ptr<LiveInput>> LiveInput::open(const std::string& where) {
     const int error = errno;
     if (s >= 0) ::close(s);
     return fail(ErrorCode::file, fmt::format("--listen: cannot listen on {}: {}", where, std::strerror(error)),
-                error == EADDRINUSE ? "another program listens there: take another port" : "");
+                error == EADDRINUSE ? "another program uses this port; choose another one" : "");
   }
   return std::unique_ptr<LiveInput>(std::make_unique<Live>(s));
 }

@@ -17,7 +17,7 @@
 #include "app/command.h"
 #include "app/subcommand.h"
 #include "base/files.h"
-#include "server/lsp.h"
+#include "lsp/language_server.h"
 
 namespace betwixt {
 namespace {
@@ -81,7 +81,7 @@ int lsp(const LspCall&) {
 const Enlisted enlisted_lsp(lsp, [](LspCall& call) -> Subcommand {
   return {.rank = 105,
           .name = "lsp",
-          .sentence = "is the language server that an editor starts; it talks over standard input and output",
+          .sentence = "the language server for editors; it uses standard input and output",
           .takes = {{.name = "--stdio",
                      .sentence = "has no effect; some editors pass it",
                      .into = &call.stdio,

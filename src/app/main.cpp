@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   try {
     return betwixt::command_line(argc, argv);
   } catch (const std::exception& e) {  // above all, out of memory
-    betwixt::tell_user(std::string("betwixt: error: the machine failed: ") + e.what() + "\n");
+    betwixt::tell_user(std::string("betwixt: error: the program failed: ") + e.what() + "\n");
     return betwixt::machine_failed;
   }
 }

@@ -34,7 +34,7 @@ class Bar {
     if (!shown_ || seconds < next_) return;
     next_ = seconds + 0.1;
     const double rate = seconds > 0 ? done / seconds : 0;
-    if (lines_) return fmt::print(stderr, "{}/{} frames, {:.1f} a second\n", done, frames_, rate);
+    if (lines_) return fmt::print(stderr, "{{\"done\":{},\"frames\":{},\"per_second\":{:.1f}}}\n", done, frames_, rate);
     std::string tail = fmt::format(" {}/{}", done, frames_);
     if (done == frames_) tail += "  finishing the file";
     if (done > 0 && done < frames_)
@@ -76,32 +76,35 @@ Result<FilmStats> make_showing(const FilmOptions& options, const std::function<R
   return make_film(options, new_painter, [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
 }
 
-Result<FilmStats> make_deep_showing(const FilmOptions& options, const std::function<Result<DeepPainter>()>& new_painter,
-                                    bool in_lines) {
+Result<FilmStats> make_linear_showing(const FilmOptions& options,
+                                      const std::function<Result<LinearPainter>()>& new_painter, bool in_lines) {
   catch_stops();
   Bar bar(options.frames, in_lines);
-  return make_deep_film(options, new_painter, [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
+  return make_linear_film(options, new_painter,
+                          [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
 }
 
 void say_not_clear(const std::string& path) {
-  tell_user(
-      fmt::format("betwixt: notice: what is clear is black in {}; .webm, .mov and pictures keep it clear\n", path));
+  tell_user(fmt::format(
+      "betwixt: notice: {} has no transparency, so transparent parts are black; .webm, .mov and pictures have it\n",
+      path));
 }
 
 int say_made(const Result<FilmStats>& made, const FilmOptions& options) {
   if (!made && stop_requested()) {
-    tell_user(fmt::format("betwixt: stopped; {}\n", options.missing
-                                                        ? "what is made so far is there, and the same call goes on"
-                                                        : options.path + " was not made"));
-    if (const auto place = read_output(options.path); place && !place->format && !options.missing)
-      fmt::print(stderr, "  with --missing each picture is there as soon as it is made\n");
+    tell_user(fmt::format("betwixt: stopped; {}\n",
+                          options.only_missing
+                              ? "the finished pictures are kept; run the same command again to continue"
+                              : options.path + " was not made"));
+    if (const auto place = read_output(options.path); place && !place->format && !options.only_missing)
+      fmt::print(stderr, "  with --missing you can stop and continue later\n");
     return interrupted;
   }
   if (!made) return complain(made.error(), wrong_call);
   const int painted = made->frames - made->found;
   tell_user(
       fmt::format("{} frame{} in {}, {}", painted, painted == 1 ? "" : "s", duration(made->seconds), options.path));
-  if (made->found > 0) fmt::print(stderr, "; {} {} there", made->found, made->found == 1 ? "was" : "were");
+  if (made->found > 0) fmt::print(stderr, "; {} already {} there", made->found, made->found == 1 ? "was" : "were");
   fmt::print(stderr, "\n");
   return all_done;
 }

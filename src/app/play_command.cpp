@@ -232,8 +232,9 @@ class Player {
       left += "  no sound device";
     else if (hearing_ && call_.mute)
       left += "  muted";
-    if (live_) left += "  " + (said_.empty() ? "listening" : legible(said_));
+    // The message comes after the counts, because it is what can be too long for the line.
     if (live_ && live_->ignored() > 0) left += fmt::format("  {} ignored", live_->ignored());
+    if (live_) left += "  " + (said_.empty() ? "listening" : legible(said_));
     if (!altered_.empty()) left += "  " + altered_;
     if (!note_.empty()) left += "  " + note_;
     const std::string keys = terminal_.has_keys() ? "space pause  arrows step  s style  q quit " : "";
@@ -281,14 +282,14 @@ class Player {
 // Returns the file for the recording, or "" if there is none. Checks before playback that the file can be written.
 Result<std::string> record_place(const Document& document, const PlayCall& call) {
   if (call.listen.empty() && !call.record.empty())
-    return fail(ErrorCode::range, "--record: there is nothing to record", "--listen PORT takes in what controls say");
+    return fail(ErrorCode::range, "--record needs live input", "to receive live input: --listen PORT");
   if (call.listen.empty() || (call.record.empty() && !document.scene().recording)) return std::string();
   const std::filesystem::path script = call.file;
   const std::string place =
       call.record.empty() ? (script.parent_path() / script.stem()).string() + "-recorded.bx" : call.record;
   if (Status free = check_place(place, call.overwrite); !free) {
     Error e = free.error();
-    if (e.hint.empty()) e.hint = "--record OUT.bx says where to write, --overwrite that a file there may go";
+    if (e.hint.empty()) e.hint = "write --record OUT.bx; to replace a file, add --overwrite";
     return e;
   }
   return place;
@@ -300,7 +301,7 @@ Status write_recording(const Take& take, const std::string& script, const std::s
   std::string text;
   if (const auto read = script_text(script)) text = take.text(*read);
   if (!(load_text(text, script, load_options()).document == take.document())) {
-    fmt::print(stderr, "the script has changed meanwhile: comments are not in the recording\n");
+    fmt::print(stderr, "the script changed while recording, so the recording has no comments\n");
     text = write(take.document());
   }
   return write_whole(place, text, overwrite);
@@ -327,7 +328,7 @@ Status play(const Document& document, PlayCall& call) {
   terminal->reset();
   if (!records) return played;
   if (player.turned() == 0) {
-    fmt::print(stderr, "nothing came in, nothing is recorded\n");
+    fmt::print(stderr, "no input arrived, so nothing was recorded\n");
     return played;
   }
   if (Status s = write_recording(take, call.file, *place, call.overwrite); !s) return s;
@@ -375,11 +376,11 @@ namespace {
 std::vector<Parameter> live_parameters(PlayCall& call) {
   return {{.name = "--listen",
            .value = "[HOST:]PORT",
-           .sentence = "moves the targets of the script's dials by OSC sent to this port, and by MIDI. Only this "
+           .sentence = "controls the targets of the script's dials by OSC sent to this port, and by MIDI. Only this "
                        "machine can send, unless you name another address of it",
            .into = &call.listen},
           file_option("--record", "OUT.bx", "writes the input as a script at the end", &call.record),
-          flag("--overwrite", "--record may replace a file", call.overwrite)};
+          flag("--overwrite", "lets --record replace a file", call.overwrite)};
 }
 
 const Enlisted enlisted_play(play, [](PlayCall& call) -> Subcommand {

@@ -28,17 +28,18 @@ bool begins_with_word(std::string_view text, std::string_view word) {
 Result<std::string> find_player() {
   std::error_code ignored;
   const auto missing = [](std::string words) {
-    return fail(ErrorCode::machine, std::move(words), "./betwixt web builds it; BETWIXT_PLAYER says where one is");
+    return fail(ErrorCode::machine, std::move(words),
+                "./betwixt web builds it; the variable BETWIXT_PLAYER can name another one");
   };
   if (const char* said = ::secure_getenv("BETWIXT_PLAYER")) {
     if (std::filesystem::is_regular_file(said, ignored)) return std::string(said);
-    return missing(std::string("BETWIXT_PLAYER says ") + said + ", and there is no such file");
+    return missing(std::string("BETWIXT_PLAYER is ") + said + ", but there is no such file");
   }
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
   for (const char* folder : {"../../web", "../share/betwixt/web"})
     if (const auto there = here / folder / player; std::filesystem::is_regular_file(there, ignored))
       return there.lexically_normal().string();
-  return missing("the player for web pages is not here");
+  return missing("the player for web pages is missing");
 }
 
 Result<std::string> read_player() {
@@ -50,7 +51,7 @@ Result<std::string> read_player() {
   for (std::size_t at = text->find('<'); at != text->npos; at = text->find('<', at + 1))
     for (const std::string_view ender : {"/script", "!--"})
       if (begins_with_word(std::string_view(*text).substr(at + 1), ender))
-        return fail(ErrorCode::machine, *path + " cannot stand in a page: it has <" + std::string(ender));
+        return fail(ErrorCode::machine, *path + " cannot be part of a page: it contains <" + std::string(ender));
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/files.h"
+#include "base/names.h"
 #include "base/tell_user.h"
 #include "betwixt/program.h"
 #include "scene/document.h"
@@ -119,7 +120,8 @@ int plot(PlotCall& call) {
   const Result<Outgoing> outgoing = Outgoing::begin(call.out, "svg");
   if (!outgoing) return complain(outgoing.error(), wrong_call);
   if (!call.out.ends_with(".svg"))
-    return complain(fail(ErrorCode::range, fmt::format("a plot is a .svg, not \"{}\"", call.out)), wrong_call);
+    return complain(fail(ErrorCode::range, fmt::format("a plot must be a .svg file, not \"{}\"", call.out)),
+                    wrong_call);
   if (Status s = check_place(call.out, true); !s) return complain(s.error(), wrong_call);
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;
@@ -135,7 +137,7 @@ int plot(PlotCall& call) {
 
 Status plot_document(const Document& document, const std::vector<std::string>& words, const std::string& segment,
                      const std::string& out) {
-  if (!out.ends_with(".svg")) return fail(ErrorCode::range, fmt::format("a plot is a .svg, not \"{}\"", out));
+  if (!out.ends_with(".svg")) return fail(ErrorCode::range, fmt::format("a plot must be a .svg file, not \"{}\"", out));
   const Result<FrameList> frames = read_frames(segment, document);
   if (!frames) return fail(ErrorCode::range, frames.error().message, frames.error().hint);
 
@@ -149,12 +151,12 @@ Status plot_document(const Document& document, const std::vector<std::string>& w
   for (const std::string& word : words) {
     const Result<std::vector<Target>> targets = find_targets(word, document);
     if (!targets) return fail(ErrorCode::name, targets.error().message, targets.error().hint);
-    if (targets->empty()) tell_user(fmt::format("betwixt: notice: nothing matches \"{}\"\n", word));
+    if (targets->empty()) tell_user(fmt::format("betwixt: notice: {}\n", nothing_named(word).message));
     const std::size_t before = drawing.curves.size();
     for (const Target& t : *targets)
       for (DrawnCurve& c : curves(program, t, *frames, last)) drawing.curves.push_back(std::move(c));
     if (drawing.curves.size() == before && !targets->empty())
-      return fail(ErrorCode::type, fmt::format("\"{}\" is not made of numbers: it cannot be plotted", word));
+      return fail(ErrorCode::type, fmt::format("\"{}\" has no numbers to plot", word));
   }
   if (drawing.curves.empty()) return fail(ErrorCode::name, "there is nothing to plot");
   if (const int reason = put_file(out, to_svg(drawing))) return system_error(reason, "write", out);
@@ -168,7 +170,7 @@ const Enlisted enlisted_plot(plot, [](PlotCall& call) -> Subcommand {
           .name = "plot",
           .sentence = "draws values against time, an SVG",
           .takes = {script_parameter(call.file),
-                    targets_parameter(call.targets, "what to draw: ball.position.y, 'wheel*.rotation'", true),
+                    targets_parameter(call.targets, "the targets: ball.position.y, 'wheel*.rotation'", true),
                     output_parameter(call.out, "PLOT.svg", "the drawing", "svg"), frames_parameter(call.frames)},
           .example = "betwixt plot examples/bounce.bx ball.position.y reflection.position.y -o bounce.svg"};
 });

@@ -43,16 +43,17 @@ int print_plan(const FilmOptions& o, const FrameList& frames) {
   const std::string first = write_number(frames.rate.frame_number(frames.first));
   fmt::print("{{\"first\":{},\"frames\":{},\"rate\":\"{}\",\"width\":{},\"height\":{},", first, o.frames, rate, o.width,
              o.height);
-  fmt::print("\"bits\":{},\"alpha\":{},\"sound\":{}}}\n", takes_depth(o.path) ? 16 : o.bits,
+  fmt::print("\"bits\":{},\"alpha\":{},\"sound\":{}}}\n", takes_16_bits(o.path) ? 16 : o.bits,
              o.alpha && takes_alpha(o.path), static_cast<bool>(o.sounds));
   return all_done;
 }
 
 void print_stats(const FilmStats& s, const Spending& spent, const Program& program) {
   const auto each = [&](double seconds) { return 1000 * seconds / s.frames; };
-  fmt::print(stderr,
-             "painting {:.2f} s ({:.1f} ms a frame), encoding {:.2f} s ({:.1f} ms a frame), in all {:.1f} ms a frame\n",
-             s.painting, each(s.painting), s.encoding, each(s.encoding), each(s.seconds));
+  fmt::print(
+      stderr,
+      "painting {:.2f} s ({:.1f} ms a frame), encoding {:.2f} s ({:.1f} ms a frame), in total {:.1f} ms a frame\n",
+      s.painting, each(s.painting), s.encoding, each(s.encoding), each(s.seconds));
   spent.print("a frame",
               {Stage::tracks, Stage::procedures, Stage::environments, Stage::hierarchy, Stage::looks, Stage::gather,
                Stage::draw, Stage::read_back},
@@ -65,7 +66,7 @@ void say_what_is_lost(const RenderCall& call, const Document& document) {
   if (!read_output(call.out)) return;  // the path is invalid, so no film is made
   if (document.transparent() && !takes_alpha(call.out)) say_not_clear(call.out);
   if (has_sounds(document) && !takes_sound(call.out))
-    tell_user(fmt::format("betwixt: notice: {} has no sound; .mp4, .webm and .mov do\n", call.out));
+    tell_user(fmt::format("betwixt: notice: {} cannot have sound; .mp4, .webm and .mov can\n", call.out));
 }
 
 int render(RenderCall& call) {
@@ -78,11 +79,11 @@ int render(RenderCall& call) {
   if (frames && call.rate) frames = frames_between(frames->first, frames->last, *call.rate);
   if (!frames) return complain(frames.error(), wrong_call);
 
-  const Result<std::optional<Exposure>> exposure = call.exposure.of(*document);
+  const Result<std::optional<Blur>> exposure = call.exposure.of(*document);
   if (!exposure) return complain(exposure.error(), wrong_call);
 
   const Program program = Program::compile(*document);
-  Shoot shoot = shoot_of(program, call.out, *frames, call.picture.of(*document), *exposure, call.bits);
+  RenderJob job = render_job(program, call.out, *frames, call.picture.of(*document), *exposure, call.bits);
   const Time last = frames->time(frames->count - 1);
   const Findings found = look_through(program, call.file, frames->time(0), last, frames->count);
   if (stopped_by(found, call.keep_going)) return wrong_input;
@@ -97,26 +98,25 @@ int render(RenderCall& call) {
       return paint(k, out);
     }));
   };
-  shoot.film.jobs = call.jobs;
-  shoot.film.overwrite = !call.keep_old;
-  shoot.film.missing = call.missing;
-  shoot.film.quality = call.quality, shoot.film.codec = call.codec;
-  if (const Status s = check_encoding(shoot.film); !s) return complain(s.error(), wrong_call);
+  job.film.jobs = call.jobs;
+  job.film.overwrite = !call.keep_old;
+  job.film.only_missing = call.missing;
+  job.film.quality = call.quality, job.film.codec = call.codec;
+  if (const Status s = check_encoding(job.film); !s) return complain(s.error(), wrong_call);
   say_what_is_lost(call, *document);
 
   if (call.plan) {
-    if (Status s = check_options(shoot.pictures); !s) return complain(s.error(), wrong_call);
-    return print_plan(shoot.film, *frames);
+    if (Status s = check_options(job.pictures); !s) return complain(s.error(), wrong_call);
+    return print_plan(job.film, *frames);
   }
   const Result<FilmStats> made =
-      shoot.pictures.deep
-          ? make_deep_showing(
-                shoot.film, [&] { return listened(deep_painter_of(program, shoot, say)); }, call.progress)
-          : make_showing(
-                shoot.film, [&] { return listened(painter_of(program, shoot, say)); }, call.progress);
+      job.pictures.linear ? make_linear_showing(
+                                job.film, [&] { return listened(linear_painter_of(program, job, say)); }, call.progress)
+                          : make_showing(
+                                job.film, [&] { return listened(painter_of(program, job, say)); }, call.progress);
   if (const Status sent = made ? outgoing->send() : Status(Nothing{}); !sent)
     return complain(sent.error(), machine_failed);
-  FilmOptions said = shoot.film;
+  FilmOptions said = job.film;
   if (*outgoing) said.path = "standard output";
   const int code = say_made(made, said);
   if (made && call.stats) print_stats(*made, spent, program);
@@ -136,7 +136,8 @@ Status read_rate(const std::string& text, std::optional<Rate>& to) {
   Cursor c(text);
   Rate rate;
   if (!c.per_second(rate, "pictures") || c.at != c.end)
-    return fail(ErrorCode::range, fmt::format("\"{}\" is no rate such as 24, 29.97 or 30000/1001, up to 100000", text));
+    return fail(ErrorCode::range,
+                fmt::format("\"{}\" is not a rate such as 24, 29.97 or 30000/1001, up to 100000", text));
   return to = rate, Nothing{};
 }
 
@@ -155,33 +156,31 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
            picture_parameters(call.picture),
            exposure_parameters(call.exposure),
            {bits_parameter(call.bits),
-            quality_parameter(call.quality, "of .mp4 and .webm; by default what is usual for the codec"),
+            quality_parameter(call.quality, "the quality of .mp4 and .webm; by default that of the codec"),
             option("--codec", "NAME", "the codec; " + all_codecs(), &call.codec),
             option("--fps", "RATE", "pictures a second, 24, 29.97 or 30000/1001; by default the script's rate",
                    ReadValue([&call](const std::string& text) { return read_rate(text, call.rate); })),
             {.name = "--jobs",
              .value = "N",
-             .sentence = "pictures made at once; by default as many as suit this machine",
+             .sentence = "frames rendered in parallel; by default chosen for this machine",
              .into = &call.jobs,
              .range = {{1, 256}}},
             {.name = "--missing",
              .sentence = "makes only the numbered pictures that are missing or broken",
              .into = &call.missing,
              .excludes = "--no-overwrite"},
-            flag("--no-overwrite", "keep a film that exists", call.keep_old),
+            flag("--no-overwrite", "keeps an existing file", call.keep_old),
             keep_going_flag(call.keep_going),
-            flag("--progress", "prints the progress in lines, even without a terminal", call.progress),
-            flag("--plan", "makes nothing; prints as JSON what would be made: which frames, at which rate and size",
-                 call.plan),
+            flag("--progress", "prints the progress as lines of JSON, even without a terminal", call.progress),
+            flag("--plan", "makes nothing; prints the plan as JSON: the frames, the rate and the size", call.plan),
             flag("--stats", "prints the times of the parts of a frame, and the memory of the film", call.stats)}}),
       .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
       .manual =
           "Everything but pictures needs the program ffmpeg. With \"background transparent\", .webm, .mov (ProRes "
-          "4444), "
-          ".apng and .png have straight opacity, .exr has premultiplied opacity, and .gif is transparent or not. "
-          ".mov has more than 8 bits a channel, and so has .png with --bits 16. .exr has linear light in half "
-          "floats. A terminal shows a progress bar with frames per second and the time left. If you stop a film "
-          "or it fails, no file gets the film's name. With --missing each picture gets its name once it is "
+          "4444), .apng and .png have straight alpha, .exr has premultiplied alpha, and .gif has transparent and "
+          "opaque pixels only. .mov has more than 8 bits a channel, and so has .png with --bits 16. .exr has linear "
+          "light in half floats. A terminal shows a progress bar with frames per second and the time left. If you stop "
+          "a film or it fails, no file gets the film's name. With --missing each picture gets its name once it is "
           "complete, so the next call continues from there."};
 });
 

@@ -28,7 +28,7 @@ struct ServeCall {
   PictureCall picture{{960, 540, 1}};
   Imaging::Options imaging;
   ServeOptions serve;
-  bool anywhere = false, overwrite = false;
+  bool anywhere = false, overwrite = false, stats = false;
 };
 
 // Shows pictures as characters in the server's terminal.
@@ -49,7 +49,7 @@ class TerminalScreen final : public Screen {
     return Nothing{};
   }
   Status show(const Shown&) override {
-    if (!terminal_->write(std::exchange(text_, {}))) return fail(ErrorCode::machine, "the terminal has gone away");
+    if (!terminal_->write(std::exchange(text_, {}))) return fail(ErrorCode::machine, "the terminal was closed");
     return Nothing{};
   }
 
@@ -106,8 +106,8 @@ Result<NewScreen> screen_of(const ServeCall& call, const RenderOptions& picture,
       return std::unique_ptr<Screen>(std::make_unique<WindowScreen>(*std::move(window), *std::move(renderer)));
     });
   }
-  return fail(ErrorCode::range, fmt::format("--to: frames cannot go to \"{}\"", call.to),
-              "nowhere, window, terminal, film:OUT.mp4 or ring:NAME");
+  return fail(ErrorCode::range, fmt::format("--to: \"{}\" is not an output for frames", call.to),
+              "write nowhere, window, terminal, film:OUT.mp4 or ring:NAME");
 }
 
 // "120", "30000/1001"
@@ -120,8 +120,8 @@ Result<Rate> rate_of(const std::string& text, Rate otherwise) {
                      used == static_cast<int>(text.size());
   if (!plain) den = ratio ? den : 0;
   if (num < 1 || den < 1 || num > 1000 * den)
-    return fail(ErrorCode::range, fmt::format("--rate: \"{}\" is no rate", text),
-                "frames a second, such as 120 or 30000/1001");
+    return fail(ErrorCode::range, fmt::format("--rate: \"{}\" is not a rate", text),
+                "write frames per second, as in 120 or 30000/1001");
   return Rate{num, den};
 }
 
@@ -131,20 +131,21 @@ Result<std::string> token_of(const ServeCall& call) {
   if (!text) return text.error();
   struct stat file {};
   if (::stat(call.token_file.c_str(), &file) == 0 && (file.st_mode & (S_IRGRP | S_IROTH)) != 0)
-    return fail(ErrorCode::file, fmt::format("--token-file: others may read '{}'", call.token_file),
-                fmt::format("chmod 600 {}", call.token_file));
+    return fail(ErrorCode::file, fmt::format("--token-file: other users can read '{}'", call.token_file),
+                fmt::format("to protect it: chmod 600 {}", call.token_file));
   std::string token = text->value_or("");
   while (!token.empty() && (token.back() == '\n' || token.back() == '\r')) token.pop_back();
   if (token.size() < 16 || token.find('\n') != std::string::npos)
-    return fail(ErrorCode::file, fmt::format("--token-file: '{}' holds no token", call.token_file),
-                "one line of at least 16 characters that nobody can guess");
+    return fail(ErrorCode::file, fmt::format("--token-file: '{}' contains no token", call.token_file),
+                "write one line of at least 16 characters that are hard to guess");
   return token;
 }
 
 Result<Listener> listen(const ServeCall& call) {
   if (!call.tcp.empty()) return Listener::tcp(call.tcp, call.anywhere);
   const std::string path = call.socket.empty() ? default_socket() : call.socket;
-  if (path.empty()) return fail(ErrorCode::range, "there is no folder for sockets", "--socket PATH or --tcp HOST:PORT");
+  if (path.empty())
+    return fail(ErrorCode::range, "there is no default folder for sockets", "write --socket PATH or --tcp HOST:PORT");
   return Listener::unix_socket(path);
 }
 
@@ -159,7 +160,10 @@ int stops() {
 }
 
 int serve(ServeCall& call) {
-  ::mallopt(M_MMAP_THRESHOLD, 1 << 18);  // returns the memory of long lines and answers to the system when hosts leave
+  // The memory of the longest lines and answers goes back to the system when hosts leave. Smaller pieces stay in the
+  // heaps for a while: to map or unmap one takes long while other threads do so, and frames would be late.
+  ::mallopt(M_MMAP_THRESHOLD, 1 << 22);
+  ::mallopt(M_TRIM_THRESHOLD, 1 << 24);
   call.serve.stop = stops();
   call.imaging.load = load_options();
   if (const auto& size = call.picture.size)
@@ -177,22 +181,22 @@ int serve(ServeCall& call) {
   for (const Diagnostic& d : *begun)
     if (d.severity != Severity::notice) tell_user(d);
   if (has_errors(*begun)) return wrong_input;
-  if (goes_on) tell_user(fmt::format("goes on with '{}', as it was left\n", call.save));
+  if (goes_on) tell_user(fmt::format("continues '{}'\n", call.save));
 
   const auto rate = rate_of(call.rate, imaging.document().rate());
   if (!rate) return complain(rate.error(), wrong_call);
   auto screen =
       screen_of(call, call.picture.of(imaging.document()), *rate, [&no_film](const Error& e) { no_film = e; });
   if (!screen) return complain(screen.error(), wrong_call);
-  std::vector<Listener> doors;
+  std::vector<Listener> listeners;
   if (!call.tcp.empty()) {
     auto token = token_of(call);
     if (!token) return complain(token.error(), wrong_call);
     call.serve.token = *token;
   }
-  auto door = listen(call);
-  if (!door) return complain(door.error(), wrong_call);
-  doors.push_back(*std::move(door));
+  auto listener = listen(call);
+  if (!listener) return complain(listener.error(), wrong_call);
+  listeners.push_back(*std::move(listener));
 
   FrameClock::Options options;
   options.rate = *rate;
@@ -203,27 +207,30 @@ int serve(ServeCall& call) {
   if (!started) return complain(started.error(), wrong_call);
   clock = *std::move(started);
 
-  if (doors[0].asks() && call.token_file.empty()) tell_user(fmt::format("token {}\n", call.serve.token));
-  tell_user(fmt::format("serving at {}; frames at {:g} a second, class {}{}\n", doors[0].name(), rate->per_second(),
+  if (listeners[0].asks() && call.token_file.empty()) tell_user(fmt::format("token {}\n", call.serve.token));
+  tell_user(fmt::format("serving at {}; frames at {:g} a second, class {}{}\n", listeners[0].name(), rate->per_second(),
                         to_string(clock->priority()), clock->why().empty() ? "" : " (" + clock->why() + ")"));
   // At the end, wait only for a film, which takes time to be completed.
   const bool film = call.to.starts_with("film:");
   const auto end_soon = [film] {
     std::thread([film] {
-      std::this_thread::sleep_for(film ? std::chrono::seconds(60) : std::chrono::milliseconds(300));
+      std::this_thread::sleep_for(film ? std::chrono::seconds(60) : std::chrono::milliseconds(200));
       std::_Exit(all_done);
     }).detach();
   };
   call.serve.give_up = [&] {
     end_soon();
-    doors.clear(), clock.reset();
+    listeners.clear(), clock.reset();
     std::_Exit(all_done);
   };
-  const Status served = betwixt::serve(imaging, *clock, doors, call.serve);
+  const auto print_stats = [](const std::string& figures) { tell_user(figures + "\n"); };
+  if (call.stats) call.serve.report = print_stats;
+  const Status served = betwixt::serve(imaging, *clock, listeners, call.serve);
   if (const Status whole = served ? imaging.finish(monotonic_now()) : Status(Nothing{}); !whole)
-    call.imaging.warn(whole.error().message + "; the journal beside it has all that was answered");
+    call.imaging.warn(whole.error().message + "; the journal beside it has all answered commands");
   if (served) end_soon();
-  doors.clear();  // hosts see the end at once, even if a worker takes long
+  listeners.clear();  // hosts see the end at once, even if a worker takes long
+  if (call.stats) print_stats(imaging.statistics(monotonic_now()));
   clock.reset();  // completes the film or picture
   ::close(call.serve.stop);
   if (!served) return complain(served.error(), machine_failed);
@@ -236,56 +243,59 @@ std::vector<Parameter> ceiling_parameters(Imaging::Options& options) {
   const auto ceiling = [](const char* name, const std::string& sentence, std::size_t& to) {
     return option(name, "N", fmt::format("{}; by default {}", sentence, to), &to);
   };
-  return {ceiling("--ceiling", "environments", most.environments),
-          ceiling("--objects", "environments and removed ones included", most.objects),
-          ceiling("--events", "on tracks", most.events),
-          ceiling("--values", "bytes of texts, points, lists of names and code", most.values),
-          ceiling("--history", "bytes of accepted commands", most.history),
-          ceiling("--undo", "commands that can be taken back", options.undo.steps),
-          ceiling("--checkpoint", "bytes of log after which the script is written anew", options.checkpoint)};
+  return {ceiling("--ceiling", "the most environments", most.environments),
+          ceiling("--objects", "the most objects, with environments and removed ones", most.objects),
+          ceiling("--events", "the most events on tracks", most.events),
+          ceiling("--values", "the most bytes of texts, points, lists of names, code and the contents of files",
+                  most.values),
+          ceiling("--history", "the most bytes of accepted commands", most.history),
+          ceiling("--undo", "the most commands that can be undone", options.undo.steps),
+          ceiling("--checkpoint", "the bytes of journal after which the script is rewritten", options.checkpoint)};
 }
 
 // The addresses for hosts.
 std::vector<Parameter> door_parameters(ServeCall& call) {
-  return {
-      file_option("--socket", "PATH", "a socket for hosts; by default $XDG_RUNTIME_DIR/betwixt.sock", &call.socket),
-      option("--tcp", "HOST:PORT", "an address for hosts, which need a token", &call.tcp, "--socket"),
-      flag("--anywhere", "lets --tcp be an address that other machines can reach", call.anywhere),
-      file_option("--token-file", "FILE", "has the token; by default a token is made and printed", &call.token_file)};
+  return {file_option("--socket", "PATH", "a socket for hosts; by default $XDG_RUNTIME_DIR/betwixt.sock", &call.socket),
+          option("--tcp", "HOST:PORT", "an address for hosts, which need a token", &call.tcp, "--socket"),
+          flag("--anywhere", "lets --tcp be an address that other machines can reach", call.anywhere),
+          file_option("--token-file", "FILE", "a file with the token; by default a token is made and printed",
+                      &call.token_file)};
 }
 
 std::vector<Parameter> clock_parameters(ServeCall& call) {
   return {{.name = "--class",
            .value = "CLASS",
-           .sentence = "fifo, nice or ordinary; by default the best that the system grants",
+           .sentence = "the scheduling class: fifo, nice or ordinary; by default the best that the system allows",
            .into = &call.priority,
            .words_only = true,
            .words = {"fifo", "nice", "ordinary"}},
-          flag("--sweep", "contacts are noticed even between two frames", call.imaging.sweep),
-          flag("--wait", "time stands at 0 until a host says start", call.imaging.wait),
-          flag("--from-start", "time begins at 0, not where it was in the history", call.imaging.from_start),
+          flag("--sweep", "finds contacts between two frames, too", call.imaging.sweep),
+          flag("--wait", "waits at time 0 until a host sends start", call.imaging.wait),
+          flag("--from-start", "starts at time 0, not where the history ended", call.imaging.from_start),
           {.name = "--latency",
            .value = "N",
            .sentence = "ticks from a command to its effect; by default 1",
            .into = &call.imaging.latency,
            .range = {{0, 1'000'000}}},
-          file_option("--save", "FILE", "keeps the history there: each command before its answer", &call.save),
+          file_option("--save", "FILE", "saves the history in this file, each command before its answer", &call.save),
           flag("--overwrite", "lets --save replace a file", call.overwrite),
+          flag("--stats", "prints the server's figures as JSON, once a second and at the end", call.stats),
           {.name = "--hosts",
            .value = "N",
-           .sentence = "at once; by default 1000",
+           .sentence = "the most hosts at the same time; by default 1000",
            .into = &call.serve.hosts,
            .range = {{1, 100'000}}}};
 }
 
 // The output and the rate of frames.
 std::vector<Parameter> place_parameters(ServeCall& call) {
-  return {{.name = "--to",
-           .value = "PLACE",
-           .sentence = "the output of frames: nowhere, window, terminal, film:OUT.mp4, ring:NAME",
-           .into = &call.to,
-           .words = {"nowhere", "window", "terminal", "film:", "ring:"}},
-          {.name = "--rate", .value = "N", .sentence = "frames a second; by default the script's", .into = &call.rate}};
+  return {
+      {.name = "--to",
+       .value = "PLACE",
+       .sentence = "the output of frames: nowhere, window, terminal, film:OUT.mp4 or ring:NAME",
+       .into = &call.to,
+       .words = {"nowhere", "window", "terminal", "film:", "ring:"}},
+      {.name = "--rate", .value = "N", .sentence = "frames per second; by default the script's", .into = &call.rate}};
 }
 
 const Enlisted enlisted_serve(serve, [](ServeCall& call) -> Subcommand {
@@ -293,7 +303,7 @@ const Enlisted enlisted_serve(serve, [](ServeCall& call) -> Subcommand {
       .name = "FILE", .sentence = "the script to begin with", .into = &call.file, .offer = Offer::scripts};
   return {.rank = 110,
           .name = "serve",
-          .sentence = "shows a document that other programs change while it runs",
+          .sentence = "shows a film that other programs change while it runs",
           .takes = joined({{file},
                            door_parameters(call),
                            place_parameters(call),

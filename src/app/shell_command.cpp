@@ -20,13 +20,13 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "app/command.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/utf8.h"
 #include "betwixt/session.h"
+#include "editor/completion.h"
 
 namespace betwixt {
 namespace {
@@ -202,8 +202,7 @@ class Keyboard : public LineSource {
     const std::string before(line->buffer, line->cursor);
     const std::vector<std::string> all = session_.complete(before);
     if (all.empty()) return CC_REFRESH_BEEP;
-    const std::size_t start = before.find_last_of(" \t,(=");
-    const std::size_t typed = before.size() - (start == std::string::npos ? 0 : start + 1);
+    const std::size_t typed = before.size() - begun_word(before);
     std::string common = all.front();
     for (const std::string& w : all) {
       std::size_t n = 0;
@@ -213,7 +212,8 @@ class Keyboard : public LineSource {
     std::string more = common.substr(std::min(typed, common.size()));
     const bool inside = line->cursor < line->lastchar && *line->cursor != ' ';  // the cursor is inside the word
     const bool open = common.ends_with('=');                                    // a value follows
-    if (all.size() == 1 && !inside && !open && !wants_dot(before, common)) more += ' ';
+    const bool dot = session_.document().find(common) && takes_target(before);
+    if (all.size() == 1 && !inside && !open && !dot) more += ' ';
     if (!more.empty()) return el_insertstr(edit_, more.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
     constexpr std::size_t shown = 200;
     const auto end = all.begin() + static_cast<long>(std::min(shown, all.size()));
@@ -221,19 +221,6 @@ class Keyboard : public LineSource {
                all.size() > shown ? fmt::format("  … {} more", all.size() - shown) : "");
     std::fflush(stdout);
     return CC_REDISPLAY;
-  }
-
-  // Returns whether the command takes targets, so that an object's name needs a dot.
-  bool wants_dot(const std::string& before, const std::string& word) const {
-    static constexpr std::string_view takes_objects[] = {
-        "remove", "rename", "hang",   "attach", "couple", "detach", "letgo",    "look", "show", "hide",
-        "fall",   "alias",  "create", "on",     "list",   "use",    "describe", "help", "eval"};
-    if (!session_.document().find(word)) return false;
-    std::istringstream words(before);
-    std::string verb;
-    words >> verb;
-    if (verb == "at") words >> verb >> verb;
-    return std::find(std::begin(takes_objects), std::end(takes_objects), verb) == std::end(takes_objects);
   }
 
   const Session& session_;
@@ -269,7 +256,7 @@ void page(std::string_view text) {
     for (std::size_t i = 0; i < rows; ++i) end = text.find('\n', end) + 1;
     std::fwrite(text.data(), 1, end, stdout);
     text.remove_prefix(end);
-    fmt::print("-- {} more: space goes on, q ends --",
+    fmt::print("-- {} more: space: next page, q: end --",
                lines(text) == 1 ? "1 line" : fmt::format("{} lines", lines(text)));
     std::fflush(stdout);
     const char key = pressed_key();
@@ -300,30 +287,30 @@ std::optional<std::string> read_line(LineSource& in, const std::string& prompt) 
 
 int shell(const ShellCall& call) {
   if (is_stream(call.file))
-    return complain(fail(ErrorCode::range, "a film is made in a file, which standard input is not",
-                         "its lines are commands: betwixt shell film.bx < lines.txt"),
+    return complain(fail(ErrorCode::range, "the shell needs a file, not standard input",
+                         "to read commands from standard input: betwixt shell film.bx < lines.txt"),
                     wrong_call);
   std::unique_ptr<LineSource> in;
-  Session::Doors doors;
-  doors.ask = [&in](const std::string& question) { return in->answer(question); };
-  doors.plot = [](const Document& d, const std::string& target, const std::string& to) {
+  Session::Callbacks callbacks;
+  callbacks.ask = [&in](const Session::Question& question) { return in->answer(to_string(question)); };
+  callbacks.plot = [](const Document& d, const std::string& target, const std::string& to) {
     return plot_document(d, {target}, "", to);
   };
-  doors.load = [](const std::string& file) { return use_plugin(file); };
+  callbacks.load_plugin = [](const std::string& file) { return use_plugin(file); };
   PictureCall picture{{960, 540, 1}};
   const Session* open = nullptr;
-  doors.play = [&picture](const Document& d, const std::string& frames) {
+  callbacks.play = [&picture](const Document& d, const std::string& frames) {
     const Status played = play_document(d, frames, picture);
     release_stops();
     return played;
   };
-  doors.picture = [&](const std::string& what, const std::string& value) {
+  callbacks.set_play_option = [&](const std::string& what, const std::string& value) {
     return change_picture(picture, open->document(), what, value);
   };
-  for (const Style& s : styles()) doors.styles.emplace_back(s.name);
+  for (const Style& s : styles()) callbacks.styles.emplace_back(s.name);
   const bool terminal = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
-  if (terminal) doors.ask_about_line = doors.ask;
-  Session session(std::move(doors), load_options());
+  if (terminal) callbacks.ask_about_line = callbacks.ask;
+  Session session(std::move(callbacks), load_options());
   open = &session;
   if (call.quiet) session.keep_quiet();
   if (terminal)
@@ -373,13 +360,12 @@ const Enlisted enlisted_shell(shell, [](ShellCall& call) -> Subcommand {
                      .sentence = "discards the unsaved commands of an earlier session",
                      .into = &call.discard,
                      .excludes = "--recover"},
-                    flag("-q,--quiet", "does not print how many objects a pattern named", call.quiet)},
+                    flag("-q,--quiet", "does not print how many objects a pattern matched", call.quiet)},
           .example = "betwixt shell examples/bounce.bx",
           .manual =
-              "The shell reads from a terminal, or from standard input. help lists all words. undo takes back "
-              "without limit. save keeps the author's text and writes your commands below it. Each command is in a "
-              "journal beside the script (.FILE.journal) before the answer. After a crash the next start offers to "
-              "recover it."};
+              "The shell reads from a terminal, or from standard input. help lists all words. undo has no limit. save "
+              "keeps your text and writes your commands below it. Each command is in a journal beside the script "
+              "(.FILE.journal) before the answer. After a crash the next start offers to recover it."};
 });
 
 }  // namespace

@@ -28,7 +28,7 @@ Result<std::string> standard_input() {
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return fail(ErrorCode::file, "standard input cannot be read");
     text.append(part.data(), static_cast<std::size_t>(n));
-    if (text.size() > most_read) return fail(ErrorCode::file, "a script is at most 1 GiB");
+    if (text.size() > most_read) return fail(ErrorCode::file, "a script can have at most 1 GiB");
   }
 }
 
@@ -48,13 +48,14 @@ Result<Outgoing> Outgoing::begin(std::string& out, const std::string& usual) {
   const bool plain = out == "-", ending = out.starts_with("-.") && out.find('/') == out.npos;
   if (!plain && !ending) return made;
   if (plain && usual.empty())
-    return fail(ErrorCode::range, "an ending says what is written to standard output", "such as -o -.glb");
+    return fail(ErrorCode::range, "the format is missing", "write the extension after '-', as in -o -.glb");
   if (::isatty(STDOUT_FILENO) == 1)
-    return fail(ErrorCode::range, "standard output is a terminal, which shows no such files", "-o FILE, or > FILE");
+    return fail(ErrorCode::range, "standard output is a terminal, which cannot show such files",
+                "write -o FILE, or > FILE");
   std::error_code failed;
   std::string folder = (std::filesystem::temp_directory_path(failed) / "betwixt-XXXXXX").string();
   if (failed || !::mkdtemp(folder.data()))
-    return fail(ErrorCode::machine, "there is no place for what goes to standard output: " + folder);
+    return fail(ErrorCode::machine, "cannot make a temporary file for standard output: " + folder);
   made.folder_ = folder;
   made.path_ = out = folder + "/out" + (plain ? "." + usual : out.substr(1));
   return made;
@@ -78,9 +79,9 @@ Status Outgoing::send() const {
   while (file.read(part.data(), part.size()), file.gcount() > 0) {
     const auto n = static_cast<std::size_t>(file.gcount());
     if (std::fwrite(part.data(), 1, n, stdout) != n)
-      return fail(ErrorCode::machine, "what was made cannot be written to standard output");
+      return fail(ErrorCode::machine, "the output cannot be written to standard output");
   }
-  return file.bad() ? Status(fail(ErrorCode::machine, "what was made cannot be read again")) : Status(Nothing{});
+  return file.bad() ? Status(fail(ErrorCode::machine, "the output cannot be read again")) : Status(Nothing{});
 }
 
 }  // namespace betwixt

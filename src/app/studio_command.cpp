@@ -37,11 +37,11 @@ struct StudioCall {
 
 int studio(StudioCall& call) {
   if (is_stream(call.file))
-    return complain(fail(ErrorCode::range, "a film is worked on in a file, which standard input is not"), wrong_call);
+    return complain(fail(ErrorCode::range, "the studio needs a file, not standard input"), wrong_call);
   // Qt would abort with a message of its own.
   if (call.screenshot.empty() && !std::getenv("QT_QPA_PLATFORM") && !has_display())
-    return complain(fail(ErrorCode::machine, "there is no display for a window",
-                         "set DISPLAY; --screenshot OUT.png makes a picture of the window without one"),
+    return complain(fail(ErrorCode::machine, "a window needs a display",
+                         "set DISPLAY, or save a picture of the window: --screenshot OUT.png"),
                     machine_failed);
   std::vector<std::string> arguments;
   const auto add = [&](const char* option, const std::string& value) {
@@ -59,12 +59,12 @@ const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
   return {
       .rank = 25,
       .name = "studio",
-      .sentence = "opens the studio: edit the film as a picture, a sheet, curves and text",
+      .sentence = "opens the studio, where you edit the film as a picture, a sheet, curves and text",
       .takes = {{.name = "FILE",
                  .sentence = "the script; a new one if it does not exist",
                  .into = &call.file,
                  .offer = Offer::scripts},
-                file_option("--screenshot", "OUT.png", "saves a picture of the window and ends; needs no display",
+                file_option("--screenshot", "OUT.png", "saves a screenshot of the window and ends; needs no display",
                             &call.screenshot),
                 option("--at", "TIME", "the time of the playhead: 24f, 1.5s", &call.at),
                 {.name = "--layout",
@@ -77,13 +77,12 @@ const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
                 option("--select", "PATTERN", "the selected objects: wheel*", &call.select),
                 {.name = "--panel",
                  .value = "NAME",
-                 .sentence = "saves a picture of this panel alone: outliner, sheet, columns, curves …",
+                 .sentence = "saves a screenshot of this panel only: outliner, sheet, columns, curves …",
                  .into = &call.panel,
                  .words = {"picture", "outliner", "timeline", "sheet", "columns", "curves", "script", "properties",
                            "console", "live", "server", "export"}},
-                flag("--light", "light colours, whatever you chose before", call.light),
-                file_option("--session", "SESSION.txt",
-                            "carries out the lines of a file first, such as those of an earlier console",
+                flag("--light", "uses light colours", call.light),
+                file_option("--session", "SESSION.txt", "runs the lines of a file first, such as a saved session",
                             &call.session),
                 flag("--recover", "recovers the unsaved commands of an earlier session", call.recover),
                 {.name = "--discard",
@@ -110,8 +109,8 @@ bool has_studio() { return !find_studio().empty(); }
 Status become_studio(std::vector<std::string> arguments, const std::string& file) {
   const std::string path = find_studio();
   if (path.empty())
-    return fail(ErrorCode::machine, "the studio is not here",
-                "./betwixt studio builds it; an installed one has it beside it where it was built with it");
+    return fail(ErrorCode::machine, "the studio is missing",
+                "to build it: ./betwixt studio; in an installation it is beside betwixt if it was built with it");
   arguments.insert(arguments.begin(), path);
   if (load_options().read_anywhere) arguments.emplace_back("--read-anywhere");
   if (load_options().tex) arguments.emplace_back("--tex");

@@ -27,13 +27,14 @@ std::vector<std::function<Subcommand()>>& enlisted() {
 
 Status read_size(const std::string& text, std::optional<std::pair<int, int>>& to) {
   if (const auto size = parse_size(text)) return to = size, Nothing{};
-  return fail(ErrorCode::range, fmt::format("\"{}\" is no size such as 1280x720, 1 to 8192 pixels a side", text));
+  return fail(ErrorCode::range,
+              fmt::format("\"{}\" is not a size such as 1280x720, from 1 to 8192 pixels a side", text));
 }
 
 Status read_colours(const std::string& text) {
   if (text != "auto" && text != "always" && text != "never")
     return fail(ErrorCode::range, fmt::format("\"{}\" is not auto, always or never", text));
-  choose_colours(text == "auto" ? Colours::automatic : text == "always" ? Colours::always : Colours::never);
+  choose_color_mode(text == "auto" ? ColorMode::automatic : text == "always" ? ColorMode::always : ColorMode::never);
   return Nothing{};
 }
 
@@ -56,7 +57,8 @@ Status read_samples(const std::string& text, PictureCall& to, const std::string&
   const bool number = error == std::errc() && end == text.data() + text.size();
   const auto takes = [&](const Style& s) { return (style.empty() || s.name == style) && s.takes(n); };
   if (!number || std::none_of(styles().begin(), styles().end(), takes))
-    return fail(ErrorCode::range, fmt::format("'{}' is no number of samples: {}", text, sample_counts()));
+    return fail(ErrorCode::range,
+                fmt::format("the number of samples must be one of {}, not '{}'", sample_counts(), text));
   to.samples = n;
   return Nothing{};
 }
@@ -86,11 +88,11 @@ const std::vector<Parameter>& common_parameters() {
        .sentence = "lets the script read files outside its own folder, and files that unpack to any size",
        .into = &load_options().read_anywhere},
       {.name = "--tex",
-       .sentence = "lets the programs latex and dvisvgm set the script's formulas",
+       .sentence = "lets the programs latex and dvisvgm typeset the script's formulas",
        .into = &load_options().tex},
       {.name = "--load",
        .value = "PLUGIN",
-       .sentence = "a plug-in, whose words the script can use",
+       .sentence = "a plug-in; the script can use its words",
        .into = ReadValue(use_plugin),
        .repeated = true,
        .offer = Offer::files}};
@@ -166,9 +168,8 @@ Result<std::string> change_picture(PictureCall& to, const Document& document, co
     std::vector<std::string_view> names;
     for (const Style& s : styles()) names.push_back(s.name);
     if (std::find(names.begin(), names.end(), value) == names.end()) {
-      const std::string near = did_you_mean(value, names);
-      return fail(ErrorCode::name, fmt::format("there is no style '{}'", value),
-                  near.empty() ? fmt::format("styles are {}", fmt::join(names, ", ")) : near);
+      const Hint near = did_you_mean(value, names);
+      return unknown_name("style", value, near.empty() ? fmt::format("styles are {}", fmt::join(names, ", ")) : near);
     }
     made.otherwise.style = value;
   }
@@ -181,25 +182,26 @@ Result<std::string> change_picture(PictureCall& to, const Document& document, co
                            : fmt::format("samples {}\n", now.samples);
 }
 
-Result<std::optional<Exposure>> ExposureCall::of(const Document& document) const {
-  if (!shutter) return exposure_for(document, {}, subframes);
+Result<std::optional<Blur>> ExposureCall::of(const Document& document) const {
+  if (!shutter) return blur_for(document, {}, subframes);
   const Result<double> read = parse_shutter(*shutter, document);
   if (!read) return fail(read.error().code, "--shutter: " + read.error().message, read.error().hint);
-  return exposure_for(document, *read, subframes);
+  return blur_for(document, *read, subframes);
 }
 
 std::vector<Parameter> exposure_parameters(ExposureCall& to) {
   return {option("--shutter", "LENGTH",
-                 "how long each picture is exposed: 180deg is half a frame, 10ms, off; by default the camera's",
+                 "the exposure time of each frame: 180deg (half a frame), 10ms or off; by default the camera's",
                  ReadValue([&to](const std::string& text) -> Status { return to.shutter = text, Nothing{}; })),
           {.name = "--subframes",
            .value = "N",
-           .sentence = "the number of pictures at most that make up a blurred one; by default the script's, or 16",
+           .sentence = "the most subframes that are averaged for a blurred frame; by default the script's, or 16",
            .into = ReadValue([&to](const std::string& text) -> Status {
              int n = 0;
              const auto read = std::from_chars(text.data(), text.data() + text.size(), n);
              if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !subframes_fit(n))
-               return fail(ErrorCode::range, fmt::format("'{}' is no number of subframes: 1 to 4096", text));
+               return fail(ErrorCode::range,
+                           fmt::format("the number of subframes must be from 1 to 4096, not '{}'", text));
              to.subframes = n;
              return Nothing{};
            })}};
@@ -208,7 +210,7 @@ std::vector<Parameter> exposure_parameters(ExposureCall& to) {
 Parameter bits_parameter(int& bits) {
   return {.name = "--bits",
           .value = "N",
-          .sentence = "bits a channel of PNG: 8, or 16",
+          .sentence = "the bits per channel of PNG: 8 or 16",
           .into = &bits,
           .words_only = true,
           .words = {"8", "16"}};
@@ -225,19 +227,20 @@ Parameter quality_parameter(int& quality, const std::string& of) {
 std::vector<Parameter> picture_parameters(PictureCall& to) {
   std::vector<std::string> names;
   for (const Style& s : styles()) names.emplace_back(s.name);
-  return {size_parameter(to.size, fmt::format("pixels; by default the script's size, or {}x{}", to.otherwise.width,
-                                              to.otherwise.height)),
-          {.name = "--style",
-           .value = "STYLE",
-           .sentence = fmt::format("one of {}; by default {}", fmt::join(names, ", "), to.otherwise.style),
-           .into = &to.otherwise.style,
-           .words = names},
-          {.name = "--samples",
-           .value = "N",
-           .sentence = fmt::format("samples a pixel: {}; by default the script's, or {}, traced {}", sample_counts(),
-                                   to.otherwise.samples, options_for(Document(), {.style = "traced"}).samples),
-           .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
-           .words = {"1", "4", "9", "16", "64", "256", "1024"}}};
+  return {
+      size_parameter(to.size, fmt::format("the size in pixels; by default the script's, or {}x{}", to.otherwise.width,
+                                          to.otherwise.height)),
+      {.name = "--style",
+       .value = "STYLE",
+       .sentence = fmt::format("the style, one of {}; by default {}", fmt::join(names, ", "), to.otherwise.style),
+       .into = &to.otherwise.style,
+       .words = names},
+      {.name = "--samples",
+       .value = "N",
+       .sentence = fmt::format("the samples per pixel: {}; by default the script's, or {}, traced {}", sample_counts(),
+                               to.otherwise.samples, options_for(Document(), {.style = "traced"}).samples),
+       .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
+       .words = {"1", "4", "9", "16", "64", "256", "1024"}}};
 }
 
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>> parts) {

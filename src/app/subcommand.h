@@ -112,7 +112,7 @@ struct ExposureCall {
   std::optional<std::string> shutter = {};
   std::optional<int> subframes = {};
   // Returns nullopt if there is no motion blur. Errors: syntax, range.
-  Result<std::optional<Exposure>> of(const Document&) const;
+  Result<std::optional<Blur>> of(const Document&) const;
 };
 std::vector<Parameter> exposure_parameters(ExposureCall&);  // --shutter, --subframes
 Parameter bits_parameter(int& bits);

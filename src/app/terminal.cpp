@@ -169,8 +169,8 @@ std::vector<Key> read_keys(std::string_view typed) {
 
 Result<std::unique_ptr<Terminal>> Terminal::open() {
   if (::isatty(STDOUT_FILENO) != 1)
-    return fail(ErrorCode::type, "play shows its pictures in a terminal, and standard output is none",
-                "for a film: betwixt render FILE -o film.mp4");
+    return fail(ErrorCode::type, "play needs a terminal, but standard output is not one",
+                "to make a film: betwixt render FILE -o film.mp4");
   catch_deaths();
   const bool keys = make_raw();
   on_stage = 1;

@@ -33,7 +33,7 @@ struct TidyCall {
 int tidy(const TidyCall& call) {
   std::error_code ignored;
   if (call.write && is_stream(call.file))
-    return complain(fail(ErrorCode::range, "standard input has no place to be put back to"), wrong_call);
+    return complain(fail(ErrorCode::range, "standard input cannot be rewritten"), wrong_call);
   if (std::filesystem::exists(call.file, ignored) && !std::filesystem::is_directory(call.file, ignored) &&
       !std::filesystem::is_regular_file(call.file, ignored))  // a pipe would be empty at the second reading
     return complain(fail(ErrorCode::file, fmt::format("'{}': only a file can be tidied", call.file)), wrong_call);
@@ -53,7 +53,7 @@ const Enlisted enlisted_tidy(tidy, [](TidyCall& call) -> Subcommand {
           .name = "tidy",
           .sentence = "prints a script in its canonical form",
           .takes = {script_parameter(call.file),
-                    flag("--write", "put it in place of the script instead of printing it", call.write)},
+                    flag("--write", "writes the result to the script instead of printing it", call.write)},
           .example = "betwixt tidy examples/bounce.bx --write",
           .manual = "Comments and commands stay, and the film is the same."};
 });

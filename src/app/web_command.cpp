@@ -30,13 +30,13 @@ struct WebCall {
 
 Status ready(const WebCall& call) {
   if (const std::string end = ending(call.out); end != "html" && end != "htm")
-    return fail(ErrorCode::range, fmt::format("a page is a .html, not \"{}\"", call.out));
+    return fail(ErrorCode::range, fmt::format("a page must be a .html file, not \"{}\"", call.out));
   if (!plugins_loaded().empty())
-    return fail(ErrorCode::range, "a page loads no plug-ins: they are programs", "without --load");
+    return fail(ErrorCode::range, "a page cannot use plug-ins, because they are programs", "leave out --load");
   std::error_code ignored;
   for (const std::string& file : call.files)
     if (fs::exists(file, ignored) && !fs::is_directory(file, ignored) && !fs::is_regular_file(file, ignored))
-      return fail(ErrorCode::file, fmt::format("'{}': only a file can stand in a page", file));
+      return fail(ErrorCode::file, fmt::format("'{}': only a file can be part of a page", file));
   return check_place(call.out, !call.keep_old);
 }
 
@@ -46,8 +46,8 @@ Status no_two_of_one_name(const std::vector<PageFilm>& films) {
   for (const PageFilm& film : films)
     for (const auto& [name, bytes] : film.files)
       if (const auto [there, fresh] = all.try_emplace(name, bytes); !fresh && there->second != bytes)
-        return fail(ErrorCode::file, fmt::format("two films mean two different files by '{}'", name),
-                    "make a page of each, or put the films in one folder");
+        return fail(ErrorCode::file, fmt::format("two films use the name '{}' for two different files", name),
+                    "make one page for each, or put the films in one folder");
   return Nothing{};
 }
 
@@ -56,10 +56,10 @@ Status put_beside(const fs::path& page, std::string_view name, std::string_view 
                   bool overwrite) {
   const std::string path = (page.parent_path() / name).string();
   const auto there = read_contents(path);
-  if (there.hindrance == Hindrance::missing) return write_whole(path, text, overwrite);
-  if (there.hindrance == Hindrance::none && there.text == text) return Nothing{};
-  if (there.hindrance != Hindrance::none || !there.text.starts_with(mark))
-    return fail(ErrorCode::file, fmt::format("'{}' is there already, and is not Betwixt's", path),
+  if (there.problem == ReadProblem::missing) return write_whole(path, text, overwrite);
+  if (there.problem == ReadProblem::none && there.text == text) return Nothing{};
+  if (there.problem != ReadProblem::none || !there.text.starts_with(mark))
+    return fail(ErrorCode::file, fmt::format("'{}' already exists and is not a file of Betwixt", path),
                 "move it away, or leave out --link");
   return write_whole(path, text, overwrite);
 }
@@ -69,7 +69,8 @@ int web(WebCall& call) {
   const Result<Outgoing> outgoing = Outgoing::begin(call.out, "html");
   if (!outgoing) return complain(outgoing.error(), wrong_call);
   if (*outgoing && call.link)
-    return complain(fail(ErrorCode::range, "nothing can lie beside standard output", "without --link"), wrong_call);
+    return complain(fail(ErrorCode::range, "--link needs a page in a file, not on standard output", "leave out --link"),
+                    wrong_call);
   if (const Status s = ready(call); !s) return complain(s.error(), wrong_call);
   const auto player = read_player();
   if (!player) return complain(player.error(), machine_failed);
@@ -112,19 +113,19 @@ const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
   return {
       .rank = 18,
       .name = "web",
-      .sentence = "makes a page that plays films in any browser and lets you edit them",
+      .sentence = "makes a web page that plays films in any browser and lets you edit them",
       .takes = {{.name = "FILE",
-                 .sentence = "the scripts, in the order in which they stand on the page; - is standard input",
+                 .sentence = "the scripts, in the order of the page; - is standard input",
                  .into = &call.files,
                  .required = true,
                  .offer = Offer::scripts},
                 output_parameter(call.out, "PAGE.html", "the page; - is standard output", "html"),
-                option("--title", "TEXT", "its title; the film's name if nothing is said", &call.title),
-                size_parameter(call.size, "the size of the pictures; by default as wide as there is room"),
+                option("--title", "TEXT", "the title; by default the film's name", &call.title),
+                size_parameter(call.size, "the size of the pictures; by default the width of the page"),
                 flag("--no-edit", "shows the films without their scripts", call.no_edit),
                 flag("--link", "puts the player (betwixt-player.js, betwixt-page.css) beside the page, for many pages",
                      call.link),
-                flag("--no-overwrite", "keep a page that exists", call.keep_old)},
+                flag("--no-overwrite", "keeps an existing file", call.keep_old)},
       .note = "The first ./betwixt web builds the player.",
       .example = "betwixt web examples/bounce.bx -o bounce.html",
       .manual =

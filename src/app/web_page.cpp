@@ -26,6 +26,8 @@
 #include "export/formats.h"
 #include "language/json.h"
 #include "scene/document.h"
+#include "syntax/script_text.h"
+#include "syntax/texts.h"
 
 namespace betwixt {
 namespace {
@@ -43,11 +45,9 @@ constexpr std::size_t most_packed = std::size_t{256} << 20;  // bytes; browsers 
 // Returns the comment at the start of a script, without the file's name.
 std::string first_comment(std::string_view text) {
   std::string said;
-  while (text.starts_with("# ")) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(2, end - 2);
-    said += (said.empty() ? "" : " ") + std::string(line.substr(0, line.find_last_not_of("\r \t") + 1));
-    text.remove_prefix(std::min(end + 1, text.size()));
+  for (auto words = comment_in(text); words; words = comment_in(text)) {
+    (said += said.empty() ? "" : " ") += *words;
+    text.remove_prefix(line_at(text, 0).size());
   }
   const std::size_t word = said.find(' ');
   if (word == said.npos || !std::string_view(said).substr(0, word).ends_with(".bx")) return said;
@@ -116,11 +116,11 @@ void look_through(PageFilm& film, const Document& document) {
   }
   for (const std::string& path : paths)
     if (auto bytes = read_whole(path)) film.files["fonts/" + fs::path(path).filename().string()] = *std::move(bytes);
-  if (moves) film.lost.emplace_back("the page has no motion blur: its pictures are sharp (shutter)");
-  if (focuses) film.lost.emplace_back("the page has no depth of field: all is in focus (f-stop)");
+  if (moves) film.lost.emplace_back("pages do not show motion blur (shutter)");
+  if (focuses) film.lost.emplace_back("pages do not show depth of field (f-stop)");
   for (const std::string& family : left)
     film.lost.push_back(
-        fmt::format("the page has {} in place of the font {}, which is one of a collection", usual_font, family));
+        fmt::format("the page uses {} instead of the font {}, which is part of a collection", usual_font, family));
 }
 
 // Adds other features that films have and pages lack.
@@ -132,9 +132,9 @@ void add_losses(PageFilm& film, const Document& document) {
   for (const Dial& dial : *scene.dials) dials.push_back(dial.address);
   if (!sounds.empty())
     film.lost.push_back(
-        fmt::format("the page makes no sound: {}; loudness and onsets are 0 there", fmt::join(sounds, ", ")));
+        fmt::format("pages do not play sound: {}; loudness and onsets are 0 there", fmt::join(sounds, ", ")));
   if (!dials.empty())
-    film.lost.push_back(fmt::format("the page hears no live input: {} ({})", dials.size() == 1 ? "a dial" : "dials",
+    film.lost.push_back(fmt::format("pages have no live input: {} ({})", dials.size() == 1 ? "a dial" : "dials",
                                     fmt::join(dials, ", ")));
 }
 
@@ -148,12 +148,12 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
     if (path == real || !fs::is_regular_file(path, ignored)) continue;
     const std::string name = fs::path(path).lexically_relative(folder).generic_string();
     if (name.empty() || name == ".." || name.starts_with("../"))
-      return fail(ErrorCode::file, fmt::format("'{}' lies outside the folder of {}", path, script),
-                  "a page has the files that lie below its film; put it there");
+      return fail(ErrorCode::file, fmt::format("'{}' is outside the folder of {}", path, script),
+                  "move it into or below the folder of the script");
     if (scene.sounds->contains(name)) continue;  // pages are silent
     if (only_the_program_reads(name) && !scene.meshes->contains(name))
-      return fail(ErrorCode::type, fmt::format("a page cannot read the scene '{}'", name),
-                  "scenes of glTF (.glb .gltf) and drawings (.svg) it can");
+      return fail(ErrorCode::type, fmt::format("pages do not support the format of the scene '{}'", name),
+                  "supported: glTF (.glb .gltf) and drawings (.svg)");
     if (Status s = add(to, script, name, path); !s) return s;
     if ((sum += to[name].size()) > most_packed)
       return fail(ErrorCode::range, fmt::format("the files of {} are larger than {} MiB", script, most_packed >> 20));
@@ -197,7 +197,7 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
   load_options().asked_for = {};
   if (!document) return std::nullopt;
   if (!document->scene().formulas->empty())
-    return fail(ErrorCode::type, fmt::format("{} has formulas of TeX, which no page can set", script));
+    return fail(ErrorCode::type, fmt::format("{} has TeX formulas, which pages do not support", script));
   const auto text = script_text(script);
   if (!text) return text.error();
   PageFilm film;

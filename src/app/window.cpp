@@ -108,14 +108,13 @@ bool Window::has_display() {
 Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
   Display* display = XOpenDisplay(nullptr);
   if (!display)
-    return fail(ErrorCode::machine, "there is no display for a window",
-                "set DISPLAY, or use the terminal, a film or a ring");
+    return fail(ErrorCode::machine, "a window needs a display", "set DISPLAY, or use the terminal, a film or a ring");
   const int screen = DefaultScreen(display);
   const Visual* visual = DefaultVisual(display, screen);
   const bool full = DefaultDepth(display, screen) >= 24 && visual->red_mask && visual->green_mask && visual->blue_mask;
   if (!full) {
     XCloseDisplay(display);
-    return fail(ErrorCode::machine, "the display does not show full colours");
+    return fail(ErrorCode::machine, "the display must have 24-bit colours");
   }
   return std::unique_ptr<Window>(std::make_unique<XWindow>(display, title, width, height));
 }

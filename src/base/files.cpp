@@ -72,32 +72,32 @@ int move_to(const std::string& from, const std::string& to, bool overwrite) {
 
 // Opens a file. Sets `out` to the obstacle if there is one, and to the size of a regular file.
 OpenFile open_within(const std::string& path, const ReadingLimits& limits, FileContents& out) {
-  const auto hindered = [&](Hindrance what, int reason = 0) {
-    out.hindrance = what, out.reason = reason;
+  const auto hindered = [&](ReadProblem what, int reason = 0) {
+    out.problem = what, out.reason = reason;
     return OpenFile(-1);
   };
   struct stat about {};
-  if (::stat(path.c_str(), &about) != 0) return hindered(Hindrance::missing, errno);
-  if (S_ISDIR(about.st_mode)) return hindered(Hindrance::folder);
+  if (::stat(path.c_str(), &about) != 0) return hindered(ReadProblem::missing, errno);
+  if (S_ISDIR(about.st_mode)) return hindered(ReadProblem::folder);
   const bool plain = S_ISREG(about.st_mode);
-  if (!plain && !limits.special) return hindered(Hindrance::special);
+  if (!plain && !limits.special) return hindered(ReadProblem::special);
   // If it has become a pipe in between, a pipe without a writer must not block.
   OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (plain ? O_NONBLOCK : 0)));
-  if (!file) return hindered(Hindrance::system, errno);
+  if (!file) return hindered(ReadProblem::system, errno);
   out.size = plain ? static_cast<std::uint64_t>(about.st_size) : 0;
-  if (out.size > limits.largest) return hindered(Hindrance::too_large);
+  if (out.size > limits.largest) return hindered(ReadProblem::too_large);
   return file;
 }
 
 Error hindered(const std::string& path, const FileContents& in) {
-  switch (in.hindrance) {
-    case Hindrance::folder:
+  switch (in.problem) {
+    case ReadProblem::folder:
       return a_folder(path);
-    case Hindrance::special:
-      return fail(ErrorCode::file, fmt::format("{} is not a plain file", path));
-    case Hindrance::too_large:
+    case ReadProblem::special:
+      return fail(ErrorCode::file, fmt::format("{} is not a regular file", path));
+    case ReadProblem::too_large:
       return fail(ErrorCode::file, fmt::format("{} is larger than 1 GiB", path));
-    case Hindrance::missing:
+    case ReadProblem::missing:
       if (in.reason == ENOENT) return fail(ErrorCode::file, fmt::format("there is no file {}", path));
       break;
     default:
@@ -139,16 +139,16 @@ int write_all(int file, std::string_view bytes, std::optional<off_t> at) {
 FileContents read_contents(const std::string& path, const ReadingLimits& limits) {
   FileContents out;
   const OpenFile file = open_within(path, limits, out);
-  if (out.hindrance != Hindrance::none) return out;
+  if (out.problem != ReadProblem::none) return out;
   out.text.reserve(out.size);
   const int reason = read_all(file.fd(), out.text, limits.largest);
   if (reason == 0) return out;
   out.size = out.text.size(), out.reason = reason;
-  out.hindrance = reason == EFBIG ? Hindrance::too_large : Hindrance::system;
+  out.problem = reason == EFBIG ? ReadProblem::too_large : ReadProblem::system;
   return out;
 }
 
-int put_file(const std::string& path, std::string_view bytes, const Putting& how) {
+int put_file(const std::string& path, std::string_view bytes, const WriteOptions& how) {
   std::string place = path;
   Rights rights;
   if (how.like_old) {
@@ -191,14 +191,14 @@ std::string hidden_beside(const std::string& path, const std::string& tail) {
 
 Result<std::string> read_whole(const std::string& path) {
   FileContents in = read_contents(path);
-  if (in.hindrance != Hindrance::none) return hindered(path, in);
+  if (in.problem != ReadProblem::none) return hindered(path, in);
   return std::move(in.text);
 }
 
 Result<OpenFile> open_whole(const std::string& path) {
   FileContents in;
   OpenFile file = open_within(path, {}, in);
-  if (in.hindrance != Hindrance::none) return hindered(path, in);
+  if (in.problem != ReadProblem::none) return hindered(path, in);
   return file;
 }
 
@@ -213,7 +213,7 @@ Status write_whole(const std::string& path, std::string_view bytes, bool overwri
     if (reason == 0) reason = file.close();
   } else {
     reason = there && !overwrite ? EEXIST : put_file(path, bytes, {.overwrite = overwrite});
-    if (reason == EEXIST) return fail(ErrorCode::file, fmt::format("{} exists already", path));
+    if (reason == EEXIST) return fail(ErrorCode::file, fmt::format("{} already exists", path));
   }
   if (reason != 0) return cannot("write", path, reason);
   return Nothing{};
@@ -228,24 +228,24 @@ Error system_error(int number, const std::string& doing, const std::string& path
 Status check_place(const std::string& path, bool overwrite) {
   const std::string folder = folder_of(path);
   struct stat what {};
-  if (path.empty() || path.back() == '/') return fail(ErrorCode::file, fmt::format("\"{}\" names no file", path));
+  if (path.empty() || path.back() == '/') return fail(ErrorCode::file, fmt::format("\"{}\" is not a file name", path));
   if (::stat(folder.c_str(), &what) != 0) {
     if (errno == ENOENT)
-      return fail(ErrorCode::file, "there is no folder " + folder, "make it first: mkdir -p " + folder);
+      return fail(ErrorCode::file, "there is no folder " + folder, "create it first: mkdir -p " + folder);
     return system_error(errno, "write into", folder);
   }
-  if (!S_ISDIR(what.st_mode)) return fail(ErrorCode::file, folder + " is no folder");
+  if (!S_ISDIR(what.st_mode)) return fail(ErrorCode::file, folder + " is not a folder");
   if (::access(folder.c_str(), W_OK | X_OK) != 0) return system_error(errno, "write into", folder);
   if (::stat(path.c_str(), &what) != 0) return Nothing{};
   if (S_ISDIR(what.st_mode)) return fail(ErrorCode::file, path + " is a folder");
-  if (!overwrite) return fail(ErrorCode::file, path + " is there already");
+  if (!overwrite) return fail(ErrorCode::file, path + " already exists");
   return Nothing{};
 }
 
 Status put_in_place(const std::string& from, const std::string& to, bool overwrite) {
   const int reason = move_to(from, to, overwrite);
   if (reason == 0) return Nothing{};
-  if (reason == EEXIST && !overwrite) return fail(ErrorCode::file, to + " is there already");
+  if (reason == EEXIST && !overwrite) return fail(ErrorCode::file, to + " already exists");
   return system_error(reason, "write", to);
 }
 

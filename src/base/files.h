@@ -65,9 +65,9 @@ class OpenFile {
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
 
 // The reason why a file could not be read, or none.
-enum class Hindrance { none, missing, folder, special, too_large, system };
+enum class ReadProblem { none, missing, folder, special, too_large, system };
 struct FileContents {
-  Hindrance hindrance = Hindrance::none;
+  ReadProblem problem = ReadProblem::none;
   int reason = 0;          // missing, system
   std::uint64_t size = 0;  // too_large
   std::string text;
@@ -83,13 +83,13 @@ int read_all(int file, std::string& text, std::uint64_t largest = UINT64_MAX);
 // Writes all bytes, at `at` if given.
 int write_all(int file, std::string_view bytes, std::optional<off_t> at = {});
 
-struct Putting {
+struct WriteOptions {
   bool overwrite = true;
   bool like_old = false;  // follow a link, and keep the rights of the old file
   bool on_disk = false;   // wait until it is on the disk
 };
 // Returns EEXIST if there is a file that must not be overwritten.
-int put_file(const std::string& path, std::string_view bytes, const Putting& = {});
+int put_file(const std::string& path, std::string_view bytes, const WriteOptions& = {});
 // Makes a new file (EEXIST if it exists), on the disk.
 int make_file(const std::string& path, std::string_view bytes, mode_t rights);
 // A name is on the disk when its folder is synchronised.

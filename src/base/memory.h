@@ -27,6 +27,10 @@ template <class K, class T, class C>
 std::size_t bytes_held(const std::map<K, T, C>& m) {
   return m.size() * in_heap(sizeof(typename std::map<K, T, C>::value_type) + 4 * sizeof(void*));
 }
+template <class K, class T, class C>
+std::size_t bytes_held(const std::multimap<K, T, C>& m) {
+  return m.size() * in_heap(sizeof(typename std::multimap<K, T, C>::value_type) + 4 * sizeof(void*));
+}
 // A short string has no allocation.
 inline std::size_t bytes_held(const std::string& s) {
   return s.capacity() > std::string().capacity() ? in_heap(s.capacity() + 1) : 0;

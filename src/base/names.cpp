@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cstdlib>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 
 namespace betwixt {
 namespace {
@@ -63,7 +63,7 @@ Result<std::vector<std::string>> alternatives(std::string_view body, std::size_t
     const auto width = body[0] == '0' && dots > 1 ? dots : 1;
     if (width > 1000) return fail(ErrorCode::range, "the braces make names that are too long");
     for (long i = a;; i += a <= b ? 1 : -1) {
-      StillWanted::ask();
+      Cancellation::check();
       out.push_back(fmt::format("{:0{}}", i, width));
       if (i == b) break;
     }
@@ -115,7 +115,7 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
       if (next.size() + parts->size() > most)
         return fail(ErrorCode::range, fmt::format("the braces make more than {} names", most));
       for (const auto& part : *parts) {
-        StillWanted::ask();
+        Cancellation::check();
         next.push_back(s.substr(0, open) + part + s.substr(close + 1));
         characters += next.back().size();
         if (characters > most_characters) return fail(ErrorCode::range, "the braces make names that are too long");
@@ -126,7 +126,7 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
   }
   for (const std::string& word : done)
     if (word.size() > longest_pattern && is_pattern(word))
-      return fail(ErrorCode::range, fmt::format("a pattern has at most {} characters", longest_pattern));
+      return fail(ErrorCode::range, fmt::format("a pattern can have at most {} characters", longest_pattern));
   return done;
 }
 
@@ -216,13 +216,15 @@ bool natural_less(std::string_view a, std::string_view b) {
   return i == a.size();
 }
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
+Hint correction(const std::string& word) { return {fmt::format("did you mean '{}'?", word), word}; }
+
+Hint did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   if (word.empty() || word.size() > 64) return {};
   std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
   std::string_view found;
   std::vector<std::size_t> before, row, next;  // optimal string alignment, three rows
   for (auto c : candidates) {
-    StillWanted::ask();
+    Cancellation::check();
     if (c == word || c.size() > word.size() + best || word.size() > c.size() + best) continue;
     row.assign(c.size() + 1, 0);
     before = next = row;
@@ -244,7 +246,19 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
       found = c;
     }
   }
-  return found.empty() ? std::string() : fmt::format("did you mean '{}'?", found);
+  return found.empty() ? Hint() : correction(std::string(found));
+}
+
+Error unknown_name(std::string_view kind, std::string_view name, Hint hint) {
+  Error e = fail(ErrorCode::name, fmt::format("there is no {} '{}'", kind, name.substr(0, 60)), std::move(hint));
+  e.subject = name;
+  return e;
+}
+
+Error nothing_named(std::string_view pattern) {
+  Error e = fail(ErrorCode::name, fmt::format("nothing is named '{}'", pattern));
+  e.subject = pattern;
+  return e;
 }
 
 }  // namespace betwixt

@@ -28,7 +28,12 @@ bool matches(std::string_view pattern, std::string_view name);
 // Orders ball2 before ball10: runs of digits compare as numbers.
 bool natural_less(std::string_view a, std::string_view b);
 
-// Returns "did you mean 'sphere'?" if a candidate is similar to `word`, otherwise "".
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
+// Returns the hint "did you mean 'sphere'?".
+Hint correction(const std::string& word);
+// Returns that hint if a candidate is similar to `word`, otherwise an empty one.
+Hint did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
+// Return the error that no object, twerper … has this name, and that a pattern matches nothing.
+Error unknown_name(std::string_view kind, std::string_view name, Hint hint = {});
+Error nothing_named(std::string_view pattern);
 
 }  // namespace betwixt

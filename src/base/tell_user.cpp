@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-std::atomic<Colours> chosen{Colours::automatic};
+std::atomic<ColorMode> chosen{ColorMode::automatic};
 
 bool set(const char* name) {
   const char* value = std::getenv(name);
@@ -22,7 +22,7 @@ bool set(const char* name) {
 }
 
 bool colours_wanted() {
-  if (chosen != Colours::automatic) return chosen == Colours::always;
+  if (chosen != ColorMode::automatic) return chosen == ColorMode::always;
   const char* terminal = std::getenv("TERM");
   return ::isatty(STDERR_FILENO) == 1 && !set("NO_COLOR") && terminal && std::string_view(terminal) != "dumb";
 }
@@ -58,7 +58,7 @@ std::string painted_line(std::string_view line) {
 
 }  // namespace
 
-std::string in_colours(std::string_view text) {
+std::string with_color_codes(std::string_view text) {
   std::string out;
   while (!text.empty()) {
     const std::size_t stop = std::min(text.find('\n'), text.size());
@@ -69,12 +69,12 @@ std::string in_colours(std::string_view text) {
   return out;
 }
 
-void choose_colours(Colours how) { chosen = how; }
+void choose_color_mode(ColorMode how) { chosen = how; }
 
 void tell_user(std::string_view said) {
   const std::string text = visible_lines(said);
   if (!colours_wanted()) return (void)std::fwrite(text.data(), 1, text.size(), stderr);
-  const std::string painted = in_colours(text);
+  const std::string painted = with_color_codes(text);
   (void)std::fwrite(painted.data(), 1, painted.size(), stderr);
 }
 

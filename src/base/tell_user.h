@@ -13,11 +13,11 @@ namespace betwixt {
 // and "notice:", the place before them, and carets.
 void tell_user(std::string_view text);
 
-enum class Colours { automatic, always, never };
+enum class ColorMode { automatic, always, never };
 // Chooses colours. The default is automatic: on if standard error is a terminal with colours and NO_COLOR is not set
 // (no-color.org).
-void choose_colours(Colours);
+void choose_color_mode(ColorMode);
 // Returns the text with the terminal's codes for colours.
-std::string in_colours(std::string_view text);
+std::string with_color_codes(std::string_view text);
 
 }  // namespace betwixt

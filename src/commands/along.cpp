@@ -34,7 +34,8 @@ bool share(Command& k, double& out) {
   c.space();
   const char* const start = c.at;
   return v.scalar(out) &&
-         (std::abs(out) <= 1e6 || c.fail(ErrorCode::range, "so often nothing goes round", c.since(start)));
+         (std::abs(out) <= 1e6 ||
+          c.fail(ErrorCode::range, "the share of a line must be from -1000000 to 1000000", c.since(start)));
 }
 
 // Reads the name of a line.
@@ -45,24 +46,25 @@ bool road(Command& k, const Selected& to, ObjectId& out) {
   if (!values(k).object(out)) return false;
   const Object& o = s.objects[out.index];
   if (!has_line(o.kind))
-    return c.fail(ErrorCode::type,
-                  fmt::format("'{}', {}, is no line that things could go along", o.name, a_kind(o.kind)),
-                  c.since(start), "a curve, a polyline, or a flat shape: create road curve points=((0 0) (2 1) (4 0))");
+    return c.fail(
+        ErrorCode::type, fmt::format("'{}' is {}; objects cannot move along it", o.name, a_kind(o.kind)),
+        c.since(start),
+        "objects move along a curve, a polyline or a flat shape: create road curve points=((0 0) (2 1) (4 0))");
   for (const Target& t : to.targets)
     if (t.object == out)
-      return c.fail(ErrorCode::name, fmt::format("'{}' cannot go along itself", o.name), c.since(start));
+      return c.fail(ErrorCode::name, fmt::format("'{}' cannot move along itself", o.name), c.since(start));
   return true;
 }
 
 bool fits_on_line(Command& k, const Selected& to) {
   Cursor& c = k.cursor;
   const FunctionId f = to.targets.empty() ? static_cast<FunctionId>(fn::position) : to.targets[0].function;
-  if (to.velocity) return c.fail_here(ErrorCode::type, "a velocity goes along nothing; a position does");
+  if (to.velocity) return c.fail_here(ErrorCode::type, "a velocity cannot follow a line; a position can");
   if (to.component >= 0)
-    return c.fail_here(ErrorCode::type, "a whole position goes along a line, not one component of it");
+    return c.fail_here(ErrorCode::type, "one component cannot follow a line; a whole position can");
   return f == fn::position || f == fn::rotation ||
-         c.fail_here(ErrorCode::type, fmt::format("{} does not go along a line: a position does", to.spec->name),
-                     "as in 1f..48f along road below ball.position; a rotation takes its direction");
+         c.fail_here(ErrorCode::type, fmt::format("{} cannot follow a line; a position can", to.spec->name),
+                     "as in 1f..48f along road in the sheet of ball.position; a rotation follows its direction");
 }
 
 // Reads ROAD [SHARE | from SHARE to SHARE] [turned] [TWERPER …], after `along`.
@@ -82,7 +84,7 @@ bool way_along(Command& k, const Selected& to, bool lasts, Way& out) {
   const char* const start = c.at;
   out.turned = c.accept_word("turned");
   if (out.turned && !to.targets.empty() && to.targets[0].function == fn::rotation)
-    return c.fail(ErrorCode::syntax, "a rotation is turned along a line anyway", c.since(start));
+    return c.fail(ErrorCode::syntax, "a rotation takes no 'turned': it always turns along the line", c.since(start));
   return way(k, to, out.event) && finish(c);
 }
 
@@ -131,11 +133,10 @@ bool turned(Command& k, const Selected& to, std::string_view about, std::vector<
     t.function = fn::rotation;
     const Slot* slot = k.scene.objects[t.object.index].find(fn::rotation, t.layer);
     if (slot && !slot->components.empty())
-      return k.cursor.fail(
-          ErrorCode::type,
-          fmt::format("the components of '{}' have tracks of their own: it cannot be turned along a line",
-                      target_name(k.scene, t)),
-          about, "clear them first, or leave 'turned' out");
+      return k.cursor.fail(ErrorCode::type,
+                           fmt::format("the components of '{}' have their own tracks, so it cannot turn along a line",
+                                       target_name(k.scene, t)),
+                           about, "clear these tracks first, or leave out 'turned'");
     out.push_back(t);
   }
   return true;
@@ -150,13 +151,13 @@ bool along_line(Command& k, const Selected& to, Time from, std::optional<Time> u
   if (!fits_on_line(k, to)) return false;
   c.word();
   if (until && *until == from)
-    return c.fail(ErrorCode::range, "a way takes time, and this segment has none", c.since(start));
+    return c.fail(ErrorCode::range, "a move along a line needs a segment longer than 0", c.since(start));
   Way w;
   if (!way_along(k, to, until.has_value(), w)) return false;
   const std::string_view about = c.since(start);
   for (const Target& t : to.targets)
     if (const Slot* slot = s.objects[t.object.index].find(t.function, t.layer); slot && !slot->components.empty())
-      return c.fail(ErrorCode::type, "its components have tracks of their own: a way for the whole finds no place",
+      return c.fail(ErrorCode::type, "its components have their own tracks, so the whole value cannot follow a line",
                     about);
   std::vector<Target> also;
   if (w.turned && !turned(k, to, about, also)) return false;
@@ -219,7 +220,7 @@ void keep_ways(const Command& k, const std::vector<ObjectId>& leaving, const std
       });
       if (any)
         k.script.note(Severity::notice,
-                      fmt::format("'{}' goes straight where it went along that", target_name(s, target)), about);
+                      fmt::format("'{}' now goes straight where it followed that line", target_name(s, target)), about);
     }
   }
 }

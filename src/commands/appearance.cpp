@@ -19,7 +19,7 @@ bool size(Command& k) {
   if (w.empty()) return c.fail_here(ErrorCode::syntax, "a size is missing here");
   if (!size) {
     const std::string said(w.substr(0, 40));
-    return c.fail(ErrorCode::range, fmt::format("'{}' is no size: two numbers from 1 to 8192 with an x between", said),
+    return c.fail(ErrorCode::range, fmt::format("'{}' is not a size: expected WIDTHxHEIGHT, each from 1 to 8192", said),
                   w, "as in size 1920x1080");
   }
   if (!finish(c)) return false;
@@ -35,8 +35,8 @@ bool samples(Command& k) {
   if (!values(k).scalar(n)) return false;
   const auto whole = static_cast<int>(std::clamp(n, 0.0, 100.0));
   if (whole != n || !samples_fit(whole))
-    return c.fail(ErrorCode::range, fmt::format("'{}' is no number of samples: 1, 4, 9 or 16", c.since(start)),
-                  c.since(start));
+    return c.fail(ErrorCode::range,
+                  fmt::format("the number of samples must be 1, 4, 9 or 16, not '{}'", c.since(start)), c.since(start));
   if (!finish(c)) return false;
   s.appearance.samples = whole;
   return true;
@@ -50,7 +50,8 @@ bool subframes(Command& k) {
   if (!values(k).scalar(n)) return false;
   const auto whole = static_cast<int>(std::clamp(n, 0.0, 1e6));
   if (whole != n || !subframes_fit(whole))
-    return c.fail(ErrorCode::range, fmt::format("'{}' is no number of subframes: 1 to 4096", c.since(start)),
+    return c.fail(ErrorCode::range,
+                  fmt::format("the number of subframes must be from 1 to 4096, not '{}'", c.since(start)),
                   c.since(start));
   if (!finish(c)) return false;
   s.appearance.subframes = whole;
@@ -61,7 +62,7 @@ bool film(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = c.next_word();
   if (w != "flat" && w != "solid")
-    return no_choice(c, w, "a film is flat or solid", did_you_mean(w, {"flat", "solid"}));
+    return no_choice(c, w, "a film must be flat or solid", did_you_mean(w, {"flat", "solid"}));
   if (!finish(c)) return false;
   s.appearance.flat = w == "flat";
   return true;
@@ -73,7 +74,7 @@ bool color_or(Command& k, std::initializer_list<std::string_view> words, Color& 
   c.space();
   const std::string_view w = c.peek_word();
   if (values(k).color(out)) return true;
-  if (const std::string near = did_you_mean(w, words); !near.empty() && c.error) c.error->hint = near;
+  if (Hint near = did_you_mean(w, words); !near.empty() && c.error) set_hint(*c.error, std::move(near));
   return false;
 }
 
@@ -106,7 +107,8 @@ bool exposure(Command& k) {
   double stops = 0;
   if (!values(k).scalar(stops)) return false;
   if (!(std::abs(stops) <= 20))
-    return c.fail(ErrorCode::range, "an exposure is from -20 to 20", c.since(start), "each 1 is twice the light");
+    return c.fail(ErrorCode::range, "an exposure must be from -20 to 20", c.since(start),
+                  "1 more means twice the light");
   if (!finish(c)) return false;
   s.appearance.exposure = stops;
   return true;
@@ -121,7 +123,7 @@ bool distance(Command& k, const char* word, double& out, std::string_view& about
   const char* const start = c.at;
   if (!values(k).scalar(out, Unit::metres)) return false;
   about = c.since(start);
-  if (!(out >= 0 && out <= 1e12)) return c.fail(ErrorCode::range, "a distance is from 0 to 1e12 m", about);
+  if (!(out >= 0 && out <= 1e12)) return c.fail(ErrorCode::range, "a distance must be from 0 to 1e12 m", about);
   return true;
 }
 
@@ -137,8 +139,8 @@ bool fog(Command& k) {
   if (!color_or(k, {"off"}, fog.color) || !distance(k, "from", fog.from, about) || !distance(k, "to", fog.to, about))
     return false;
   if (!(fog.from < fog.to))
-    return c.fail(ErrorCode::range, "the fog is at its thickest before it begins", about,
-                  "from where it begins to where nothing is seen any more");
+    return c.fail(ErrorCode::range, "the fog ends before it begins", about,
+                  "write first the distance where it begins, then the one where it hides everything");
   if (!finish(c)) return false;
   s.appearance.fog = fog;
   return true;
@@ -154,39 +156,45 @@ bool ground(Command& k) {
   return true;
 }
 
-bool sky(Command& k) { return on_or_off(k.cursor, "the sky is on or off", k.scene.appearance.sky); }
+bool sky(Command& k) { return on_or_off(k.cursor, "the sky must be on or off", k.scene.appearance.sky); }
 
-bool contact(Command& k) { return on_or_off(k.cursor, "contact shading is on or off", k.scene.appearance.contact); }
+bool contact(Command& k) {
+  return on_or_off(k.cursor, "contact shading must be on or off", k.scene.appearance.contact);
+}
 
 constexpr Verb appearance_rows[] = {
     {"size", "size WxH, as in size 1920x1080",
      "The size of the film's pictures in pixels; the command line overrides it.", "size 1920x1080",
-     Verb::once | Verb::aside, size},
+     Verb::once | Verb::aside, size, "1280x720 1920x1080 3840x2160"},
     {"samples", "samples 1|4|9|16", "The number of samples a pixel, more is smoother; the command line overrides it.",
-     "samples 9", Verb::once | Verb::aside, samples},
+     "samples 9", Verb::once | Verb::aside, samples, "1 4 9 16"},
     {"subframes", "subframes N",
-     "The number of pictures at most that make up one blurred by shutter or f-stop; the command line overrides it.",
+     "The largest number of subframes that are averaged for motion blur and depth of field; the command line overrides "
+     "it.",
      "subframes 32", Verb::once | Verb::aside, subframes},
     {"film", "film flat|solid",
-     "flat: a drawing 9 m high, everything in its own color without light, on a dark background, 1920x1080.",
-     "film flat", Verb::once | Verb::aside, film},
+     "`flat` makes the film a drawing: all objects have exactly their own color, without light. The view is 9 m high, "
+     "the pictures have 1920x1080 pixels and the background is dark, unless the script sets others. `solid`, the "
+     "default, is a film of lit objects.",
+     "film flat", Verb::once | Verb::aside, film, "flat solid"},
     {"background", "background COLOR [to COLOR] or background transparent|none",
      "The background: one color, a top and a bottom color, transparent, or none for the default gradient.",
-     "background navy to black", Verb::once | Verb::aside, background},
+     "background navy to black", Verb::once | Verb::aside, background, "none transparent COLOR; to; COLOR"},
     {"ambient", "ambient COLOR|off", "The ambient light, which comes from everywhere.", "ambient #202428",
-     Verb::once | Verb::aside, ambient},
+     Verb::once | Verb::aside, ambient, "off COLOR"},
     {"exposure", "exposure STOPS", "Makes all light brighter or darker: 1 is twice as much, -1 half.", "exposure 0.5",
-     Verb::once | Verb::aside, exposure},
-    {"fog", "fog COLOR from D to D or fog off",
-     "Fog of a color: none up to the first distance, full from the second on.", "fog lightsteelblue from 10 to 60",
-     Verb::once | Verb::aside, fog},
+     Verb::once | Verb::aside, exposure, "NUMBER…"},
+    {"fog", "fog COLOR from METRES to METRES or fog off",
+     "Fog of a color: none up to the first distance from the camera, full from the second on.",
+     "fog lightsteelblue from 10 to 60", Verb::once | Verb::aside, fog, "off COLOR; from; NUMBER; to; NUMBER"},
     {"ground", "ground on|off|COLOR", "An endless floor at y = 0 that takes shadows and fades into the background.",
-     "ground on", Verb::once | Verb::aside, ground},
+     "ground on", Verb::once | Verb::aside, ground, "on off COLOR"},
     {"sky", "sky on|off", "A blue sky with a pale horizon behind everything, and its light.", "sky on",
-     Verb::once | Verb::aside, sky},
+     Verb::once | Verb::aside, sky, "on off"},
     {"contact", "contact on|off",
-     "Darkens corners, and places where things meet each other and the ground: ambient occlusion.", "contact on",
-     Verb::once | Verb::aside, contact},
+     "Ambient occlusion: darkens corners, and places where things meet each other and the ground. (For collisions see "
+     "`NAME.touching`.)",
+     "contact on", Verb::once | Verb::aside, contact, "on off"},
 };
 
 }  // namespace

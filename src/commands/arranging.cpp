@@ -58,7 +58,7 @@ std::vector<Measured> measured(const Scene& s, const std::vector<ObjectId>& obje
     all[i] = {objects[i],
               k.position,
               k.position,
-              k.to_world,
+              k.track_to_world,
               std::get<Vec3>(program.read(Target{objects[i], fn::position}, t)),
               false};
     whose[objects[i].index] = static_cast<std::int32_t>(i);
@@ -78,7 +78,7 @@ bool move_to(Command& k, const Measured& m, Vec3 by, std::string_view about) {
   const Vec3 to = inward ? m.position + transform_vector(*inward, by) : Vec3{NAN, 0, 0};
   if (!(length(to) < far_away))
     return k.cursor.fail(ErrorCode::range,
-                         fmt::format("{} cannot be moved there: what holds it is flat, or it is too far",
+                         fmt::format("{} cannot be moved there: its parent is flat, or the place is too far away",
                                      k.scene.objects[m.id.index].name),
                          about);
   const Target t{m.id, fn::position};
@@ -150,7 +150,7 @@ bool unknown_key(Cursor& c, std::string_view key, const char* start, std::string
                 key.empty() ? c.since(start) : key, known);
 }
 bool equals(Cursor& c, std::string_view key) {
-  return c.accept('=') || c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
+  return c.accept('=') || c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing after {}", key));
 }
 
 bool arrange(Command& k) {
@@ -164,8 +164,8 @@ bool arrange(Command& k) {
   Layout how;
   how.in = c.next_word();
   if (std::find(std::begin(ways), std::end(ways), how.in) == std::end(ways)) {
-    const std::string near = did_you_mean(how.in, {std::begin(ways), std::end(ways)});
-    return no_choice(c, how.in, "things are arranged in a row, column, grid or circle", near);
+    const Hint near = did_you_mean(how.in, {std::begin(ways), std::end(ways)});
+    return no_choice(c, how.in, "the arrangement must be row, column, grid or circle", near);
   }
   while (!c.at_line_end()) {
     const char* const start = c.at;
@@ -173,14 +173,14 @@ bool arrange(Command& k) {
     if (key != "gap" && key != "centre" && !(key == "columns" && how.in == "grid") &&
         !(key == "radius" && how.in == "circle"))
       return unknown_key(c, key, start, fmt::format("arrange … in {}", how.in),
-                         "gap= centre=, columns= of a grid, radius= of a circle");
+                         "write gap= or centre=, columns= for a grid, radius= for a circle");
     if (!equals(c, key)) return false;
     if (key == "columns" && !c.whole_number(1, 1'000'000, "columns", how.columns)) return false;
     if (key == "centre" && !values(k).vector(3, how.centre, Unit::metres)) return false;
     if (key == "gap" && !values(k).scalar(how.gap, Unit::metres)) return false;
     if (key == "radius" && !values(k).scalar(how.radius, Unit::metres)) return false;
     if (key == "radius" && !(how.radius > 0))
-      return c.fail(ErrorCode::range, "the radius is more than 0", c.since(start));
+      return c.fail(ErrorCode::range, "the radius must be greater than 0", c.since(start));
   }
   if (things.empty()) return true;
   const std::vector<Measured> all = measured(s, things, time.value_or(Time{}));
@@ -211,7 +211,7 @@ bool read_side(Command& k, const char* what, bool centre, Side& out) {
     words.push_back(side.word);
   }
   return k.cursor.fail(w.empty() ? ErrorCode::syntax : ErrorCode::type,
-                       fmt::format("{} is {}", what, fmt::join(words, ", ")),
+                       fmt::format("{} must be {}", what, fmt::join(words, ", ")),
                        w.empty() ? std::string_view(k.cursor.at, 0) : w, did_you_mean(w, words));
 }
 
@@ -230,19 +230,21 @@ bool place(Command& k) {
     const char* const start = c.at;
     const std::string_view key = c.word();
     if (key != "side" && key != "gap" && key != "align")
-      return unknown_key(c, key, start, "place … next-to", "side= gap= align=");
+      return unknown_key(c, key, start, "place … next-to", "write side=, gap= or align=");
     if (!equals(c, key)) return false;
-    if (key == "side" && !read_side(k, "a side", false, side)) return false;
+    if (key == "side" && !read_side(k, "the side", false, side)) return false;
     if (key == "gap" && !values(k).scalar(gap, Unit::metres)) return false;
     if (key == "align" && !read_side(k, "align", true, align)) return false;
   }
   if (align.towards != 0 && align.axis == side.axis)
     return c.fail(ErrorCode::syntax,
-                  fmt::format("what stands at the {} cannot be aligned to the {}", side.word, align.word), word);
+                  fmt::format("an object at the {} side cannot be aligned to the {}", side.word, align.word), word);
   if (!placed(s.objects[other.index].kind))
-    return c.fail(ErrorCode::type, fmt::format("nothing stands next to {}", a_kind(s.objects[other.index].kind)), word);
+    return c.fail(ErrorCode::type,
+                  fmt::format("objects cannot be placed next to {}", a_kind(s.objects[other.index].kind)), word);
   if (things.size() == 1 && things[0] == other)
-    return c.fail(ErrorCode::name, fmt::format("'{}' cannot stand next to itself", s.objects[other.index].name), word);
+    return c.fail(ErrorCode::name, fmt::format("'{}' cannot be placed next to itself", s.objects[other.index].name),
+                  word);
   // Each object is placed next to the one before.
   std::vector<ObjectId> all{other};
   for (const ObjectId id : things)
@@ -304,15 +306,16 @@ bool frame(Command& k) {
     const std::string_view key = c.word();
     if (key != "margin") return unknown_key(c, key, start, "frame", "margin=");
     if (!equals(c, key) || !values(k).scalar(margin)) return false;
-    if (!(margin >= 0 && margin <= 100)) return c.fail(ErrorCode::range, "a margin is from 0 to 100", c.since(start));
+    if (!(margin >= 0 && margin <= 100))
+      return c.fail(ErrorCode::range, "a margin must be from 0 to 100", c.since(start));
   }
   if (things.empty()) return true;
   const Time t = time.value_or(Time{});
   const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
   const auto eye = program.compiled().camera_at(t);
   if (!eye)
-    return c.fail(ErrorCode::name, "there is no camera yet that could be fitted to something", word,
-                  "create eye camera position=(0 2 10)");
+    return c.fail(ErrorCode::name, "the film has no camera yet", word,
+                  "create one first: create eye camera position=(0 2 10)");
   Vec3 low, high;
   bool any = false;
   for (const Measured& m : measured(s, things, t)) {
@@ -334,14 +337,17 @@ bool frame(Command& k) {
 }
 
 constexpr Verb arranging_rows[] = {
-    {"frame", "frame A [margin=0.1]",
-     "Moves the camera so that the named things fit into the picture, seen from the same side.", "frame {ball,hand}",
-     Verb::timed, frame},
-    {"arrange", "arrange A in row|column|grid|circle [columns=N] [gap=L] [radius=L] [centre=(X Y Z)]",
-     "Arranges things in a row, a column, a grid or a circle, by their sizes.", "arrange wheel* in row gap=0.5",
-     Verb::timed, arrange},
-    {"place", "place A next-to B [side=left|right|top|bottom|front|back] [gap=L] [align=top|…]",
-     "Places things beside another one, by their sizes.", "place ball next-to hand side=top gap=0", Verb::timed, place},
+    {"frame", "[at TIME] frame A [margin=0.1]",
+     "Fits objects into the picture: moves the camera that the film has at the time, and looks from the same side. "
+     "`margin` "
+     "is a share of the picture.",
+     "frame {ball,hand}", Verb::timed, frame},
+    {"arrange", "arrange A in row|column|grid|circle [columns=N] [gap=METRES] [radius=METRES] [centre=(X Y Z)]",
+     "Arranges objects in a row, a column, a grid or a circle, by their sizes.", "arrange wheel* in row gap=0.5",
+     Verb::timed, arrange, "OBJECT; in; row column grid circle; gap= centre= columns= radius=…"},
+    {"place", "place A next-to B [side=left|right|top|bottom|front|back] [gap=METRES] [align=top|…]",
+     "Places objects beside another one, by their sizes.", "place ball next-to hand side=top gap=0", Verb::timed, place,
+     "OBJECT; next-to; OBJECT; side= gap= align=…"},
 };
 
 }  // namespace

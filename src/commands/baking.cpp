@@ -105,7 +105,7 @@ bool bake_reach(Command& k, const Selected& on, const Baking& how, std::string_v
   const std::vector<Time> times = how.times();
   for (const Target& hand : on.targets) {
     if (hand.function != fn::reach)
-      return k.cursor.fail(ErrorCode::type, "what reaches is baked alone", about,
+      return k.cursor.fail(ErrorCode::type, "a reach must be baked on its own", about,
                            fmt::format("bake {}", target_name(s, Target{hand.object, fn::reach})));
     const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
     std::map<std::uint32_t, std::vector<Value>> turns;
@@ -140,28 +140,28 @@ bool bake(Command& k) {
     const std::string_view key = c.word();
     if (key == "every") {
       if (!c.length(how.every)) return false;
-      if (!(how.every > Time{})) return c.fail(ErrorCode::range, "an interval is longer than nothing", c.since(start));
+      if (!(how.every > Time{})) return c.fail(ErrorCode::range, "an interval must be longer than 0", c.since(start));
     } else if (key == "within") {
       if (!c.number(how.within)) return false;
-      if (how.within < 0) return c.fail(ErrorCode::range, "a tolerance is at least 0", c.since(start));
+      if (how.within < 0) return c.fail(ErrorCode::range, "a tolerance must be at least 0", c.since(start));
     } else {
       return c.fail(ErrorCode::syntax, fmt::format("'{}' is not expected here", key.substr(0, 40)), key,
-                    "every LENGTH, within TOLERANCE");
+                    "write every LENGTH or within TOLERANCE");
     }
   }
   const double samples = (how.segment.to - how.segment.from).seconds() / how.every.seconds() + 1;
   if (!(samples * static_cast<double>(std::max<std::size_t>(on.targets.size(), 1)) <= static_cast<double>(most_baked)))
-    return c.fail(ErrorCode::range, fmt::format("more than {} values would be read", most_baked), word,
-                  "every LENGTH says how often");
+    return c.fail(ErrorCode::range, fmt::format("this would read more than {} values", most_baked), word,
+                  "every LENGTH sets a longer step");
   for (const Target& t : on.targets) {
     if (t.component >= 0 || t.velocity)
-      return c.fail(ErrorCode::type, "whole values are baked, not components or velocities", word,
+      return c.fail(ErrorCode::type, "components and velocities cannot be baked; whole values can", word,
                     fmt::format("bake {}", target_name(s, Target{t.object, t.function})));
     for (const Slot& slot : s.objects[t.object.index].slots)
       if (slot.function == t.function && slot.layer)
         return c.fail(ErrorCode::type,
-                      fmt::format("the layer {} lies over {}: it would count twice", s.objects[slot.layer.index].name,
-                                  target_name(s, t)),
+                      fmt::format("the layer {} is on top of {} and would count twice",
+                                  s.objects[slot.layer.index].name, target_name(s, t)),
                       word);
     if (t.function != fn::reach &&
         (!row_of(spec_of(s, t.function).type).computed || (t.function == fn::attachment && !bakes(s, t.object))))
@@ -182,8 +182,10 @@ bool bake(Command& k) {
 
 constexpr Verb baking_rows[] = {
     {"bake", "bake TARGETS A..B [every LENGTH] [within TOLERANCE]",
-     "Turns the values that code, filters, velocities and reaching make into plain events.",
-     "bake ball.position 1f..24f within 0.01", 0, bake},
+     "Writes the values of code, filters, velocities and `reach` as plain events, one a frame or every LENGTH. They "
+     "replace all events of the track, also those outside A..B. With TOLERANCE, writes only as many as are needed for "
+     "no value to be off by more; it is in the units of the value, for rotations radians.",
+     "bake ball.position 1f..24f within 0.01", 0, bake, "TARGET; NUMBER; every within; NUMBER; within"},
 };
 
 }  // namespace

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A command, and the helpers that the bodies of commands share. A body reads all its arguments before it changes
-// anything. A body that fails reports one error at the cursor, changes nothing and returns false.
+// anything. A body that fails reports one error at the cursor, changes nothing and returns false. The helpers stand
+// below the names of their files.
 #pragma once
 
 #include <array>
@@ -41,31 +42,52 @@ struct Verb {
     starts_show = 16,  // starts a live host's clock, from its present time
     once = 32,         // its setting holds for the whole film until it is set again
     aside = 64,        // its effect does not depend on the contents of tracks
+    prefix = 128,      // a piece and another command follow it: `at TIME`, `on LAYER`
+    quick = 256,       // changes little: no file is read, no code runs, no list is drawn
+    // The word after it is a name that it makes:
+    makes_thing = 512,       // of an object, a layer, an environment, a display list or an alias
+    makes_let = 1024,        // of a value in formulas
+    makes_function = 2048,   // of a function
+    makes_procedure = 4096,  // of code
+    makes_parts = 8192,      // of objects below the thing that the word names
   };
   std::string_view word, usage, sentence;
   std::string_view example;  // lines that can be entered one after another
   unsigned flags;
   bool (*run)(Command&);
+  // The words that can follow, for completion and colours: those of one place are separated by blanks, places by ';'.
+  // "…" at the end repeats the last place. A word in capitals stands for many: see `argument_kinds` in
+  // editor/completion.cpp. Names of objects can be at all places without words.
+  std::string_view words = {};
 };
+
+// ---- reader.cpp
 
 // Runs the command at the cursor: a verb, a command of the author's own, or a target that opens a sheet.
 bool carry_out(Command&);
 // Fails unless the line ends here.
 bool finish(Cursor&);
-// Reports that the verb cannot follow `on LAYER`. Returns false.
-bool on_no_layer(Cursor&, std::string_view verb);
 // Reports that the word is not one of the allowed ones, and returns false. The error is of type if there is a word, of
 // syntax if there is none.
-bool no_choice(Cursor&, std::string_view word, std::string message, std::string hint = {});
+bool no_choice(Cursor&, std::string_view word, std::string message, Hint hint = {});
 // Reads `on` or `off` and the end of the line. For any other word the error is `otherwise`.
 bool on_or_off(Cursor&, const char* otherwise, bool& out);
-
 // Returns why the word cannot be a verb, or "" if there is no special reason.
 std::string_view not_of_a_script(std::string_view word);
+// Skips the rest of a command whose pattern names no target.
+bool pass_over(Command&, const char* from);
 
-ValueReader values(Command&);
-// Returns the position of the dot between an object's name and its function. Skips dots inside braces ({1..100}).
-std::size_t first_dot(std::string_view word);
+// ---- places.cpp
+
+// Returns the objects that a pattern names. If the command runs once for each of them, returns only the current one.
+std::vector<ObjectId> named(Command&, std::string_view pattern);
+// Runs a command or a row once; or, if its formulas mention their place (i, n, i1 …), once for each object that its
+// pattern names. Either all runs succeed or nothing changes.
+bool in_places(Command&, const std::function<bool()>& command);
+bool in_places(Command&, const Selected& of_row, const std::function<bool(const Selected&)>& row);
+
+// ---- targets.cpp
+
 // The targets that a pattern may name. `alike`: functions with values of one type; targets of other types are left out.
 // `named_alike`: one function, with values of any types. `any`: for commands that read no values. `asked`: for
 // queries; also the query-only targets, and objects drawn by display lists.
@@ -73,8 +95,6 @@ enum class Meant : std::uint8_t { alike, named_alike, any, asked };
 bool targets(Command&, std::string_view word, Selected& out, Meant = Meant::alike);
 // Returns whether the values of all selected targets have one type.
 bool alike(Command&, const Selected&);
-// Skips the rest of a command whose pattern names no target.
-bool pass_over(Command&, const char* from);
 // Reads the words after a target for all targets that it names, once for each type. Leaves out the targets that the
 // words do not fit. Fails if they fit no target, or if they misfit one and types may be translated.
 bool to_each_type(Command&, std::string_view word, const char* from, const std::function<bool(const Selected&)>& read);
@@ -84,9 +104,11 @@ bool to_each_type(Command&, std::string_view word, const char* from, const std::
 bool for_each_type(Command&, const Selected&, const std::function<bool(const Selected&)>& rest);
 // Names, in a notice, the targets that a command leaves out.
 void say_left_out(Command&, const std::vector<Target>&, std::string_view about, std::string why);
+
+// ---- objects.cpp
+
 // Reads one or more objects: an existing name, an alias, or a pattern (which may match nothing).
 bool objects(Command&, std::string_view& word, std::vector<ObjectId>& out);
-
 // Reads a word that can be a name. `kind` names the kind of name in errors ("function's name"). The name has none of
 // the characters in `never`.
 bool new_name(Cursor&, std::string_view& out, std::string_view kind, std::string_view never = {});
@@ -98,30 +120,32 @@ bool own(Command&, ObjectId, std::string_view about);
 bool parameters(Command&, Object&, std::vector<FunctionId>* said = nullptr);
 // Adds an object, and couples it to its parent if it has one.
 ObjectId add_child(Scene&, Object, ObjectId parent);
+
+// ---- scenes.cpp
+
 // Runs the part of `create NAME scene` that follows the word `scene`.
 bool create_scene(Command&, const std::vector<std::string>& names, const std::vector<ObjectId>& parents,
                   std::string_view about);
+
+// ---- files.cpp
+
+ValueReader values(Command&);
 // Returns whether the script may read the file. Makes `path` relative to the first script's folder.
 bool may_use(Command&, std::string& path, std::string_view about, std::filesystem::path& where);
-// Stores the meshes of a file under its path and their own names.
-void keep_meshes(Scene&, const std::string& path, const SceneFile&);
+// Stores the meshes of a file under its path and their own names. Fails if there is no room for them (MemoryBudget).
+bool keep_meshes(Command&, const std::string& path, const SceneFile&, std::string_view about);
+// Reads a file of a scene that the script may use.
+Result<std::shared_ptr<const SceneFile>> scene_of_file(const Command&, const std::filesystem::path& where);
+
+// ---- texts.cpp
+
 // Reports if a text's font lacks letters in the look that results from this value and the other settings.
 void say_missing_style(Command&, const Object&, FunctionId, const Value&, std::string_view about);
+
+// ---- events.cpp
+
 // Reads = "…": a value that code computes.
 bool computed(Command&, const Selected& to, Value& out);
-// Compiles the code of a value. The code knows the names made by `let`; if `placed`, also its place in the command's
-// pattern.
-Result<std::shared_ptr<const Routine>> make_code(const Command&, std::string source, bool placed);
-// Reads a twerper's word and the arguments in brackets that follow it.
-bool twerper(Command&, const Selected& to, Twerper& out, TwerperArguments&);
-
-// Returns the objects that a pattern names. If the command runs once for each of them, returns only the current one.
-std::vector<ObjectId> named(Command&, std::string_view pattern);
-// Runs a command or a row once; or, if its formulas mention their place (i, n, i1 …), once for each object that its
-// pattern names. Either all runs succeed or nothing changes.
-bool in_places(Command&, const std::function<bool()>& command);
-bool in_places(Command&, const Selected& of_row, const std::function<bool(const Selected&)>& row);
-
 // Reads TIME, or A..B where a motion may follow.
 bool time_or_segment(Cursor&, Time& from, std::optional<Time>& until);
 bool one_time_only(Cursor&, std::string_view segment);
@@ -133,15 +157,43 @@ bool focuses_elsewhere(Command&, const Target&, const Value&, std::string_view a
 bool has_code(const Track&);
 // Reads the part of a row that follows its time.
 bool event(Command&, const Selected& to, Time);
+// Reads the interpolation that follows an event: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V]
+bool way(Command&, const Selected& to, Event&);
+
+// ---- rates.cpp
+
 // Reads a value per second. For a rotation: a rate for each angle, or an angular velocity about an axis.
 bool rate_of_change(Command&, const Selected&, Value& out);
 // Read an event's tangent=V, tangent-in=V or tangent-out=V, and its handles, after the word `key`.
 bool tangent(Command&, const Selected&, std::string_view key, Event&);
 bool handle(Command&, const Selected&, std::string_view key, Event&);
-// Reads the interpolation that follows an event: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V]
-bool way(Command&, const Selected& to, Event&);
+
+// ---- twerpers.cpp
+
+// Reads a twerper's word and the arguments in brackets that follow it.
+bool twerper(Command&, const Selected& to, Twerper& out, TwerperArguments&);
+
+// ---- procedures.cpp
+
+// Compiles the code of a value. The code knows the names made by `let`; if `placed`, also its place in the command's
+// pattern.
+Result<std::shared_ptr<const Routine>> make_code(const Command&, std::string source, bool placed);
+// Runs a command of the author's own.
+bool own_command(Command&, const NamedProcedure&);
+
+// ---- motions.cpp
+
 // Reads the motion that follows a row's segment.
 bool moving(Command&, const Selected& to, Time from, std::optional<Time> until);
+// Reports motions whose duration an operation on times has changed.
+void say_lasting(const Command&, const Scene& before, const Selected& on, std::string_view about);
+// Returns a copy of the track in which motions about the object `from` are about `to`.
+Track centred(Track, const std::string& from, const std::string& to);
+// Keeps the centres of motions about objects that are about to be removed.
+void keep_centres(const Command&, const std::vector<ObjectId>& leaving, const std::vector<std::uint32_t>& speaking,
+                  std::string_view about);
+
+// ---- along.cpp
 
 // goes_along() returns whether `along` begins here, in place of a value. The other functions read the rest of it after
 // a time or a segment, and after `set`.
@@ -152,30 +204,40 @@ bool set_along_line(Command&, const Selected& to);
 void keep_ways(const Command&, const std::vector<ObjectId>& leaving, const std::vector<std::uint32_t>& speaking,
                std::string_view about);
 
-// Returns a sentence for each object that reaches, by `set` and rows too, for something that moves with it.
-std::vector<std::string> hindered_reaches(const Scene&);
+// ---- attachments.cpp
+
 // Ends a fall at the moment when something takes hold of the object, and reports it.
 void say_fall_ends(Command&, ObjectId, Time, std::string_view about);
 // Puts an attachment on the tracks of `children`. Changes nothing if one of them would depend on itself.
 bool attachment(Command&, const std::vector<ObjectId>& children, const Attachment&, std::optional<Time>,
                 std::string_view about);
+
+// ---- fall.cpp
+
 // Ends the motion that `fall` has written if it continues beyond this time. Returns whether there was one.
 bool end_fall(Scene&, ObjectId, Time);
 
-// Reports motions whose duration an operation on times has changed.
-void say_lasting(const Command&, const Scene& before, const Selected& on, std::string_view about);
-// Returns a copy of the track in which motions about the object `from` are about `to`.
-Track centred(Track, const std::string& from, const std::string& to);
-// Keeps the centres of motions about objects that are about to be removed.
-void keep_centres(const Command&, const std::vector<ObjectId>& leaving, const std::vector<std::uint32_t>& speaking,
-                  std::string_view about);
+// ---- reaching.cpp
+
+// Returns an error for each object that reaches, by `set` and rows too, for something that moves with it.
+std::vector<Error> hindered_reaches(const Scene&);
+
+// ---- layers.cpp
+
+// Reports that the verb cannot follow `on LAYER`. Returns false.
+bool on_no_layer(Cursor&, std::string_view verb);
+
+// ---- list_rows.cpp
 
 // Reads a row of the open display list.
 bool list_row(Command&);
+
+// ---- display_lists.cpp
+
 // Runs `rename OLD NEW` where OLD is a display list.
 bool rename_list(Command&);
-// Runs a command of the author's own.
-bool own_command(Command&, const NamedProcedure&);
+
+// ---- environments.cpp
 
 // Returns the tick that the command belongs to; between two ticks, the earlier one. Without a time a live host's
 // commands happen now, and an author's at the beginning.

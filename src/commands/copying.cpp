@@ -151,11 +151,11 @@ void leave_out(Command& k, Copying& how) {
       from.targets.push_back(source), into.targets.push_back(how.into.targets[i]);
   }
   if (left.empty()) return;
-  say_left_out(k, left, how.from.word, "the shift does not fit");
+  say_left_out(k, left, how.from.word, "the shift has the wrong type");
   how.from.of = std::move(from), how.into = std::move(into);
 }
 
-// Reads TARGET A..B to T [on TARGET] [shift V] [times N]
+// Reads TARGET A..B to TIME [on TARGET] [shift VALUE] [times N]
 bool arguments(Command& k, Copying& how) {
   Cursor& c = k.cursor;
   if (!on_segment(k, how.from)) return false;
@@ -172,7 +172,7 @@ bool arguments(Command& k, Copying& how) {
       if (!shift(k, how)) return false;
     } else {
       return c.fail_here(ErrorCode::syntax, fmt::format("'{}' is not expected here", c.peek_word().substr(0, 40)),
-                         "copies take: on TARGET, shift VALUE, times N");
+                         "write on TARGET, shift VALUE or times N");
     }
   }
   return true;
@@ -218,7 +218,7 @@ bool affordable(Command& k, const Copying& how) {
     for (const Track* t : tracks_of(k.scene, how.source(i)))
       wanted += t->events.count(how.from.segment.from, how.from.segment.to) * static_cast<std::size_t>(how.times);
   if (wanted > most_copied)
-    return k.cursor.fail(ErrorCode::range, fmt::format("copying would make more than {} events", most_copied),
+    return k.cursor.fail(ErrorCode::range, fmt::format("the copies would have more than {} events", most_copied),
                          how.from.word);
   k.script.copied = wanted;
   return true;
@@ -254,18 +254,20 @@ bool copy(Command& k) {
   }
   all.keep();
   if (sum.events == 0)
-    k.script.note(Severity::notice, fmt::format("there are no events of '{}' there", how.from.of.text), how.from.word);
+    k.script.note(Severity::notice, fmt::format("'{}' has no events in this segment", how.from.of.text), how.from.word);
   if (sum.replaced > 0)
-    k.script.note(Severity::notice, fmt::format("{} gave way", plural(sum.replaced, "event")), how.from.word,
-                  how.shifted ? "" : "a copy begins with the value that the original began with; shift V adds the way");
+    k.script.note(Severity::notice, fmt::format("{} replaced", plural(sum.replaced, "event")), how.from.word,
+                  how.shifted ? "" : "a copy begins at the same value as the original; shift VALUE adds to it");
   say_lasting(k, all.before(), how.into, how.from.word);
   return true;
 }
 
 constexpr Verb copying_rows[] = {
-    {"copy", "copy TARGET A..B to T [on TARGET] [shift V] [times N]",
-     "Copies a segment of a track to another time, once or many times.",
-     "copy ball.position 1f..24f to 24f shift (8 0 0) times 2", Verb::layered, copy},
+    {"copy", "copy TARGET|notes A..B to TIME [on TARGET] [shift VALUE] [times N]",
+     "Copies a segment of a track, or notes, to another time, once or many times. `shift` adds VALUE to the first "
+     "copy, twice VALUE to the second, and so on.",
+     "copy ball.position 1f..24f to 24f shift (8 0 0) times 2", Verb::layered, copy,
+     "TARGET; NUMBER; to; NUMBER; on shift times; TARGET; on shift times; TARGET; on shift times"},
 };
 
 }  // namespace

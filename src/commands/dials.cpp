@@ -16,11 +16,11 @@ bool dial(Command& k) {
   auto& [s, c, time, layer, script] = k;
   c.space();
   const char* start = c.at;
-  while (c.at < c.end && !std::isspace(static_cast<unsigned char>(*c.at)) && *c.at != ',') ++c.at;
+  while (c.at < c.end && !blank(*c.at) && *c.at != '\n') ++c.at;
   Dial made;
   made.address = c.since(start);
   if (made.address.size() < 2 || made.address[0] != '/')
-    return c.fail(ErrorCode::syntax, "an address begins with '/'", c.since(start),
+    return c.fail(ErrorCode::syntax, "an address must begin with '/'", c.since(start),
                   "as in dial /fader/1 to ball.position.y");
   const auto at = [&] {
     auto& dials = *k.scene.dials;
@@ -38,15 +38,16 @@ bool dial(Command& k) {
   Selected to;
   const std::string_view word = c.next_word();
   if (!targets(k, word, to)) return false;
-  if (to.velocity) return c.fail(ErrorCode::type, "a dial turns a value, not a velocity", word);
+  if (to.velocity) return c.fail(ErrorCode::type, "a dial cannot control a velocity", word);
   if (to.targets.size() != 1)
-    return c.fail(ErrorCode::name, "a dial turns one target", word, "a group or a function of your own can turn many");
+    return c.fail(ErrorCode::name, "a dial can control only one target", word,
+                  "to control many objects, use their group or a function of your own");
   made.target = to.targets[0];
   if (!row_of(to.type()).dials)
-    return c.fail(ErrorCode::type, fmt::format("no dial can turn {}", to_string(to.type())), word);
+    return c.fail(ErrorCode::type, fmt::format("a dial cannot control {}", to_string(to.type())), word);
   if (c.accept_word("from")) {
     if (!c.number(made.low) || !c.number(made.high)) return false;
-    if (made.low == made.high) return c.fail_here(ErrorCode::range, "the dial's own range has no width");
+    if (made.low == made.high) return c.fail_here(ErrorCode::range, "the range of the dial must not be empty");
     if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' and two values are missing here");
     const FunctionSpec free = unbounded(*to.spec);
     if (!values(k).value(free, to.component, made.from) || !values(k).value(free, to.component, made.to)) return false;
@@ -66,13 +67,17 @@ bool dial(Command& k) {
 
 bool record(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  return on_or_off(c, "recording is on or off", s.recording);
+  return on_or_off(c, "recording must be on or off", s.recording);
 }
 
 constexpr Verb dials_rows[] = {
-    {"dial", "dial ADDRESS to TARGET [from A B to C D]", "Connects a control of live input to a target.",
+    {"dial", "dial ADDRESS to TARGET [from LOW HIGH to LOW HIGH]",
+     "Connects a control of live input (OSC or MIDI) to a target. The numbers after `from` are of the control, those "
+     "after "
+     "`to` of the target.",
      "dial /fader/1 to ball.radius from 0 1 to 0.5 2", 0, dial},
-    {"record", "record on or record off", "Whether the input of dials becomes events.", "record on", 0, record},
+    {"record", "record on or record off", "Turns the recording of dials as events on or off.", "record on", 0, record,
+     "on off"},
 };
 
 }  // namespace

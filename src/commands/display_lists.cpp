@@ -14,7 +14,7 @@
 namespace betwixt {
 namespace {
 
-Time list_time(const Command& k) { return k.time.value_or(from_the_beginning); }
+Time list_time(const Command& k) { return k.time.value_or(earliest_time); }
 
 // Reads the name of a list that exists at the command's time or, without a time, at any time.
 bool list_name(Command& k, std::string_view& word) {
@@ -24,10 +24,10 @@ bool list_name(Command& k, std::string_view& word) {
   if (time ? list_at(s, word, *time) != nullptr : !versions(s, word).empty()) return true;
   const std::string_view before(script.verb, static_cast<std::size_t>(word.data() - script.verb));
   if (const ObjectId id = s.names.find(word); id && versions(s, word).empty())
-    return c.fail(
-        ErrorCode::name, fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)), word,
-        before.starts_with("delete") ? fmt::format("remove {} takes the object out", word)
-                                     : "display lists are made by make NAME; objects are there without being started");
+    return c.fail(ErrorCode::name,
+                  fmt::format("'{}' is {}, not a display list", word, a_kind(s.objects[id.index].kind)), word,
+                  before.starts_with("delete") ? fmt::format("to remove the object: remove {}", word)
+                                               : "make NAME makes a display list; objects need no start");
   return c.fail(ErrorCode::name,
                 fmt::format("there is no display list '{}'{}", word.substr(0, 60),
                             versions(s, word).empty() ? "" : " at that time"),
@@ -44,8 +44,7 @@ void open(Command& k, std::string_view word) {
   sheet.from = time;
   for (const Time from : time ? std::vector{*time} : versions(s, word))
     sheet.versions.push_back({from, Sheet::at_end, {}, {}});
-  // A stored state makes the next row copy the lists. It serves only to undo rows of shown lists.
-  if (!s.main.empty()) sheet.before = s.lists, sheet.later_before = s.later_lists;
+  keep_shown(s, sheet);
 }
 
 bool make(Command& k) {
@@ -55,15 +54,15 @@ bool make(Command& k) {
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of the new display list is missing here");
   const bool known = !versions(s, name).empty();
   if (known && !time)
-    return c.fail(ErrorCode::name, fmt::format("there is a display list '{}' already", name), word,
-                  fmt::format("edit {} opens it again", name));
+    return c.fail(ErrorCode::name, fmt::format("a display list '{}' already exists", name), word,
+                  fmt::format("to add to it: edit {}", name));
   if ((!known && !free_name(k, name, word)) || !finish(c)) return false;
-  const bool shows = !s.main.empty();
-  const Cow<DisplayLists> before = shows ? s.lists : Cow<DisplayLists>();
-  const Cow<LaterLists> later_before = shows ? s.later_lists : Cow<LaterLists>();
+  Sheet was;
+  was.list = name;
+  keep_shown(s, was);
   edit_list(s, name, list_time(k)) = {};
   open(k, word);
-  script.sheet.before = before, script.sheet.later_before = later_before;
+  script.sheet.before = was.before, script.sheet.later_before = was.later_before;
   script.sheet.changed = known;  // its former contents are no longer shown
   return true;
 }
@@ -103,9 +102,9 @@ bool delete_it(Command& k) {
   const bool shown = !s.main.empty() && ever_calls(s, s.main, name);
   if (s.main == name) {
     script.note(Severity::warning,
-                time ? fmt::format("'{}' is the main object: nothing of the display lists is shown from then on", name)
-                     : fmt::format("'{}' was the main object: nothing of the display lists is shown now", name),
-                word, time ? "" : "start NAME shows another one");
+                time ? fmt::format("'{}' is the main object, so from then on no display list is visible", name)
+                     : fmt::format("'{}' was the main object, so now no display list is visible", name),
+                word, time ? "" : "to show another one: start NAME");
     if (!time) s.main.clear();
   }
   if (shown) (void)expand(s);  // always possible: there are fewer objects
@@ -118,7 +117,8 @@ bool free_below(Command& k, std::string_view name, std::string_view about) {
   const std::string below = fmt::format("{}/", name);
   for (std::size_t i = 0; i < s.objects.size(); ++i)
     if (const Object& o = s.objects[i]; !o.removed && !o.derived && o.name.starts_with(below))
-      return c.fail(ErrorCode::name, fmt::format("'{}' has a name that what '{}' draws may want", o.name, name), about,
+      return c.fail(ErrorCode::name,
+                    fmt::format("the display list '{}' may need the name of the object '{}'", name, o.name), about,
                     fmt::format("rename {} first", o.name));
   return true;
 }
@@ -142,20 +142,21 @@ bool start(Command& k) {
     return true;
   }
   s.main = before;
-  return c.fail(done.error().code, done.error().message, word, done.error().hint);
+  return c.fail(done.error(), word);
 }
 
 constexpr Verb display_lists_rows[] = {
-    {"make", "[at TIME] make NAME; the commands of the display list are rows below it",
-     "Opens a new display list; its commands are the indented rows below.",
-     "make star\n  color gold\n  polygon (0 1) (-0.3 0) (0.3 0)\nstart star", Verb::timed | Verb::opens_sheet, make},
-    {"edit", "[at TIME] edit NAME; rows below it go on the end, or behind replace TAG in place of others",
-     "Opens a display list again: rows are added, or replace others.",
+    {"make", "[at TIME] make LIST", "Opens a new display list; its commands are the indented rows below.",
+     "make star\n  color gold\n  polygon (0 1) (-0.3 0) (0.3 0)\nstart star",
+     Verb::timed | Verb::opens_sheet | Verb::makes_thing, make, "NEW"},
+    {"edit", "[at TIME] edit LIST",
+     "Opens a display list again: the indented rows below are added at its end; after `replace TAG` they replace the "
+     "rows from that tag on, one by one.",
      "make star\n  tag first\n  color gold\nedit star\n  replace first\n  color red", Verb::timed | Verb::opens_sheet,
      edit},
-    {"delete", "[at TIME] delete NAME, a display list", "Deletes a display list.",
-     "make star\n  point (0 0)\ndelete star", Verb::timed, delete_it},
-    {"start", "start NAME, a display list", "Shows a display list, as the main object, with all lists that it calls.",
+    {"delete", "[at TIME] delete LIST", "Deletes a display list.", "make star\n  point (0 0)\ndelete star", Verb::timed,
+     delete_it},
+    {"start", "start LIST", "Shows a display list, as the main object, with all lists that it calls.",
      "make star\n  point (0 0)\nstart star", Verb::starts_show, start},
 };
 

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
+#include "base/kept_results.h"
+#include "base/memory_budget.h"
 #include "exchange/drawing.h"
 
 namespace betwixt {
@@ -21,6 +23,7 @@ Object object_of(const DrawnThing& thing, const std::string& name) {
   const auto set = [&o](FunctionId f, Value v) { o.slot(f).set = std::move(v); };
   if (!(thing.at == Vec3{})) set(fn::position, thing.at);
   if (thing.group) return o;
+  MemoryBudget::charge((thing.points.size() + thing.holes.size()) * sizeof(Vec3));
   set(of_polygon("points"), Points(thing.points));
   if (!thing.holes.empty()) set(of_polygon("holes"), Points(thing.holes));
   set(fn::color, thing.color);
@@ -42,12 +45,14 @@ bool create_drawing(Command& k, const std::vector<std::string>& names, const std
   auto& [s, c, time, layer, script] = k;
   std::filesystem::path where;
   if (!may_use(k, path, about, where)) return false;
-  const auto loaded = load_drawing(
-      where.string(), [&](const std::string& p) { return k.script.may_read(p); }, k.script.options.read_anywhere);
-  if (!loaded) return c.fail(loaded.error().code, loaded.error().message, about, loaded.error().hint);
+  const auto loaded = KeptResults::get("drawing", where.string(), [&] {
+    return load_drawing(
+        where.string(), [&](const std::string& p) { return k.script.may_read(p); }, k.script.options.read_anywhere);
+  });
+  if (!loaded) return c.fail(loaded.error(), about);
   const DrawingFile& drawing = **loaded;
   if (s.objects.size() + names.size() * (1 + drawing.things.size()) > most_objects)
-    return c.fail(ErrorCode::range, fmt::format("a film has at most {} objects", most_objects), about);
+    return c.fail(ErrorCode::range, fmt::format("a film can have at most {} objects", most_objects), about);
   for (const std::string& name : names)
     for (const DrawnThing& thing : drawing.things)
       if (!free_name(k, name + "/" + thing.name, about)) return false;
@@ -57,13 +62,13 @@ bool create_drawing(Command& k, const std::vector<std::string>& names, const std
     all.name = names[i];
     const ObjectId first = add_child(s, std::move(all), parents[i]);
     for (const DrawnThing& thing : drawing.things) {
-      StillWanted::ask();
+      Cancellation::check();
       ids.push_back(add_child(s, object_of(thing, names[i] + "/" + thing.name),
                               thing.above == DrawnThing::nothing ? first : ids[thing.above]));
     }
   }
   for (const std::string& sentence : drawing.left_out)
-    script.note(Severity::warning, fmt::format("of {}: {}", path, sentence), about);
+    script.note(Severity::warning, fmt::format("in {}: {}", path, sentence), about);
   return true;
 }
 

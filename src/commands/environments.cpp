@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "base/cancellation.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "commands/command.h"
 
 namespace betwixt {
@@ -23,7 +23,7 @@ bool whole_ticks(Command& k, std::int64_t& out) {
   c.ticks_read = true;
   out = s.ticks.whole(l);
   if (s.ticks.span(static_cast<double>(out)) == l) return true;
-  return c.fail(ErrorCode::range, "this is not a whole number of ticks", c.since(start),
+  return c.fail(ErrorCode::range, "expected a whole number of ticks here", c.since(start),
                 fmt::format("the nearest are {}t and {}t", out, out + 1));
 }
 
@@ -35,7 +35,7 @@ bool add_to(Command& k, const std::vector<std::string>& names, const decltype(En
   const Scene before = s;
   std::shared_ptr<const Environment> like;
   for (const std::string& name : names) {
-    StillWanted::ask();
+    Cancellation::check();
     ObjectId id = s.names.find(name);
     if (!id) {
       Object object;
@@ -73,16 +73,16 @@ bool animate(Command& k) {
   const char* start = c.at;
   if (!whole_ticks(k, a.timing.interval)) return false;
   if (a.timing.interval < 1)
-    return c.fail(ErrorCode::range, "an interval is at least one tick", c.since(start),
-                  "what moves faster takes larger steps");
+    return c.fail(ErrorCode::range, "an interval must be at least one tick", c.since(start),
+                  "for a faster motion, take larger steps");
   if (!c.accept_word("by"))
     return c.fail_here(ErrorCode::syntax, "'by' and a transform are missing here", "as in by rotate(10deg, z)");
   std::string_view unrounded;
   if (!values(k).transform(a.motion, &unrounded)) return false;
   if (!unrounded.empty())
     script.note(Severity::notice,
-                "this matrix turns and moves but for errors below 1e-7, and is taken as if it had none", unrounded,
-                "translate(…) rotate(…) are taken as they are said");
+                "this matrix differs from a rotation and a translation by less than 1e-7, so it is rounded to them",
+                unrounded, "translate(…) rotate(…) are exact");
   while (!c.at_line_end()) {
     start = c.at;
     const std::string_view key = c.word();
@@ -94,13 +94,13 @@ bool animate(Command& k) {
                            fmt::format("as in {} 1t per 1s", key));
       if (!whole_ticks(k, a.timing.period)) return false;
       if (by < 1 || a.timing.period < 1)
-        return c.fail(ErrorCode::range, "an interval changes by whole ticks, at least one", c.since(start));
+        return c.fail(ErrorCode::range, "an interval must change by at least one tick", c.since(start));
       if (a.timing.change != 0)
-        return c.fail(ErrorCode::syntax, "an interval grows or shrinks, not both", c.since(start));
+        return c.fail(ErrorCode::syntax, "an interval cannot become both slower and faster", c.since(start));
       a.timing.change = key == "slower" ? by : -by;
     } else if (key == "limit") {
       if (!whole_ticks(k, a.timing.ceiling)) return false;
-      if (a.timing.ceiling < 1) return c.fail(ErrorCode::range, "a limit is at least one tick", c.since(start));
+      if (a.timing.ceiling < 1) return c.fail(ErrorCode::range, "a limit must be at least one tick", c.since(start));
     } else if (key == "from" || key == "until") {
       std::int64_t after = 0;
       if (!whole_ticks(k, after)) return false;
@@ -108,11 +108,13 @@ bool animate(Command& k) {
     } else if (key == "keep-phase") {
       a.keep_phase = true;
     } else {
-      const std::string near = did_you_mean(key, {"slower", "faster", "limit", "from", "until", "keep-phase"});
+      const Hint near = did_you_mean(key, {"slower", "faster", "limit", "from", "until", "keep-phase"});
       return c.fail(ErrorCode::syntax,
                     fmt::format("'{}' is not expected here", key.empty() ? std::string_view(start, 1) : key),
                     key.empty() ? std::string_view(start, 1) : key,
-                    near.empty() ? "slower or faster L per L, limit L, from L, until L, keep-phase" : near);
+                    near.empty() ? "write slower LENGTH per LENGTH, faster LENGTH per LENGTH, limit LENGTH, from "
+                                   "LENGTH, until LENGTH or keep-phase"
+                                 : near);
     }
   }
   for (const std::string& name : *names) {
@@ -121,7 +123,7 @@ bool animate(Command& k) {
     if (id)
       return c.fail(ErrorCode::name,
                     fmt::format("'{}' is {}, not an environment", name, a_kind(s.objects[id.index].kind)), word,
-                    "objects are moved by environments: set OBJECT.environments (NAME)");
+                    "to put an object into an environment: set OBJECT.environments (NAME)");
     if (!free_name(k, name, word)) return false;
   }
   return add_to(k, *names, a, word);
@@ -144,7 +146,7 @@ bool to_environments(Command& k) {
     for (std::size_t i = 0; i < s.objects.size(); ++i)
       if (!s.objects[i].removed && s.objects[i].kind == Kind::environment) known.push_back(s.objects[i].name);
     return c.fail(ErrorCode::name,
-                  s.names.find(word) ? fmt::format("'{}' is no environment", word)
+                  s.names.find(word) ? fmt::format("'{}' is not an environment", word)
                                      : fmt::format("there is no environment '{}'", word.substr(0, 60)),
                   word, did_you_mean(word, known));
   }
@@ -152,14 +154,23 @@ bool to_environments(Command& k) {
 }
 
 constexpr Verb environments_rows[] = {
-    {"animate", "animate ENV every L by TRANSFORM [slower|faster L per L] [limit L] [from L] [until L] [keep-phase]",
-     "An environment: all that is in it is moved by a transform again and again.",
-     "animate spin every 1t by rotate(6deg, z)\nset ball.environments (spin)", Verb::timed | Verb::stamped, animate},
-    {"halt", "at TIME halt ENV", "Stops an environment where it is; animate goes on from there.",
-     "animate spin every 1t by rotate(6deg, z)\nat 60t halt spin", Verb::timed | Verb::stamped,
+    {"animate",
+     "animate ENV every LENGTH by TRANSFORM [slower|faster LENGTH per LENGTH] [limit LENGTH] [from LENGTH] [until "
+     "LENGTH] "
+     "[keep-phase]",
+     "An environment: applies a transform again and again to all objects in it. `from` and `until` count from the time "
+     "of "
+     "the command. `slower 1t per 30t` makes the interval 1t longer every 30t, up to `limit` (30t unless set); "
+     "`faster` makes it shorter, down to 1t. With `keep-phase` the first step comes when the old transform would have "
+     "had its next one.",
+     "animate spin every 1t by rotate(6deg, z)\nset ball.environments (spin)",
+     Verb::timed | Verb::stamped | Verb::makes_thing | Verb::quick, animate, "NEW"},
+    {"halt", "at TIME halt ENV", "Stops an environment where it is; `animate` continues from there.",
+     "animate spin every 1t by rotate(6deg, z)\nat 60t halt spin", Verb::timed | Verb::stamped | Verb::quick,
      to_environments<EnvironmentEvent::Halt>},
-    {"kill", "at TIME kill ENV", "Ends an environment: the things in it stay where they are, and the name is free.",
-     "animate spin every 1t by rotate(6deg, z)\nat 60t kill spin", Verb::timed | Verb::stamped,
+    {"kill", "at TIME kill ENV",
+     "Ends an environment: the objects in it stay where they are, and its name can be used again.",
+     "animate spin every 1t by rotate(6deg, z)\nat 60t kill spin", Verb::timed | Verb::stamped | Verb::quick,
      to_environments<EnvironmentEvent::Kill>},
     {"cancel", "at TIME cancel ENV", "Drops the future starts and stops of an environment.",
      "animate spin every 1t by rotate(6deg, z) until 90t\nat 60t cancel spin", Verb::timed | Verb::stamped,

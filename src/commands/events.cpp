@@ -8,10 +8,10 @@
 #include <cmath>
 #include <utility>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "commands/command.h"
-#include "language/line_words.h"
 #include "scene/names.h"
+#include "syntax/tokens.h"
 #include "track/curve.h"
 
 namespace betwixt {
@@ -33,10 +33,10 @@ void withhold(Command& k, const Selected& to, const Event& event, std::string_vi
   Script& script = k.script;
   constexpr std::size_t most = 10'000;
   if (event.release && script.releases.size() < most)
-    if (const auto d = script.withheld(
-            Severity::notice,
-            fmt::format("no velocity reigns at {}: there is nothing to release", format_time(event.time, k.scene.rate)),
-            about))
+    if (const auto d = script.withheld(Severity::notice,
+                                       fmt::format("no velocity is active at {}, so there is nothing to release",
+                                                   format_time(event.time, k.scene.rate)),
+                                       about))
       for (const Target& t : to.targets) script.releases.push_back({t, event.time, *d});
   if (!to.velocity) return;
   for (const Target& t : to.targets) {
@@ -54,26 +54,26 @@ bool goes_with(Command& k, const Selected& to, const Target& t, const Event& eve
   const bool rotation = to.type() == Type::rotation && !event.keep && !computes;
   const Slot* slot = s.objects[t.object.index].find(t.function, t.layer);
   if (computes && whole && slot && !slot->components.empty())
-    return c.fail(ErrorCode::type, "its components have tracks of their own: a procedure for the whole finds no place",
-                  about, "write one for each component");
+    return c.fail(ErrorCode::type, "its components have their own tracks, so code cannot compute the whole value",
+                  about, "write code for each component");
   if (!rotation && whole) return true;
   const auto tracks = tracks_of(s, t);
   if (tracks.empty()) return true;
   if (!whole && slot->components.empty() && has_code(*tracks[0]))
-    return c.fail(ErrorCode::type,
-                  "its rows of code say all components at once: one of them finds no place beside these", about,
-                  fmt::format("bake {} A..B makes plain rows of them", target_name(s, {t.object, t.function})));
+    return c.fail(ErrorCode::type, "its rows compute the whole value by code, so a component cannot have its own row",
+                  about,
+                  fmt::format("to turn them into plain rows: bake {} A..B", target_name(s, {t.object, t.function})));
   const bool orientation = !tracks[0]->events.empty() && std::holds_alternative<Quat>(tracks[0]->events.front().value);
   const bool turns = std::holds_alternative<Quat>(event.value);
   // Components of an orientation would mean nothing to an animator.
   if ((!whole && slot->components.empty() && orientation) || (rotation && whole && !slot->components.empty() && turns))
     return c.fail(ErrorCode::type,
-                  fmt::format("'{}' cannot hold both orientations and separate angles", target_name(s, t)), about,
-                  "write all of it as euler(x y z), or all as axis(…) or quat(…)");
+                  fmt::format("'{}' cannot have both orientations and separate angles", target_name(s, t)), about,
+                  "write all rows as euler(x y z), or all as axis(…) or quat(…)");
   if (rotation && whole && !tracks[0]->events.empty() && orientation != turns && !script.sheet.warned) {
     script.note(Severity::warning,
-                "this track mixes angles and orientations: all are read as orientations, and whole turns are lost",
-                about, "write euler(x y z) for all of them, or axis(…) or quat(…)");
+                "this track mixes angles and orientations, so all become orientations and whole turns are lost", about,
+                "write all rows as euler(x y z), or all as axis(…) or quat(…)");
     script.sheet.warned = true;
   }
   return true;
@@ -92,8 +92,8 @@ bool draws(Command& k, const Target& t, std::string_view about) {
   const Object& o = k.scene.objects[t.object.index];
   return t.function != fn::geometry || drawable(o.kind) ||
          k.cursor.fail(ErrorCode::type,
-                       fmt::format("'{}', {}, draws nothing: its geometry would not be seen", o.name, a_kind(o.kind)),
-                       about, "what is drawn can show another shape: create NAME box");
+                       fmt::format("'{}' is {}, which has no visible geometry", o.name, a_kind(o.kind)), about,
+                       "use an object with a shape, as in create NAME box");
 }
 
 bool focuses_elsewhere(Command& k, const Target& t, const Value& v, std::string_view about) {
@@ -101,7 +101,7 @@ bool focuses_elsewhere(Command& k, const Target& t, const Value& v, std::string_
   if (t.function != fn::focus || !at || !(*at == t.object)) return true;
   return k.cursor.fail(ErrorCode::name,
                        fmt::format("'{}' cannot focus on itself", k.scene.objects[t.object.index].name), about,
-                       "on another object, or so many metres away: set eye.focus 5");
+                       "write another object, or a distance in metres: set eye.focus 5");
 }
 
 namespace {
@@ -148,8 +148,8 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
     if (!focuses_elsewhere(k, t, event.value, about)) return false;
     if (to.spec->type == Type::aim && !event.keep && mixes_aims(s, t, event.value))
       return c.fail(ErrorCode::type,
-                    fmt::format("'{}' cannot hold both objects and separate numbers", target_name(s, t)), about,
-                    "write all of it as points (x y z)");
+                    fmt::format("'{}' cannot have both objects and separate numbers", target_name(s, t)), about,
+                    "write all rows as points (x y z)");
     if (to.velocity) break;
     if (!goes_with(k, to, t, event, about)) return false;
   }
@@ -164,7 +164,7 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
     return true;
   }
   for (const Target& t : to.targets)
-    if (StillWanted::ask(); !event.keep || !keep_there(s, t, event)) put_event(s, t, event);
+    if (Cancellation::check(); !event.keep || !keep_there(s, t, event)) put_event(s, t, event);
   return true;
 }
 
@@ -178,8 +178,8 @@ bool computed(Command& k, const Selected& to, Value& out) {
   const char* start = c.at;
   if (c.peek() != '"') {
     const auto line = static_cast<std::size_t>(line_end(start, c.end) - start);
-    return c.fail_here(ErrorCode::syntax, "behind '=' stands a procedure, in quotes",
-                       fmt::format("a plain value stands without '=': {0}; code stands in quotes: = \"{0}\"",
+    return c.fail_here(ErrorCode::syntax, "expected code in quotes after '='",
+                       fmt::format("write a plain value without '=': {0}; write code in quotes: = \"{0}\"",
                                    std::string_view(start, std::min<std::size_t>(line, 60))));
   }
   std::string source;
@@ -188,10 +188,10 @@ bool computed(Command& k, const Selected& to, Value& out) {
   if (!row_of(to.type()).computed)
     return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
   if (to.type() == Type::attachment) {
-    if (layer) return c.fail(ErrorCode::type, "attachments are on no layer", about);
+    if (layer) return c.fail(ErrorCode::type, "a layer cannot have attachments", about);
     for (const Target& t : to.targets)
       if (!placed(s.objects[t.object.index].kind))
-        return c.fail(ErrorCode::type, "layers and environments are no objects that hang on anything", about);
+        return c.fail(ErrorCode::type, "layers and environments cannot have a parent or be one", about);
   }
   // These functions are read only once, with the script.
   static constexpr std::string_view settled[] = {"file", "texture", "font", "tex", "mode", "of", "within"};
@@ -199,7 +199,7 @@ bool computed(Command& k, const Selected& to, Value& out) {
   if (is_name && std::find(std::begin(settled), std::end(settled), to.spec->name) != std::end(settled))
     return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to.spec->name), about);
   auto code = make_code(k, std::move(source), !to.targets.empty());
-  if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
+  if (!code) return c.fail(code.error(), about);
   out = Procedure{*std::move(code)};
   return true;
 }
@@ -235,7 +235,7 @@ bool event(Command& k, const Selected& to, Time when) {
     e.value = 0.0;
   } else {
     if (c.peek_word() == "release" && has_velocity(to.type()))
-      return c.fail_here(ErrorCode::type, "release ends the reign of a velocity; this is no velocity",
+      return c.fail_here(ErrorCode::type, "'release' needs a velocity",
                          fmt::format("as in at 20f {}.velocity release", to.text.substr(0, 60)));
     if (!values(k).value(*to.spec, to.component, e.value, to.targets.empty() ? 0xffff : to.targets[0].function))
       return false;
@@ -264,17 +264,16 @@ bool way(Command& k, const Selected& to, Event& e) {
     if (ease) {
       c.word(), c.space();
       if (starts_like_time(c.peek()))
-        return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", w),
-                           fmt::format("as in {}=4f", w));
+        return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing after {}", w), fmt::format("as in {}=4f", w));
     }
     if (ease && c.peek() != '=') c.at = start;
     if (w == "ease" && c.at + w.size() < c.end && c.at[w.size()] == '=')
       return c.fail(ErrorCode::name, "there is no option 'ease'", w,
-                    "behind an event's value, ease-in=4f slows down before it and ease-out=4f starts slowly behind it");
+                    "ease-in=4f slows down before an event; ease-out=4f starts slowly after it");
     if (ease && c.accept('=')) {
       Time length;
       if (!c.length(length)) return false;
-      if (length < Time{}) return c.fail(ErrorCode::range, "an ease cannot be shorter than nothing", c.since(start));
+      if (length < Time{}) return c.fail(ErrorCode::range, "an ease must not be negative", c.since(start));
       (w == "ease-in" ? e.detail.edit().ease_in : e.detail.edit().ease_out) = length;
       continue;
     }
@@ -290,13 +289,13 @@ bool way(Command& k, const Selected& to, Event& e) {
     }
     if (chosen)
       return c.fail_here(ErrorCode::syntax,
-                         fmt::format("'{}' is not expected here: this event has its twerper", w.substr(0, 40)));
+                         fmt::format("'{}' is not expected here: this event already has a twerper", w.substr(0, 40)));
     TwerperArguments arguments;
     if (!twerper(k, to, e.twerper, arguments)) return false;
     if (arguments != TwerperArguments{}) e.detail.edit().arguments = arguments;
     chosen = true;
   }
-  return !e.keep || chosen || c.fail_here(ErrorCode::syntax, "keep needs a twerper, as in keep linear");
+  return !e.keep || chosen || c.fail_here(ErrorCode::syntax, "'keep' needs a twerper, as in keep linear");
 }
 
 bool time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {
@@ -306,7 +305,7 @@ bool time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {
   if (!dots(c.at)) {
     const char* const behind = c.at;
     c.space();
-    if (dots(c.at)) return c.fail(ErrorCode::syntax, "no blank stands in a segment", {c.at, 2}, "as in 1f..24f");
+    if (dots(c.at)) return c.fail(ErrorCode::syntax, "write a segment without spaces", {c.at, 2}, "as in 1f..24f");
     c.at = behind;
     return true;
   }
@@ -319,8 +318,9 @@ bool time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {
 }
 
 bool one_time_only(Cursor& c, std::string_view segment) {
-  return c.fail(ErrorCode::syntax, "one time stands here: only motions and ways along a line have a segment", segment,
-                "as in wheel.motion and a row 1f..24f T(6 0), or ball.position and 1f..24f along road");
+  return c.fail(ErrorCode::syntax, "expected one time here; only motions and moves along a line take a segment",
+                segment,
+                "as in 1f..24f T(6 0) in the sheet of wheel.motion, or 1f..24f along road in that of ball.position");
 }
 
 }  // namespace betwixt

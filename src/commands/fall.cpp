@@ -25,7 +25,7 @@ struct Laws {
 
 // The transformation from the values of a position's track to the world, and the part of the object's speed that is
 // lost at that time. The speed of a parent that still holds the object is not lost.
-struct Carried {
+struct CommandOutcome {
   Mat4 to_world;
   Vec3 origin, speed;
 };
@@ -88,11 +88,11 @@ bool let_go_at(const Object& o, Time t) {
                      [&](const AttachmentSpan& a) { return a.from == t && a.to.kind == AttachmentKind::letgo; });
 }
 
-Carried carried(const Program& program, ObjectId id, Time t) {
+CommandOutcome carried(const Program& program, ObjectId id, Time t) {
   const Program::Compiled& compiled = program.compiled();
   const Kinematics now = program.kinematics(id, t);
   const auto value = [&](Time when) { return std::get<Vec3>(program.read(Target{id, fn::position}, when)); };
-  Carried c{now.to_world, now.position - transform_vector(now.to_world, value(t)), {}};
+  CommandOutcome c{now.track_to_world, now.position - transform_vector(now.track_to_world, value(t)), {}};
   const Object& o = compiled.document.scene().objects[id.index];
   if (!let_go_at(o, t) && !o.find(fn::motion)) return c;
   Asking asking;
@@ -105,7 +105,7 @@ Carried carried(const Program& program, ObjectId id, Time t) {
     const auto slope = [&](auto&& f) {  // exact for cubics
       return side * 2000.0 / 6 * (18.0 * f(beside(1)) - 11.0 * f(t) - 9.0 * f(beside(2)) + 2.0 * f(beside(3)));
     };
-    return transform_vector(around, slope(place)) - transform_vector(now.to_world, slope(value));
+    return transform_vector(around, slope(place)) - transform_vector(now.track_to_world, slope(value));
   };
   c.speed = speed(-1) - speed(1);
   return c;
@@ -209,25 +209,26 @@ bool laws_of(Command& k, Laws& laws) {
     const std::string_view key = c.word();
     if (key == "for") {
       if (!c.length(laws.length)) return false;
-      if (!(laws.length > Time{})) return c.fail(ErrorCode::range, "a fall takes some time", c.since(start));
+      if (!(laws.length > Time{}))
+        return c.fail(ErrorCode::range, "the length of a fall must be greater than 0", c.since(start));
       continue;
     }
     if (key != "delay" && key != "gravity" && key != "ground" && key != "bounce")
-      return c.fail(ErrorCode::name, fmt::format("a fall has no '{}'", key.empty() ? std::string_view(start, 1) : key),
-                    c.since(start), "delay= gravity= ground= bounce= and for LENGTH");
-    if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
+      return c.fail(ErrorCode::name,
+                    fmt::format("fall has no option '{}'", key.empty() ? std::string_view(start, 1) : key),
+                    c.since(start), "write delay=, gravity=, ground=, bounce= or for LENGTH");
+    if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing after {}", key));
     if (key == "delay") {
       if (!c.length(laws.delay)) return false;
-      if (laws.delay < Time{})
-        return c.fail(ErrorCode::range, "a delay cannot be shorter than nothing", c.since(start));
+      if (laws.delay < Time{}) return c.fail(ErrorCode::range, "a delay must not be negative", c.since(start));
       continue;
     }
     double& number = key == "gravity" ? laws.gravity : key == "ground" ? laws.ground : laws.bounce;
     if (!values(k).scalar(number, key == "ground" ? Unit::metres : Unit::none)) return false;
     if (key == "gravity" && !(laws.gravity > 0))
-      return c.fail(ErrorCode::range, "gravity pulls down by more than 0", c.since(start));
+      return c.fail(ErrorCode::range, "gravity must be greater than 0", c.since(start));
     if (key == "bounce" && !(laws.bounce >= 0 && laws.bounce < 1))
-      return c.fail(ErrorCode::range, "bounce is at least 0 and less than 1", c.since(start));
+      return c.fail(ErrorCode::range, "bounce must be at least 0 and less than 1", c.since(start));
   }
   return true;
 }
@@ -245,11 +246,11 @@ bool in_plain_rows(Command& k, ObjectId id, std::string_view word) {
   });
   const std::string why =
       whole && (set || has_code(*slot->track))
-          ? fmt::format("code says all of {}.position at once: a fall of its components finds no place", o.name)
-      : again ? fmt::format("{}.position repeats, and would repeat the fall", o.name)
+          ? fmt::format("code computes the whole of {}.position, so its components cannot fall", o.name)
+      : again ? fmt::format("the track {}.position repeats, and would repeat the fall", o.name)
               : "";
   return why.empty() || k.cursor.fail(ErrorCode::type, why, word,
-                                      fmt::format("bake {}.position A..{} makes plain rows of it", o.name,
+                                      fmt::format("to turn it into plain rows: bake {}.position A..{}", o.name,
                                                   format_time(*k.time, k.scene.rate)));
 }
 
@@ -259,18 +260,17 @@ void say_company(Command& k, ObjectId id, double height, const Laws& laws, std::
   const Object& o = s.objects[id.index];
   for (const AttachmentSpan& a : attachments(o))
     if (a.from <= *time && *time < a.until && a.to.parent)
-      script.note(
-          Severity::notice,
-          fmt::format("{} is still held by {}, which goes on carrying it", o.name, s.objects[a.to.parent.index].name),
-          word, fmt::format("to fall free it is let go first: at {} letgo {}", format_time(*time, s.rate), o.name));
+      script.note(Severity::notice,
+                  fmt::format("{} still carries {} while it falls", s.objects[a.to.parent.index].name, o.name), word,
+                  fmt::format("to let it fall freely: at {} letgo {}", format_time(*time, s.rate), o.name));
   if (const Slot* slot = o.find(fn::motion))
     if (const auto later = slot->track->events.between(*time, {INT64_MAX}); !later.empty() && later.back().time > *time)
-      script.note(Severity::notice, fmt::format("{} falls while its motion goes on: the two are added", o.name), word,
-                  "let it fall when the motion has ended");
+      script.note(Severity::notice, fmt::format("{} falls during its motion, so the two are added", o.name), word,
+                  "start the fall when the motion has ended");
   if (height < laws.ground)
     script.note(Severity::notice,
-                fmt::format("{} is below the ground, y = {}: it does not fall", o.name, write_number(laws.ground)),
-                word, "ground=Y says where the ground is");
+                fmt::format("{} is below the ground at y = {}, so it does not fall", o.name, write_number(laws.ground)),
+                word, "set the ground by ground=Y");
 }
 
 // Replaces the events of one component by those of the fall.
@@ -298,7 +298,7 @@ bool fall(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view word;
   std::vector<ObjectId> things;
-  if (!time) return c.fail_here(ErrorCode::syntax, "a fall needs a time", "as in at 24f fall ball");
+  if (!time) return c.fail_here(ErrorCode::syntax, "fall needs a time", "as in at 24f fall ball");
   if (!objects(k, word, things)) return false;
   Laws laws;
   if (!laws_of(k, laws)) return false;
@@ -308,11 +308,11 @@ bool fall(Command& k) {
   const Program own = bare(s, things, program);
   for (const ObjectId id : things) {
     const Vec3 p = std::get<Vec3>(own.read({id, fn::position}, *time)), rate = pace(own, s, id, *time);
-    const Carried by = carried(program, id, *time);
+    const CommandOutcome by = carried(program, id, *time);
     const std::optional<Mat4> inward = inverse(by.to_world);
     if (!inward)
       return c.fail(ErrorCode::range,
-                    fmt::format("{} is flattened by what it hangs on; it cannot fall", s.objects[id.index].name), word);
+                    fmt::format("{} cannot fall, because its parent has a scale of 0", s.objects[id.index].name), word);
     const Vec3 place = by.origin + transform_vector(by.to_world, p);
     const Vec3 speed = transform_vector(by.to_world, rate) + by.speed;
     say_company(k, id, place.y, laws, word);
@@ -326,9 +326,8 @@ bool fall(Command& k) {
     const Time last = marks.back().time;
     if (const std::size_t n = displaced(s, id, *time, last); n > 0)
       script.note(Severity::notice,
-                  fmt::format("{} of {}.position make{} room for the fall", plural(n, "event"),
-                              s.objects[id.index].name, n == 1 ? "s" : ""),
-                  word, "for LENGTH says how long it falls");
+                  fmt::format("the fall replaces {} of {}.position", plural(n, "event"), s.objects[id.index].name),
+                  word, "set the length of the fall by for LENGTH");
     end_reign(s, id, *time, last);
     for (int axis = 0; axis < 3; ++axis) put_marks(s, id, axis, marks);
     if (auto turned = script.withheld(Severity::warning, "", word))
@@ -338,9 +337,12 @@ bool fall(Command& k) {
 }
 
 constexpr Verb fall_rows[] = {
-    {"fall", "at TIME fall A [delay=L] [gravity=G] [ground=Y] [bounce=K] [for L]",
-     "Makes objects fall and bounce, as plain events; for a ball, ground is its radius.", "at 24f fall ball",
-     Verb::timed, fall},
+    {"fall", "at TIME fall A [delay=LENGTH] [gravity=9.81] [ground=0] [bounce=0] [for LENGTH]",
+     "Makes objects fall and bounce, as plain events. `ground` is the height at which the position stops: for a ball "
+     "on y = 0, "
+     "its radius. `bounce` is the share of the speed that is left after each bounce. `gravity` is in m/s². For `delay` "
+     "the object continues as before, and then drops; `for` is the longest time of the fall, 10 s unless set.",
+     "at 24f fall ball", Verb::timed, fall, "OBJECT; delay= gravity= ground= bounce= for…"},
 };
 
 // Returns the event that ends the fall inside one of its segments.
@@ -366,9 +368,9 @@ bool end_fall(Scene& s, ObjectId id, Time t) {
   std::array<std::vector<Event>, 3> pieces;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<Event>& out = pieces[axis];
-    now[axis]->events.each_between(from_the_beginning, t, [&](const Event& e) { out.assign(1, e); });
+    now[axis]->events.each_between(earliest_time, t, [&](const Event& e) { out.assign(1, e); });
     bool on = !out.empty();
-    now[axis]->events.each_between(t + Time{1}, for_good, [&](const Event& e) {
+    now[axis]->events.each_between(t + Time{1}, latest_time, [&](const Event& e) {
       if (on = on && falls(out.back(), e); on) out.push_back(e);
     });
   }
@@ -393,16 +395,15 @@ void say_turned_falls(const Scene& s, Script& script) {
   const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
   for (Script::Fall& f : script.falls) {
     if (!find_object(s, f.object)) continue;
-    const Carried now = carried(program, f.object, f.time);
+    const CommandOutcome now = carried(program, f.object, f.time);
     double off = std::max(length(now.origin - f.origin), length(now.speed - f.speed));
     for (int i = 0; i < 16; ++i) off = std::max(off, std::abs(now.to_world.m[i] - f.to_world.m[i]));
     if (off <= 1e-6 * (1 + length(f.origin) + length(f.speed))) continue;
     const std::string& name = s.objects[f.object.index].name;
-    f.turned.what.message = fmt::format(
-        "a line below changes what carries {} at {}: its fall was worked out before, and is turned or moved "
-        "along",
-        name, format_time(f.time, s.rate));
-    f.turned.what.hint = "write the fall below what it depends on";
+    f.turned.what.message =
+        fmt::format("a later line changes the parent of {} at {}, so its fall turns or moves with the parent", name,
+                    format_time(f.time, s.rate));
+    f.turned.what.hint = "write the fall below that line";
     script.diagnostics.push_back(std::move(f.turned));
   }
   script.falls.clear();

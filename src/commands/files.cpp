@@ -10,6 +10,8 @@
 #include <cstring>
 #include <optional>
 
+#include "base/kept_results.h"
+#include "base/memory_budget.h"
 #include "base/names.h"
 #include "betwixt/picture.h"
 #include "commands/command.h"
@@ -20,6 +22,7 @@
 #include "exchange/scene_file.h"
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
+#include "scene/memory.h"
 
 namespace betwixt {
 namespace {
@@ -33,18 +36,18 @@ Result<std::string> contents(const fs::path& path, bool special) {
   const auto failed = [&](const std::string& what) {
     return fail(ErrorCode::file, fmt::format("'{}' {}", path.string(), what));
   };
-  switch (in.hindrance) {
-    case Hindrance::none:
+  switch (in.problem) {
+    case ReadProblem::none:
       return std::move(in.text);
-    case Hindrance::missing:
+    case ReadProblem::missing:
       return fail(ErrorCode::file, fmt::format("there is no file '{}'", path.string()));
-    case Hindrance::folder:
+    case ReadProblem::folder:
       return failed("is a folder, not a script");
-    case Hindrance::special:
-      return failed("is no plain file");
-    case Hindrance::too_large:
-      return failed(fmt::format("is too large for a script: {:.1f} GB, where 1 GiB is the most",
-                                static_cast<double>(in.size) / 1e9));
+    case ReadProblem::special:
+      return failed("is not a regular file");
+    case ReadProblem::too_large:
+      return failed(
+          fmt::format("is too large for a script: {:.1f} GB; the limit is 1 GiB", static_cast<double>(in.size) / 1e9));
     default:
       return failed(fmt::format("cannot be read: {}", std::strerror(in.reason)));
   }
@@ -118,15 +121,16 @@ bool use(Command& k) {
   if (!finish(c)) return false;
   const fs::path path = script.folder / name;
   if (!script.may_read(path))
-    return c.fail(ErrorCode::file, fmt::format("'{}' lies outside the script's folder", name), about,
-                  "--read-anywhere allows it");
+    return c.fail(ErrorCode::file, fmt::format("'{}' is outside the script's folder", name), about,
+                  Hint(Permission::read_anywhere, "--read-anywhere allows it"));
   std::error_code ignored;
   const fs::path real = real_path(path, ignored);
   if (std::find(script.open_files.begin(), script.open_files.end(), real) != script.open_files.end())
-    return c.fail(ErrorCode::file, fmt::format("'{}' comes to include itself", name), about);
-  if (script.open_files.size() >= 64) return c.fail(ErrorCode::file, "files are included more than 64 deep", about);
+    return c.fail(ErrorCode::file, fmt::format("'{}' includes itself", name), about);
+  if (script.open_files.size() >= 64)
+    return c.fail(ErrorCode::file, "files include each other more than 64 levels deep", about);
   if (script.included >= most_included)
-    return c.fail(ErrorCode::file, fmt::format("more than {} files are included", most_included), about);
+    return c.fail(ErrorCode::file, fmt::format("the script includes more than {} files", most_included), about);
   ++script.included;
   const auto written = script.options.written ? script.options.written(real.string()) : std::nullopt;
   auto text = written ? Result(*written) : contents(path, false);
@@ -139,12 +143,37 @@ bool use(Command& k) {
   script.open_files.pop_back();
   if (ending(path.string()) != "bx")
     if (const auto bad = take_back(script, said, path.string())) {
-      const std::string where = *bad > 0 ? fmt::format(": its line {} means nothing", *bad) : "";
-      return c.fail(ErrorCode::file, fmt::format("'{}' is no script{}", name, where), about,
-                    "lines of files that end in .bx are shown");
+      const std::string where = *bad > 0 ? fmt::format(": its line {} is not a command", *bad) : "";
+      return c.fail(ErrorCode::file, fmt::format("'{}' is not a script{}", name, where), about,
+                    "only errors in files that end in .bx are shown in full");
     }
   // Settings that the file may have changed apply to the rest of this line.
   c.rate = s.rate, c.ticks = s.ticks;
+  return true;
+}
+
+// Fails if the document would exceed the limit of MemoryBudget with these contents of files.
+bool has_room(Command& k, const ContentBytes& contents, std::string_view about) {
+  try {
+    MemoryBudget::charge_kept(contents.sum(), [&] { return bytes_of_values(k.scene); });
+    return true;
+  } catch (const OverBudget& limit) {
+    const Error e = too_many_bytes(limit.most);
+    return k.cursor.fail(e, about);
+  }
+}
+
+// The contents of files in a scene, by path.
+template <class T>
+using Contents = Cow<std::map<std::string, std::shared_ptr<const T>>>;
+template <class T>
+bool keep(Command& k, Contents<T>& all, const std::string& path, const Result<std::shared_ptr<const T>>& read,
+          std::string_view about) {
+  if (!read) return k.cursor.fail(read.error(), about);
+  ContentBytes bytes;
+  bytes.add(*read);
+  if (!has_room(k, bytes, about)) return false;
+  all.edit()[path] = *read;
   return true;
 }
 
@@ -153,13 +182,9 @@ bool tex_formula(Command& k, const std::string& tex, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (s.formulas->contains(tex)) return true;
   if (!script.options.tex)
-    return c.fail(ErrorCode::file,
-                  "formulas are set by other programs, latex and dvisvgm, which no script runs by itself", about,
-                  "--tex allows it");
-  auto outline = set_by_tex(tex);
-  if (!outline) return c.fail(outline.error().code, outline.error().message, about, outline.error().hint);
-  s.formulas.edit()[tex] = *outline;
-  return true;
+    return c.fail(ErrorCode::file, "a script may not run latex and dvisvgm, which typeset formulas", about,
+                  Hint(Permission::tex, "--tex allows it"));
+  return keep(k, s.formulas, tex, KeptResults::get("formula", tex, [&] { return set_by_tex(tex); }), about);
 }
 
 // Loads one mesh of a scene: truck.glb#Wheels.
@@ -171,10 +196,9 @@ bool part_of_scene(Command& k, std::string& path, std::string_view about) {
   if (!may_use(k, path, about, where)) return false;
   const std::string file = std::exchange(path, path + part);
   if (s.meshes->contains(path)) return true;
-  const auto scene = load_scene(
-      where.string(), [&](const std::string& p) { return k.script.may_read(p); }, script.options.read_anywhere);
-  if (!scene) return c.fail(scene.error().code, scene.error().message, about, scene.error().hint);
-  keep_meshes(s, file, **scene);
+  const auto scene = scene_of_file(k, where);
+  if (!scene) return c.fail(scene.error(), about);
+  if (!keep_meshes(k, file, **scene, about)) return false;
   if (s.meshes->contains(path)) return true;
   std::vector<std::string_view> names;
   for (const SceneMesh& m : (*scene)->meshes) names.push_back(m.name);
@@ -197,25 +221,15 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   if (f == fn::file && path.find('#') != path.npos) return part_of_scene(k, path, about);
   fs::path where;
   if (!may_use(k, path, about, where)) return false;
-  const auto failed = [&](const Error& e) { return k.cursor.fail(e.code, e.message, about, e.hint); };
-  if (f == fn::file) {
-    if (s.meshes->contains(path)) return true;
-    auto mesh = load_mesh(
-        where.string(), [&](const std::string& p) { return k.script.may_read(p); }, script.options.read_anywhere);
-    if (!mesh) return failed(mesh.error());
-    s.meshes.edit()[path] = *mesh;
-  } else if (f == fn::sound_file) {
-    if (s.sounds->contains(path)) return true;
-    auto sound = read_sound(where.string(), script.options.read_anywhere);
-    if (!sound) return failed(sound.error());
-    s.sounds.edit()[path] = *sound;
-  } else {
-    if (s.pictures->contains(path)) return true;
-    auto picture = load_picture(where.string(), script.options.read_anywhere);
-    if (!picture) return failed(picture.error());
-    s.pictures.edit()[path] = *picture;
-  }
-  return true;
+  const bool any_size = script.options.read_anywhere;
+  const MayRead may_read = [&](const std::string& p) { return k.script.may_read(p); };
+  // Reads the file once, even if the command is carried out again.
+  const auto add = [&](auto& all, const char* what, const auto& read) {
+    return all->contains(path) || keep(k, all, path, KeptResults::get(what, where.string(), read), about);
+  };
+  if (f == fn::file) return add(s.meshes, "mesh", [&] { return load_mesh(where.string(), may_read, any_size); });
+  if (f == fn::sound_file) return add(s.sounds, "sound", [&] { return read_sound(where.string(), any_size); });
+  return add(s.pictures, "picture", [&] { return load_picture(where.string(), any_size); });
 }
 
 }  // namespace
@@ -223,15 +237,28 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
 bool may_use(Command& k, std::string& path, std::string_view about, fs::path& where) {
   where = k.script.folder / path;
   if (!k.script.may_read(where))
-    return k.cursor.fail(ErrorCode::file, fmt::format("'{}' lies outside the script's folder", path), about,
-                         "--read-anywhere allows it");
+    return k.cursor.fail(ErrorCode::file, fmt::format("'{}' is outside the script's folder", path), about,
+                         Hint(Permission::read_anywhere, "--read-anywhere allows it"));
   path = k.script.shown(where);
   return true;
 }
 
-void keep_meshes(Scene& s, const std::string& path, const SceneFile& scene) {
+Result<std::shared_ptr<const SceneFile>> scene_of_file(const Command& k, const fs::path& where) {
+  return KeptResults::get("scene", where.string(), [&] {
+    return load_scene(
+        where.string(), [&](const std::string& p) { return k.script.may_read(p); }, k.script.options.read_anywhere);
+  });
+}
+
+bool keep_meshes(Command& k, const std::string& path, const SceneFile& scene, std::string_view about) {
+  Scene& s = k.scene;
+  std::vector<const SceneMesh*> fresh;
+  ContentBytes bytes;
   for (const SceneMesh& m : scene.meshes)
-    if (const std::string name = path + "#" + m.name; !s.meshes->contains(name)) s.meshes.edit()[name] = m.mesh;
+    if (!s.meshes->contains(path + "#" + m.name)) fresh.push_back(&m), bytes.add(m.mesh);
+  if (!has_room(k, bytes, about)) return false;
+  for (const SceneMesh* m : fresh) s.meshes.edit()[path + "#" + m->name] = m->mesh;
+  return true;
 }
 
 ValueReader values(Command& k) {
@@ -245,7 +272,7 @@ ValueReader values(Command& k) {
 
 namespace {
 constexpr Verb files_rows[] = {
-    {"use", "use FILE", "Carries out another script here.", "use colors.bx", 0, use},
+    {"use", "use FILE", "Includes another script here.", "use colors.bx", 0, use, "FILE"},
 };
 }  // namespace
 

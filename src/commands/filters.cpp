@@ -8,7 +8,7 @@
 
 #include "base/names.h"
 #include "commands/command.h"
-#include "language/line_words.h"
+#include "syntax/tokens.h"
 #include "track/filter.h"
 
 namespace betwixt {
@@ -34,12 +34,12 @@ bool choose(Command& k, Chosen& out) {
   for (const FilterSpec& f : built_in_filters()) words.push_back(f.name), all += " " + std::string(f.name);
   for (const NamedProcedure& p : *s.procedures)
     if (p.role == Role::filter) words.push_back(p.name);
-  const std::string hint = did_you_mean(name, words);
+  const Hint hint = did_you_mean(name, words);
   return c.fail(ErrorCode::name,
                 name.empty() ? "the name of a filter is missing here"
                              : fmt::format("there is no filter '{}'", name.substr(0, 40)),
                 name.empty() ? std::string_view(c.at, 0) : name,
-                hint.empty() ? all + "; of a plug-in: --load PLUGIN" : hint);
+                hint.empty() ? Hint(all + "; for a filter of a plug-in: --load PLUGIN") : hint);
 }
 
 bool means_something(const Chosen& filter, Type type) {
@@ -54,7 +54,7 @@ bool known_key(Cursor& c, const Chosen& filter, std::string_view key, const Filt
     std::string global(key);  // a typing error would be nil in its code
     std::replace(global.begin(), global.end(), '-', '_');
     return stands_in(filter.own->code->source, global) ||
-           c.fail(ErrorCode::name, fmt::format("'{}' makes no use of '{}'", filter.name, key.substr(0, 40)), key);
+           c.fail(ErrorCode::name, fmt::format("'{}' does not use '{}'", filter.name, key.substr(0, 40)), key);
   }
   if (!filter.spec) return true;
   std::vector<std::string_view> words;
@@ -110,18 +110,18 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
     bool unit = false;
     if (angles ? !values(k).angle(d) : !number_or_length(c, known && known->time, d, unit)) return false;
     if (known && unit)
-      return c.fail(ErrorCode::type, fmt::format("{} is a plain number, without a unit", key), c.since(at),
-                    key == "frequency" ? "so many times a second" : "");
+      return c.fail(ErrorCode::type, fmt::format("{} must be a plain number, without a unit", key), c.since(at),
+                    key == "frequency" ? "it is a number of times per second" : "");
     out = d;
     if (known && !(d >= known->low && d <= known->high))
       return c.fail(ErrorCode::range,
-                    d < known->low ? fmt::format("{} is at least {}", key, write_number(known->low))
-                                   : fmt::format("{} is at most {}", key, write_number(known->high)),
+                    d < known->low ? fmt::format("{} must be at least {}", key, write_number(known->low))
+                                   : fmt::format("{} must be at most {}", key, write_number(known->high)),
                     c.since(at));
   }
   if (known && !std::holds_alternative<double>(out) &&
       !(known->type == Type::vector && std::holds_alternative<Vec3>(out)))
-    return c.fail(ErrorCode::type, fmt::format("{} is a number", key), c.since(at));
+    return c.fail(ErrorCode::type, fmt::format("{} must be a number", key), c.since(at));
   return true;
 }
 
@@ -140,7 +140,7 @@ bool filter_arguments(Command& k, const Chosen& chosen, Type type, Filter& made)
     if (key.empty() || !c.accept('='))
       return c.fail(ErrorCode::syntax,
                     fmt::format("'{}' is not expected here", key.empty() ? std::string_view(start, 1) : key),
-                    c.since(start), "key=value, or a segment A..B");
+                    c.since(start), "write key=value, or a segment A..B");
     const FilterParameter* known = nullptr;
     Value v;
     if (!known_key(c, chosen, key, known)) return false;
@@ -155,7 +155,7 @@ bool filter_arguments(Command& k, const Chosen& chosen, Type type, Filter& made)
 bool put_filter(Command& k, const Selected& on, const Chosen& chosen, std::string_view word) {
   const Type type = on.spec ? on.type() : Type::vector;
   if (!chosen.none() && !means_something(chosen, type) && !(chosen.spec && !on.spec))
-    return k.cursor.fail(ErrorCode::type, fmt::format("'{}' means nothing for {}", chosen.name, to_string(type)), word);
+    return k.cursor.fail(ErrorCode::type, fmt::format("'{}' cannot filter {}", chosen.name, to_string(type)), word);
   Filter made;
   made.name = chosen.name;
   if (chosen.own) made.code = chosen.own->code;
@@ -177,16 +177,16 @@ bool filter(Command& k) {
   Chosen chosen;
   const std::string_view word = c.next_word();
   if (!targets(k, word, on, Meant::any)) return false;
-  if (on.velocity) return c.fail(ErrorCode::type, "filters stand on values, not on velocities", word);
+  if (on.velocity) return c.fail(ErrorCode::type, "a velocity cannot have filters; a value can", word);
   if (!choose(k, chosen)) return false;
   if (chosen.none()) return put_filter(k, on, chosen, word);
   return for_each_type(k, on, [&](const Selected& one) { return put_filter(k, one, chosen, word); });
 }
 
 constexpr Verb filters_rows[] = {
-    {"filter", "filter TARGET NAME [key=value …] [A..B]; filter TARGET none",
-     "Puts a function over time on a track: smooth, noise, delay, limit, wobble, spring.",
-     "filter ball.position delay by=6f", Verb::layered, filter},
+    {"filter", "filter TARGET NAME [key=value …] [A..B] or filter TARGET none",
+     "Adds a filter to a track: it changes the values of the track as a function of time.",
+     "filter ball.position delay by=6f", Verb::layered, filter, "TARGET; FILTER; SETTING…"},
 };
 
 }  // namespace

@@ -33,9 +33,9 @@ bool turns_from(Command& k, Turns& out) {
     const std::string_view w = c.next_word();
     const auto known = std::find(std::begin(orders), std::end(orders), w);
     if (known == std::end(orders)) {
-      const std::string near = did_you_mean(w, {std::begin(orders), std::end(orders)});
-      return no_choice(c, w, "the turns begin from first, last, centre, edges or random N",
-                       near.empty() ? "from a place: by 2f per 1m from (0 0 0)" : near);
+      const Hint near = did_you_mean(w, {std::begin(orders), std::end(orders)});
+      return no_choice(c, w, "the order must be first, last, centre, edges or random N",
+                       near.empty() ? "to start from a point: by 2f per 1m from (0 0 0)" : near);
     }
     out.from = *known;
     long seed = -1;
@@ -84,7 +84,7 @@ bool stagger(Command& k) {
     c.space();
     const char* const start = c.at;
     if (!values(k).scalar(how.metres, Unit::metres)) return false;
-    if (!(how.metres > 0)) return c.fail(ErrorCode::range, "so many metres are more than 0", c.since(start));
+    if (!(how.metres > 0)) return c.fail(ErrorCode::range, "the distance must be greater than 0", c.since(start));
     if (!c.accept_word("from"))
       return c.fail_here(ErrorCode::syntax, "'from' and a point or an object are missing here",
                          "as in by 2f per 1m from (0 0 0)");
@@ -101,7 +101,7 @@ bool stagger(Command& k) {
   const std::vector<double> turn = turns_of(k, objects, how);
   for (const double t : turn)
     if (!(std::abs(by.seconds()) * t <= longest_seconds))
-      return c.fail(ErrorCode::range, "the events would end up more than 146 years away", word);
+      return c.fail(ErrorCode::range, "the events would be more than 146 years away", word);
   const Segment all{{INT64_MIN}, {INT64_MAX}};
   const Scene before = s;
   std::size_t whose = 0;
@@ -139,8 +139,8 @@ bool spread(Command& k) {
     return std::any_of(tracks.begin(), tracks.end(), [](const Track* track) { return !track->events.empty(); });
   };
   if (std::any_of(on.targets.begin(), on.targets.end(), has_events))
-    script.note(Severity::warning, "values of tracks that have events are not seen", word,
-                "spread lays out the values that hold without events");
+    script.note(Severity::warning, "a track with events ignores its spread value", word,
+                "spread sets the value of tracks without events");
   const double last = static_cast<double>(std::max<std::size_t>(on.targets.size(), 2) - 1);
   for (std::size_t i = 0; i < on.targets.size(); ++i) {
     const double k = static_cast<double>(i) / last;
@@ -159,12 +159,12 @@ bool spread(Command& k) {
 constexpr Verb groups_rows[] = {
     {"stagger",
      "stagger TARGETS by LENGTH [from first|last|centre|edges|random N], or by LENGTH per METRES from POINT|NAME",
-     "Makes many objects do the same one after another.",
+     "Makes many objects do the same, one after another.",
      "stagger wheel*.position by 6f\nstagger wheel*.rotation by 2f from centre\nstagger wheel*.color by 1f per 1m from "
      "(0 0 0)",
-     Verb::layered, stagger},
+     Verb::layered, stagger, "TARGET; by; NUMBER; from per random; first last centre edges random"},
     {"spread", "spread TARGETS from VALUE to VALUE", "Spreads values evenly from the first object to the last.",
-     "spread wheel*.position from (0 0 0) to (9 0 0)", Verb::layered, spread},
+     "spread wheel*.position from (0 0 0) to (9 0 0)", Verb::layered, spread, "TARGET; from; NUMBER; to"},
 };
 
 }  // namespace

@@ -19,8 +19,8 @@ bool layer(Command& k) {
   if (!free_name(k, std::string(word), word)) return false;
   const std::string_view mode = c.next_word();
   if (mode != "add" && mode != "mix")
-    return no_choice(c, mode, mode.empty() ? "add or mix is missing here" : "a layer adds or mixes",
-                     "add lays its values on top; mix goes over to them by its weight");
+    return no_choice(c, mode, mode.empty() ? "add or mix is missing here" : "the mode of a layer must be add or mix",
+                     "add adds its values on top; mix blends to them by its weight");
   Object object;
   object.name = word;
   object.kind = Kind::layer;
@@ -43,14 +43,15 @@ bool on_layer(Command& k) {
     std::vector<std::string_view> layers;
     for (std::size_t i = 0; i < s.objects.size(); ++i)
       if (s.objects[i].kind == Kind::layer && !s.objects[i].removed) layers.push_back(s.objects[i].name);
-    const std::string near = did_you_mean(word, layers);
-    return c.fail(ErrorCode::name, fmt::format("there is no layer '{}'", word.substr(0, 40)), word,
-                  near.empty() ? fmt::format("layer {} add makes one", word.substr(0, 40)) : near);
+    const Hint near = did_you_mean(word, layers);
+    return c.fail(
+        unknown_name("layer", word, near.empty() ? fmt::format("to make one: layer {} add", word.substr(0, 40)) : near),
+        word);
   }
   if (s.objects[id.index].kind != Kind::layer)
-    return c.fail(ErrorCode::type, fmt::format("'{}' is no layer", word), word,
-                  fmt::format("layer NAME add makes one"));
-  if (layer) return c.fail(ErrorCode::syntax, "one layer is enough", word);
+    return c.fail(ErrorCode::type, fmt::format("'{}' is not a layer", word), word,
+                  fmt::format("to make one: layer NAME add"));
+  if (layer) return c.fail(ErrorCode::syntax, "a command can have only one layer", word);
   c.space();
   if (c.at_line_end())
     return c.fail_here(ErrorCode::syntax, "a command is missing here", "as in on sway set ball.position (0 1 0)");
@@ -66,17 +67,19 @@ bool on_layer(Command& k) {
 }
 
 constexpr Verb layers_rows[] = {
-    {"layer", "layer NAME add|mix [weight=W]", "A layer of motion over the objects; its weight is a target of its own.",
-     "layer sway add weight=0.5", 0, layer},
-    {"on", "on LAYER COMMAND, or on LAYER TARGET to open a sheet", "Carries out a command on a layer.",
-     "layer sway add\non sway at 12f ball.position (0 1 0)", Verb::timed, on_layer},
+    {"layer", "layer NAME add|mix [weight=1]",
+     "An animation layer on top of the objects' own motion: `add` adds its values, `mix` blends over to them. Its "
+     "weight, 0 to 1, can be animated.",
+     "layer sway add weight=0.5", Verb::makes_thing, layer, "NEW; add mix"},
+    {"on", "on LAYER COMMAND, or on LAYER TARGET to open a sheet", "Runs a command on a layer.",
+     "layer sway add\non sway at 12f ball.position (0 1 0)", Verb::timed | Verb::prefix, on_layer, "LAYER"},
 };
 
 }  // namespace
 
 bool on_no_layer(Cursor& c, std::string_view verb) {
-  return c.fail(ErrorCode::syntax, fmt::format("'{}' works on no layer", verb.substr(0, 40)), verb,
-                "on a layer go events, set, show, hide, filters and track operations");
+  return c.fail(ErrorCode::syntax, fmt::format("'{}' cannot be used on a layer", verb.substr(0, 40)), verb,
+                "a layer can have events, set, show, hide, filters and track operations");
 }
 
 std::span<const Verb> layers_verbs() { return layers_rows; }

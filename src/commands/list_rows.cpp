@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "base/memory_budget.h"
 #include "base/names.h"
 #include "commands/verbs.h"
 
@@ -30,12 +31,13 @@ bool points(Drawn& d) {
   while (!c.at_line_end()) {
     Vec3 p;
     if (!values(d.k).point(p)) return false;
+    MemoryBudget::charge(sizeof p);
     list.push_back(p);
   }
   if (list.size() < least)
     return c.fail_here(ErrorCode::syntax,
                        least == 1 ? "a point (x y) or (x y z) is missing here"
-                                  : fmt::format("at least {} points are wanted here, not {}", least, list.size()));
+                                  : fmt::format("expected at least {} points here, not {}", least, list.size()));
   d.command.value = Points(std::move(list));
   return true;
 }
@@ -79,7 +81,8 @@ bool more_than_zero(Drawn& d) {
   FunctionSpec spec = spec_of(d.k.scene, f);
   spec.name = d.about;
   if (!values(d.k).value(spec, -1, d.command.value, f)) return false;
-  return std::get<double>(d.command.value) > 0 || c.fail(ErrorCode::range, "this must be more than 0", c.since(start));
+  return std::get<double>(d.command.value) > 0 ||
+         c.fail(ErrorCode::range, "this must be greater than 0", c.since(start));
 }
 
 bool view(Drawn& d) {
@@ -91,8 +94,7 @@ bool view(Drawn& d) {
   c.space();
   const char* start = c.at;
   if (!values(d.k).point(ends[1])) return false;
-  if (ends[0] == ends[1])
-    return c.fail(ErrorCode::range, "a view from a point to itself has no direction", c.since(start));
+  if (ends[0] == ends[1]) return c.fail(ErrorCode::range, "a view needs two different points", c.since(start));
   d.command.value = Points(std::move(ends));
   return true;
 }
@@ -109,13 +111,13 @@ bool callable(Command& k, const std::string& name) {
   if (const auto way = calls(s, name, self, into); !way.empty())
     return c.fail(ErrorCode::name,
                   name == self ? fmt::format("'{}' cannot call itself", self)
-                               : fmt::format("this would go round in a circle: {} → {}", self, path(way)),
+                               : fmt::format("this would make a cycle: {} → {}", self, path(way)),
                   about);
   if (!versions(s, name).empty()) return true;
   if (s.names.find(name))
     return c.fail(ErrorCode::type, fmt::format("'{}' is an object of the film, not a display list", name), about);
   script.note(Severity::warning,
-              fmt::format("there is no display list '{}' yet: until it is made this draws nothing", name), about,
+              fmt::format("there is no display list '{}' yet, so this draws nothing until then", name), about,
               did_you_mean(name, list_names(s)));
   return true;
 }
@@ -157,7 +159,7 @@ constexpr ReadRow rows[] = {
     {{"text", "text \"…\"", "Draws letters.", "make list\n  text \"Hello\""}, text<fn::text>},
     {{"color", "color COLOR", "The color of everything drawn from here on.", "make list\n  color gold\n  point (0 0)"},
      color},
-    {{"texture", "texture \"FILE\"", "The picture on everything drawn from here on; \"\" is none.",
+    {{"texture", "texture \"FILE\"", "The texture of everything drawn from here on; \"\" is none.",
       "make list\n  texture \"\""},
      text<fn::texture>},
     {{"font", "font \"…\"", "The font of letters from here on.", "make list\n  font \"DejaVu Sans\"\n  text \"Hello\""},
@@ -174,7 +176,10 @@ constexpr ReadRow rows[] = {
     {{"call", "call NAME", "Draws another list: an instance, which keeps its matrices and colors to itself.",
       "make star\n  point (0 0)\nmake list\n  call star\n  translate(1 0 0)\n  call star"},
      call},
-    {{"begin", "begin ENV [since TIME]", "Puts everything drawn from here on into an environment, until its end.",
+    {{"begin", "begin ENV [since TIME]",
+      "Puts everything drawn from here on into an environment, until its end. `since`: into that which has the name at "
+      "TIME, "
+      "or gets it next.",
       "make list\n  begin wind\n  point (0 0)\n  end"},
      begin},
     {{"end", "end", "Ends the environment that was begun last.", "make list\n  begin wind\n  end"}, nothing},
@@ -188,7 +193,8 @@ constexpr ReadRow rows[] = {
       "make list\n  orthographic 10"},
      more_than_zero<fn::camera_height>},
     {{"tag", "tag NAME", "Labels the next row, for replace.", "make list\n  tag place\n  translate(0 0 0)"}, nullptr},
-    {{"replace", "replace TAG [OFFSET]", "The rows below replace those from a tag on.",
+    {{"replace", "replace TAG [OFFSET]",
+      "The rows below replace those from a tag on, or from OFFSET rows behind it (before it, if less than 0).",
       "make list\n  tag place\n  translate(0 0 0)\nedit list\n  replace place\n  translate(1 0 0)"},
      nullptr},
 };
@@ -203,7 +209,7 @@ bool tag(Command& k) {
   Sheet& sheet = script.sheet;
   for (const Sheet::Version& v : sheet.versions)
     if (!v.passed_over && list_at(s, sheet.list, v.from)->tags.contains(word))
-      return c.fail(ErrorCode::name, fmt::format("there is a tag '{}' in '{}' already", word, sheet.list), word);
+      return c.fail(ErrorCode::name, fmt::format("the tag '{}' already exists in '{}'", word, sheet.list), word);
   if (!finish(c)) return false;
   for (const Sheet::Version& v : sheet.versions) {
     if (v.passed_over) continue;
@@ -274,14 +280,15 @@ bool draw(Command& k, std::size_t index, std::string_view about) {
 bool no_row(Command& k, std::string_view word) {
   std::vector<std::string_view> words(std::begin(factors), std::end(factors));
   for (const ReadRow& r : rows) words.push_back(r.row.word);
-  std::string hint = did_you_mean(word, words);
-  if (hint.empty()) hint = "rows that draw are point, vector, polygon, text and call; for the others: help make";
-  if (!versions(k.scene, word).empty()) hint = fmt::format("call {} draws that list", word.substr(0, 40));
+  Hint hint = did_you_mean(word, words);
+  if (hint.empty()) hint = "drawing rows are point, vector, polygon, text and call; for all rows: help make";
+  if (!versions(k.scene, word).empty()) hint = fmt::format("to draw that list: call {}", word.substr(0, 40));
   if (find_verb(word)) hint = "a command that follows a display list is not indented";
   Cursor& c = k.cursor;
   return c.fail_here(ErrorCode::name,
-                     word.empty() ? fmt::format("a row of a display list begins with a word, not with '{}'", c.peek())
-                                  : fmt::format("display lists have no '{}'", word.substr(0, 40)),
+                     word.empty()
+                         ? fmt::format("a row of a display list must begin with a word, not with '{}'", c.peek())
+                         : fmt::format("there is no row '{}' in display lists", word.substr(0, 40)),
                      hint);
 }
 

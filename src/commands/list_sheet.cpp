@@ -35,8 +35,8 @@ std::vector<Drawing> nested(const DisplayList& list) {
 std::string without_half(const DisplayCommand& c) {
   const bool closes = c.what == Drawing::pop || c.what == Drawing::end;
   const bool stack = c.what == Drawing::pop || c.what == Drawing::push;
-  return closes ? fmt::format("there is no '{}' here that this '{}' could end", stack ? "push" : "begin", said(c))
-                : fmt::format("this '{}' is never followed by its '{}'", said(c), stack ? "pop" : "end");
+  return closes ? fmt::format("this '{}' has no '{}' before it", said(c), stack ? "push" : "begin")
+                : fmt::format("the '{}' of this '{}' is missing", stack ? "pop" : "end", said(c));
 }
 
 // Fails if a command at the end of the list does not match the commands before it. A command inserted in between may be
@@ -58,7 +58,7 @@ bool in_order(Command& k, const DisplayCommand& command, std::string_view about)
     if (closes && (v.nested->empty() || v.nested->back() != opener))
       return c.fail(ErrorCode::syntax, without_half(command), about,
                     v.nested->empty() ? ""
-                                      : fmt::format("the one begun last is a '{}'",
+                                      : fmt::format("the last one that was opened is a '{}'",
                                                     drawing_names[static_cast<std::size_t>(v.nested->back())]));
     if (closes) v.nested->pop_back();
     if (opens) v.nested->push_back(command.what);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "base/cancellation.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "commands/command.h"
-#include "commands/look_over.h"
+#include "commands/lint.h"
 #include "commands/reader.h"
 #include "program/compiled.h"
 #include "scene/names.h"
@@ -23,7 +23,7 @@ Scene with_files_of(const Scene& was) {
 // If a film has remarks, reads it a second time to find their places.
 template <class Read>
 void say_remarks(const Scene& scene, Diagnostics& out, const LoadOptions& options, const Read& read) {
-  Watch watch(look_over(scene));
+  PlaceFinder watch(lint(scene));
   if (watch.remarks().empty()) return;
   Scene again = with_files_of(scene);
   Diagnostics said;
@@ -77,9 +77,9 @@ Result<double> parse_shutter(std::string_view text, const Document& d) {
   const bool read = c.opening(seconds) && c.at_line_end() && c.at == c.end;
   if (c.error && c.error->code == ErrorCode::range) return *c.error;
   if (!read)
-    return fail(ErrorCode::syntax, fmt::format("'{}' is not how long a shutter is open", text.substr(0, 60)),
-                "such as 180deg, which is half a frame, 10ms, 0.5f or off");
-  if (!(seconds >= 0 && seconds <= 60)) return fail(ErrorCode::range, "a shutter is open for 0 to 60 s");
+    return fail(ErrorCode::syntax, fmt::format("'{}' is not a shutter time", text.substr(0, 60)),
+                "write 180deg (half a frame), 10ms, 0.5f or off");
+  if (!(seconds >= 0 && seconds <= 60)) return fail(ErrorCode::range, "a shutter time must be from 0 to 60 s");
   return seconds;
 }
 
@@ -108,7 +108,7 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   std::vector<Target> out;
   if (const auto objects = select(scene, word); !objects.empty()) {  // an object: all its values, and its place
     for (ObjectId id : objects) {
-      StillWanted::ask();
+      Cancellation::check();
       for (const Slot& slot : scene.objects[id.index].slots)
         if (!slot.layer) out.push_back({id, slot.function, -1});
       out.push_back({id, Query::world});
@@ -117,9 +117,10 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   }
   if (word.find('.') == std::string_view::npos) {  // meant as an object, but there is none
     if (is_pattern(word) || scene.aliases->contains(std::string(word))) return out;
-    return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)), near_object(scene, word));
+    return unknown_name("object", word, near_object(scene, word));
   }
-  if (!targets(asking, word, found, Meant::asked)) return c.error.value_or(fail(ErrorCode::name, "this names nothing"));
+  if (!targets(asking, word, found, Meant::asked))
+    return c.error.value_or(fail(ErrorCode::name, "nothing has this name"));
   const auto turns = [&](const Target& t) {
     if (t.component < 0 || t.velocity || t.query()) return false;
     const Type type = spec_of(scene, t.function).type;
@@ -130,10 +131,10 @@ Result<std::vector<Target>> find_targets(std::string_view pattern, const Documen
   for (const Target& t : found.targets)
     if (turns(t) && program.compiled().find(t.object.index, t.function).orientation &&
         program.compiled().find(t.object.index, t.function).live < 0)
-      return fail(ErrorCode::type,
-                  fmt::format("'{}' holds orientations, which have no separate angles",
-                              d.name(Target{t.object, t.function, -1})),
-                  "ask for the whole of it");
+      return fail(
+          ErrorCode::type,
+          fmt::format("'{}' has orientations, which have no separate angles", d.name(Target{t.object, t.function, -1})),
+          "read the whole value");
   return found.targets;
 }
 

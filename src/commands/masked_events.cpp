@@ -56,9 +56,9 @@ void say_masked_events(const Scene& s, Script& script) {
                           format_time(e.time, s.rate));
     });
     if (count == 0) continue;
-    d.what.message = fmt::format("a velocity has priority: {} event{} masked ({}{})", count,
-                                 count == 1 ? " is" : "s are", said, count > named ? " …" : "");
-    d.what.hint = "at TIME TARGET.velocity release ends its reign";
+    d.what.message = fmt::format("a velocity overrides {} event{} ({}{})", count, count == 1 ? "" : "s", said,
+                                 count > named ? " …" : "");
+    d.what.hint = "to end the velocity: at TIME TARGET.velocity release";
     script.diagnostics.push_back(std::move(d));
   }
   script.velocities.clear();

@@ -32,8 +32,8 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
   if (to.velocity) return c.fail_here(ErrorCode::type, "a motion has no velocity");
   if (c.peek() == '=')
     return c.fail_here(ErrorCode::type, "a motion cannot be computed",
-                       "procedures compute positions, rotations and scales");
-  if (until && *until == from) return c.fail_here(ErrorCode::range, "a motion takes time, and this segment has none");
+                       "code can compute positions, rotations and scales");
+  if (until && *until == from) return c.fail_here(ErrorCode::range, "a motion needs a segment longer than 0");
   Event e;
   e.time = from;
   Moves value;
@@ -44,7 +44,7 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
   if (!way(k, to, e) || !finish(c)) return false;
   for (const Target& t : to.targets) {
     if (t.layer)
-      return c.fail(ErrorCode::type, "a motion is no layer's: it is added to what the tracks say anyway", to.text);
+      return c.fail(ErrorCode::type, "a layer cannot have a motion: motions are always added to the tracks", to.text);
     const Slot* slot = s.objects[t.object.index].find(t.function);
     if (!slot) continue;
     const Event *busy = nullptr, *before = nullptr;
@@ -57,14 +57,15 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
     // A motion without an end lasts up to the next event; the new motion ends it.
     if (before && end && *end > from) busy = before;
     if (busy)
-      return c.fail(ErrorCode::range,
-                    fmt::format("'{}' is under way from {} with {}", target_name(s, t), format_time(busy->time, s.rate),
-                                to_string(*std::get<Moves>(busy->value)).substr(0, 80)),
-                    about, "motions of one object follow one another; those at the same time make one string");
+      return c.fail(
+          ErrorCode::range,
+          fmt::format("'{}' is already in motion from {} by {}", target_name(s, t), format_time(busy->time, s.rate),
+                      to_string(*std::get<Moves>(busy->value)).substr(0, 80)),
+          about, "motions of one object must not overlap; write those at the same time as one string");
   }
   if (!until && !rest)
-    script.note(Severity::notice, "this motion has no end yet: it goes on to the next row", about,
-                "a segment, as in 1f..24f");
+    script.note(Severity::notice, "this motion has no end yet; it lasts until the next row", about,
+                "write a segment, as in 1f..24f");
   // An ease-in describes the arrival, so it belongs to the event at the end.
   const Time ease_in = until ? e.detail->ease_in : Time{};
   if (ease_in != Time{}) e.detail.edit().ease_in = {};
@@ -114,16 +115,17 @@ void say_lasting(const Command& k, const Scene& before, const Selected& on, std:
     };
     if (open && !was_open)
       return script.note(Severity::notice,
-                         fmt::format("'{}' has no end any more: what begins at {} does nothing", target_name(s, t),
+                         fmt::format("'{}' has lost its end, so the motion from {} has no effect", target_name(s, t),
                                      format_time(is.back().from, s.rate)),
-                         about, "clear its beginning too, or give the track a row \"\" where it ends");
+                         about, "clear its beginning, too, or add a row \"\" where it should end");
     std::string otherwise;
     for (std::size_t i = 0; i + (open ? 1 : 0) < is.size() && otherwise.size() < 200; ++i)
       if (!was.empty() && !known(is[i]))
-        otherwise += fmt::format("{}{} goes from {} to {}", otherwise.empty() ? "" : ", ", is[i].text.substr(0, 80),
+        otherwise += fmt::format("{}{} lasts from {} to {}", otherwise.empty() ? "" : ", ", is[i].text.substr(0, 80),
                                  format_time(is[i].from, s.rate), format_time(is[i].from + is[i].length, s.rate));
     if (!otherwise.empty())
-      return script.note(Severity::notice, fmt::format("of '{}' now {}", target_name(s, t), otherwise), about);
+      return script.note(Severity::notice,
+                         fmt::format("the motions of '{}' have changed: {}", target_name(s, t), otherwise), about);
   }
 }
 
@@ -171,8 +173,10 @@ void keep_centres(const Command& k, const std::vector<ObjectId>& leaving, const 
       ++k;
       e.value = Moves(std::move(own));
     });
-    script.note(Severity::notice,
-                fmt::format("'{}' turns about where that was", target_name(s, {ObjectId{i}, fn::motion})), about);
+    script.note(
+        Severity::notice,
+        fmt::format("'{}' now turns about the place of the removed object", target_name(s, {ObjectId{i}, fn::motion})),
+        about);
   }
 }
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "commands/command.h"
 #include "language/formula.h"
 #include "scene/colors.h"
@@ -17,7 +17,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_in_list = 100'000;
+constexpr std::size_t most_in_list = 100'000, most_lets = 1'000'000;
 
 bool alias(Command& k) {
   auto& [s, c, time, layer, script] = k;
@@ -28,7 +28,7 @@ bool alias(Command& k) {
   while (!c.at_line_end()) {
     const std::string_view e = c.word();
     if (e.empty() || (!is_pattern(e) && !is_name(e)))
-      return c.fail_here(ErrorCode::syntax, "names and patterns are wanted here");
+      return c.fail_here(ErrorCode::syntax, "expected names or patterns here");
     if (const auto braces = expand_braces(e); !braces) return c.fail(braces.error().code, braces.error().message, e);
     elements.emplace_back(e);
   }
@@ -88,14 +88,14 @@ bool let_value(Command& k, Let& out) {
   LetList list;
   if (!c.open()) return false;
   for (c.space(); c.at < c.end && c.peek() != ')'; c.space()) {
-    StillWanted::ask();
+    Cancellation::check();
     if (!let_item(k, one)) return false;
     list.push_back(std::move(one));
     if (list.size() > most_in_list)
-      return c.fail(ErrorCode::range, fmt::format("a list has at most {} values", most_in_list), c.since(start));
+      return c.fail(ErrorCode::range, fmt::format("a list can have at most {} values", most_in_list), c.since(start));
   }
   if (!c.close()) return false;
-  if (list.empty()) return c.fail(ErrorCode::syntax, "a list has at least one value", c.since(start));
+  if (list.empty()) return c.fail(ErrorCode::syntax, "a list must have at least one value", c.since(start));
   const auto plain = [](const LetItem& item) {
     const auto* q = std::get_if<Quantity>(&item);
     return q && q->of == Quantity::Of::number;
@@ -116,17 +116,16 @@ bool let(Command& k) {
   if (!std::isalpha(static_cast<unsigned char>(name[0])) || name.size() > 100 ||
       !std::all_of(name.begin(), name.end(), fits))
     return c.fail(ErrorCode::syntax, fmt::format("'{}' cannot be a name in formulas", name.substr(0, 60)), name,
-                  "a letter, then letters, digits and '_'");
+                  "a name is a letter, then letters, digits and '_'");
   if (is_formula_word(name) || named_color(name))
-    return c.fail(ErrorCode::name, fmt::format("'{}' has a meaning in formulas already", name), name);
+    return c.fail(ErrorCode::name, fmt::format("'{}' already has a meaning in formulas", name), name);
   const bool known = s.lets->contains(name);
   if (known && !again && !script.live)
-    return c.fail(ErrorCode::name, fmt::format("there is a 'let {}' already", name), name,
-                  fmt::format("let again {} = … changes what it stands for from there on", name));
-  if (again && !known)
-    return c.fail(ErrorCode::name, fmt::format("there is no 'let {}' above that could change", name), name);
-  if (s.lets->size() >= 100'000 && !s.lets->contains(name))
-    return c.fail(ErrorCode::range, "no more than 100000 names can be given", name);
+    return c.fail(ErrorCode::name, fmt::format("'let {}' already exists", name), name,
+                  fmt::format("to change its value from here on: let again {} = …", name));
+  if (again && !known) return c.fail(ErrorCode::name, fmt::format("there is no 'let {}' above this line", name), name);
+  if (s.lets->size() >= most_lets && !known)
+    return c.fail(ErrorCode::range, fmt::format("a script can have at most {} lets", most_lets), name);
   if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing here");
   Let value;
   if (!let_value(k, value) || !finish(c)) return false;
@@ -139,18 +138,16 @@ bool define(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view name;
   if (!new_name(c, name, "function's name", "/")) return false;
+  const auto built_in = built_in_functions();
   const auto called = [&](const FunctionSpec& spec) { return spec.name == name; };
-  const bool built_in = std::any_of(kinds().begin(), kinds().end(),
-                                    [&](const KindRow& row) { return find_built_in(row.kind, name).has_value(); });
-  if (built_in || std::any_of(s.defined->begin(), s.defined->end(), called))
-    return c.fail(ErrorCode::name, fmt::format("there is a function '{}' already", name), name);
-  if (name == "world" || name == "velocity")
-    return c.fail(ErrorCode::name, fmt::format("there is a function '{}' already", name), name);
+  if (name == "world" || name == "velocity" || s.defined->find(name) ||
+      std::any_of(built_in.begin(), built_in.end(), called))
+    return c.fail(ErrorCode::name, fmt::format("a function '{}' already exists", name), name);
   const std::string_view type = c.next_word();
   const TypeRow* row = find_type(type);
   if (!row) {
     const std::vector<std::string_view> words = type_words();
-    const std::string hint = did_you_mean(type, words);
+    const Hint hint = did_you_mean(type, words);
     return c.fail(ErrorCode::name,
                   type.empty() ? "a type is missing here" : fmt::format("there is no type '{}'", type.substr(0, 40)),
                   type.empty() ? std::string_view(c.at, 0) : type,
@@ -166,23 +163,28 @@ bool define(Command& k) {
     return false;
   }
   if (spec.type == Type::shape && std::holds_alternative<ObjectId>(spec.rest) && !(spec.rest == Value(ObjectId{})))
-    return c.fail(ErrorCode::type, "what every object has cannot begin as one object's shape", type,
-                  "leave it out, and set it");
+    return c.fail(ErrorCode::type, "the default of a function cannot be the shape of an object", type,
+                  "leave out the default, and set it on each object");
   if (!finish(c)) return false;
-  if (s.defined->size() >= 10000) return c.fail(ErrorCode::range, "no more than 10000 functions can be defined", name);
+  if (s.defined->size() >= OwnFunctions::most)
+    return c.fail(ErrorCode::range, fmt::format("a film can define at most {} functions", OwnFunctions::most), name);
   s.defined.edit().push_back(std::move(spec));
   return true;
 }
 
 constexpr Verb names_rows[] = {
     {"alias", "alias NAME = ELEMENT …", "A name for many objects; patterns inside are read at each use.",
-     "alias toys = ball wheel*", 0, alias},
+     "alias toys = ball wheel*", Verb::makes_thing, alias, "NEW; =; OBJECT…"},
     {"let", "let NAME = FORMULA, or let NAME = (VALUE …), or let again NAME = …",
-     "A number, time, length, angle, vector, colour or text, or a list of such, that formulas know by name from there "
-     "on.",
-     "let beat = 12f\nlet turn_by = tau/6\nlet primes = (2 3 5 7)\nset ball.radius primes[2]", 0, let},
-    {"define", "define NAME TYPE [default]", "A function of your own that every object has.", "define heat number 20",
-     0, define},
+     "Names a number, time, length, angle, vector, color or text, or a list of these, for the formulas below. `let "
+     "again` changes its value for the lines below.",
+     "let beat = 12f\nlet turn_by = tau/6\nlet primes = (2 3 5 7)\nset ball.radius primes[2]", Verb::makes_let, let,
+     "NEW; ="},
+    {"define", "define NAME TYPE [VALUE]",
+     "A display function (property) of your own, which every object then has. TYPE: number, angle, vector, color, "
+     "boolean, "
+     "rotation, orientation, shape or text. VALUE is its default.",
+     "define heat number 20", Verb::makes_function, define, "NEW; TYPE; ="},
 };
 
 }  // namespace

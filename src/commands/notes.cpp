@@ -14,26 +14,22 @@ namespace {
 
 constexpr std::size_t most_notes = 1'000'000;
 
-bool earlier(const std::pair<Time, std::string>& a, const std::pair<Time, std::string>& b) { return a.first < b.first; }
-
 bool note(Command& k) {
   auto& [s, c, time, layer, script] = k;
   if (!time) return c.fail_here(ErrorCode::syntax, "a note needs a time", "as in at 24f note \"…\"");
   std::string text;
   if (!c.text(text) || !finish(c)) return false;
-  auto& notes = s.notes.edit();
-  std::pair one{*time, std::move(text)};
-  notes.insert(std::upper_bound(notes.begin(), notes.end(), one, earlier), std::move(one));
+  s.notes.edit().emplace(*time, std::move(text));
   return true;
 }
 
-bool notes(Command& k) { return on_or_off(k.cursor, "notes are on or off", k.scene.notes_shown); }
+bool notes(Command& k) { return on_or_off(k.cursor, "notes must be on or off", k.scene.notes_shown); }
 
 constexpr Verb notes_rows[] = {
     {"note", "at TIME note \"…\"", "A text at a time, a marker; it shows while the film plays.",
-     "at 24f note \"first bounce ends\"", Verb::timed | Verb::aside, note},
-    {"notes", "notes on or notes off", "Whether notes show while the film plays.", "notes off",
-     Verb::once | Verb::aside, notes},
+     "at 24f note \"first bounce ends\"", Verb::timed | Verb::aside | Verb::quick, note, "NUMBER…"},
+    {"notes", "notes on or notes off", "Shows or hides notes while the film plays.", "notes off",
+     Verb::once | Verb::aside, notes, "on off"},
 };
 
 }  // namespace
@@ -53,21 +49,23 @@ bool retime_notes(Command& k, std::string_view word, Segment of,
                   const std::function<void(Time, std::vector<Time>&)>& to) {
   Cursor& c = k.cursor;
   if (!finish(c)) return false;
-  std::vector<std::pair<Time, std::string>> stay, go;
-  for (const auto& n : *k.scene.notes) (of.from <= n.first && n.first <= of.to ? go : stay).push_back(n);
-  if (go.empty()) k.script.note(Severity::notice, "there are no notes there", word);
+  std::multimap<Time, std::string> stay, go;
+  for (const auto& n : *k.scene.notes) {
+    auto& to_where = of.from <= n.first && n.first <= of.to ? go : stay;
+    to_where.emplace_hint(to_where.end(), n);
+  }
+  if (go.empty()) k.script.note(Severity::notice, "there are no notes in this segment", word);
   std::vector<Time> times;
   for (const auto& [time, text] : go) {
     times.clear();
     to(time, times);
     for (const Time t : times) {
-      if (!in_reach(t)) return c.fail(ErrorCode::range, "this takes notes beyond all times", word);
+      if (!in_reach(t)) return c.fail(ErrorCode::range, "the notes would be more than 146 years away", word);
       if (stay.size() == most_notes)
-        return c.fail(ErrorCode::range, fmt::format("a film has at most {} notes", most_notes), word);
-      stay.emplace_back(t, text);
+        return c.fail(ErrorCode::range, fmt::format("a film can have at most {} notes", most_notes), word);
+      stay.emplace(t, text);
     }
   }
-  std::stable_sort(stay.begin(), stay.end(), earlier);
   k.scene.notes.edit() = std::move(stay);
   return true;
 }

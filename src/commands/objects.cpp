@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <set>
 
+#include "base/cancellation.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "commands/command.h"
 #include "commands/following.h"
-#include "commands/roads.h"
+#include "commands/foreign_words.h"
 
 namespace betwixt {
 namespace {
@@ -24,7 +24,7 @@ bool parent_by_name(Command& k, const std::string& name, std::string_view about,
   const std::string above = name.substr(0, slash);
   parent = s.names.find(above);
   return parent ? true
-                : c.fail(ErrorCode::name, fmt::format("there is no '{}' that '{}' could belong to", above, name), about,
+                : c.fail(ErrorCode::name, fmt::format("there is no '{}' for '{}' to belong to", above, name), about,
                          fmt::format("create {} first", above));
 }
 
@@ -38,7 +38,7 @@ struct Like {
 
 // Adds one copy. References to the original, or to one of its parts, become references to the copy of that part.
 void add_copy(Scene& s, const Like& like, const std::string& name, ObjectId parent) {
-  StillWanted::ask();
+  Cancellation::check();
   const std::string& old = like.object.name;
   Following copies(old, name, &s);
   const auto first = static_cast<std::uint32_t>(s.objects.size());
@@ -79,7 +79,7 @@ bool create(Command& k) {
   if (!names) return c.fail(names.error().code, names.error().message, word);
   if (!script.only && names->size() > 1) script.touched = names->size();
   for (const auto& name : *names)
-    if (StillWanted::ask(); !free_name(k, name, word)) return false;
+    if (Cancellation::check(); !free_name(k, name, word)) return false;
   const std::string_view kind_word = c.next_word();
   if (kind_word == "scene") {
     std::vector<ObjectId> parents(names->size());
@@ -96,19 +96,15 @@ bool create(Command& k) {
   } else {
     const auto kind = find_kind(kind_word);
     if (kind == Kind::layer)
-      return c.fail(ErrorCode::name, "a layer is made by a command of its own", kind_word,
-                    fmt::format("layer {} add", word.substr(0, 40)));
+      return c.fail(ErrorCode::name, "create cannot make a layer", kind_word,
+                    fmt::format("to make one: layer {} add", word.substr(0, 40)));
     if (kind == Kind::environment)
-      return c.fail(ErrorCode::name, "an environment is made by a command of its own", kind_word,
-                    fmt::format("animate {} every 1t by rotate(6deg, z)", word.substr(0, 40)));
+      return c.fail(ErrorCode::name, "create cannot make an environment", kind_word,
+                    fmt::format("to make one: animate {} every 1t by rotate(6deg, z)", word.substr(0, 40)));
     if (!kind) {
-      std::string hint(road(kind_word));
+      Hint hint{std::string(foreign_word_hint(kind_word))};
       if (hint.empty()) hint = did_you_mean(kind_word, {kind_names.begin(), kind_names.end()});
-      if (hint.empty()) {
-        hint = "kinds are";
-        for (auto k : kind_names) hint += " " + std::string(k);
-        hint += "; and scene";
-      }
+      if (hint.empty()) hint = fmt::format("kinds are {}; and scene", fmt::join(kind_names, " "));
       return c.fail(
           ErrorCode::name,
           kind_word.empty() ? "a kind is missing here" : fmt::format("there is no kind '{}'", kind_word.substr(0, 40)),
@@ -125,14 +121,14 @@ bool create(Command& k) {
   std::vector<std::string> sorted = *names;
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-    return c.fail(ErrorCode::name, fmt::format("'{}' would be made twice", *twice), word);
+    return c.fail(ErrorCode::name, fmt::format("'{}' would be created twice", *twice), word);
   if (s.objects.size() + names->size() * (1 + parts.size()) > most_objects)
-    return c.fail(ErrorCode::range, fmt::format("a film has at most {} objects", most_objects), word);
+    return c.fail(ErrorCode::range, fmt::format("a film can have at most {} objects", most_objects), word);
   for (std::size_t i = 0; i < names->size(); ++i)
     if (!parent_by_name(k, (*names)[i], word, parents[i])) return false;
   if (original) return create_like(k, like, *names, parents, word);
   for (std::size_t i = 0; i < names->size(); ++i) {
-    StillWanted::ask();
+    Cancellation::check();
     object.name = (*names)[i];
     add_child(s, object, parents[i]);
   }
@@ -155,11 +151,11 @@ void take_along(Command& k, std::vector<ObjectId>& going, std::string_view about
   const std::size_t along = going.size() - named;
   if (along == 0) return;
   script.touched = going.size();
-  script.note(
-      Severity::notice,
-      fmt::format("with {} {} below: {}{}", named == 1 ? fmt::format("'{}'", s.objects[going[0].index].name) : "these",
-                  along == 1 ? "goes what is" : fmt::format("go {} objects", along), names, along > 5 ? ", …" : ""),
-      about);
+  script.note(Severity::notice,
+              fmt::format("this also removes {} object{} below {}: {}{}", along, along == 1 ? "" : "s",
+                          named == 1 ? fmt::format("'{}'", s.objects[going[0].index].name) : "them", names,
+                          along > 5 ? ", …" : ""),
+              about);
 }
 
 bool remove(Command& k) {
@@ -215,7 +211,7 @@ void rename_in_values(Scene& s, const Following& names, const std::vector<std::u
     if (auto code = names.code((*s.procedures)[i].role, (*s.procedures)[i].code))
       s.procedures.edit()[i].code = std::move(code);
   for (std::size_t i = 0; i < s.defined->size(); ++i)
-    if (auto now = names.value((*s.defined)[i].rest)) s.defined.edit()[i].rest = *std::move(now);
+    if (auto now = names.value((*s.defined)[i].rest)) s.defined.edit().set_default(i, *std::move(now));
   for (const std::uint32_t i : speaking)
     if (names.concerns(s.objects[i])) names.apply(s.objects.edit(i));
 }
@@ -252,8 +248,7 @@ bool rename(Command& k) {
   c.space();
   if (!versions(s, c.peek_word()).empty()) return rename_list(k);
   if (is_pattern(c.peek_word()))
-    return c.fail_here(ErrorCode::syntax, "one object gets another name: a pattern is none",
-                       "as in rename ball planet");
+    return c.fail_here(ErrorCode::syntax, "only one object can be renamed, not a pattern", "as in rename ball planet");
   const char* start = c.at;
   if (!values(k).object(id) || !own(k, id, c.since(start))) return false;
   const std::string_view word = c.next_word();
@@ -267,11 +262,14 @@ constexpr Verb objects_rows[] = {
     {"create",
      "create NAME KIND [key=value …], create NAME like OTHER or create NAME scene file=\"…\" [animation=…] "
      "[start=TIME]",
-     "Makes an object of a kind, or one like another, with all below that, or all that a file of a scene holds.",
-     "create moon sphere radius=0.5 color=silver", 0, create},
-    {"remove", "remove OBJECTS", "Takes objects out of the film, with all below them.", "remove wheel*", 0, remove},
-    {"rename", "rename OLD NEW, an object or a display list",
-     "Renames an object with all below it, or a display list; all references follow.", "rename ball planet", 0, rename},
+     "Makes an object of a kind, a copy of another with everything below it, or all objects of a scene file.",
+     "create moon sphere radius=0.5 color=silver", Verb::makes_thing | Verb::quick, create,
+     "NEW; KIND like scene; PARAMETER…"},
+    {"remove", "remove OBJECTS", "Removes objects from the film, with everything below them.", "remove wheel*", 0,
+     remove, "OBJECT…"},
+    {"rename", "rename OLD NEW",
+     "Renames an object with everything below it, or a display list; all references follow.", "rename ball planet", 0,
+     rename, "OBJECT; NEW"},
 };
 
 }  // namespace
@@ -296,23 +294,24 @@ bool free_name(Command& k, const std::string& name, std::string_view about) {
   if (!is_name(name))
     return c.fail(ErrorCode::syntax, fmt::format("'{}' cannot be a name", name.substr(0, 60)), about,
                   "a name starts with a letter; letters, digits, '-', '_' and '/' follow");
-  if (name == "none") return c.fail(ErrorCode::name, "'none' means no object; it cannot be a name", about);
+  if (name == "none") return c.fail(ErrorCode::name, "'none' cannot be a name: it means no object", about);
   if (const ObjectId id = s.names.find(name)) {
     const Kind kind = s.objects[id.index].kind;
-    return placed(kind) ? c.fail(ErrorCode::name, fmt::format("there is a '{}' already", name), about)
-                        : c.fail(ErrorCode::name, fmt::format("there is {} '{}' already", a_kind(kind), name), about,
-                                 "objects, environments and layers have names of their own");
+    return placed(kind) ? c.fail(ErrorCode::name, fmt::format("'{}' already exists", name), about)
+                        : c.fail(ErrorCode::name, fmt::format("{} '{}' already exists", a_kind(kind), name), about,
+                                 "objects, environments and layers cannot share a name");
   }
   if (s.aliases->contains(name))
-    return c.fail(ErrorCode::name, fmt::format("'{}' is an alias already", name), about,
-                  "an alias wins over an object");
+    return c.fail(ErrorCode::name, fmt::format("'{}' is already an alias", name), about,
+                  "an alias hides an object with the same name");
   if (s.lists->empty() && s.later_lists->empty()) return true;
   if (!versions(s, name).empty())
-    return c.fail(ErrorCode::name, fmt::format("there is a display list '{}' already", name), about);
+    return c.fail(ErrorCode::name, fmt::format("a display list '{}' already exists", name), about);
   for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1))
     if (const std::string above = name.substr(0, slash); !versions(s, above).empty())
       return c.fail(ErrorCode::name,
-                    fmt::format("names that begin with '{}/' are for what that display list draws", above), about);
+                    fmt::format("names that begin with '{}/' are reserved for the objects of that display list", above),
+                    about);
   return true;
 }
 
@@ -320,8 +319,9 @@ bool free_name(Command& k, const std::string& name, std::string_view about) {
 bool own(Command& k, ObjectId id, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (!s.objects[id.index].derived) return true;
-  return c.fail(ErrorCode::type, fmt::format("display lists say what '{}' is", s.objects[id.index].name), about,
-                fmt::format("edit {}, or what it calls", s.main));
+  return c.fail(ErrorCode::type,
+                fmt::format("'{}' belongs to a display list, so only its rows can change it", s.objects[id.index].name),
+                about, fmt::format("edit {}, or a list that it calls", s.main));
 }
 
 bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
@@ -329,12 +329,12 @@ bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
   std::string_view styled;
   while (!c.at_line_end()) {
     const std::string_view key = c.word();
-    if (key.empty()) return c.fail_here(ErrorCode::syntax, "key=value is wanted here");
+    if (key.empty()) return c.fail_here(ErrorCode::syntax, "expected key=value here");
     if (!c.accept('=')) {
       const auto colon = key.find(':');
       return c.fail(
           ErrorCode::syntax, fmt::format("'{}' needs a value", key.substr(0, std::min<std::size_t>(colon, 40))), key,
-          key == "at" ? "a place is said by position=(0 0 0)"
+          key == "at" ? "write the place as position=(0 0 0)"
           : colon != std::string_view::npos
               ? fmt::format("write {}={}", key.substr(0, std::min<std::size_t>(colon, 40)), key.substr(colon + 1, 40))
               : fmt::format("as in {}=…", key.substr(0, 40)));
@@ -357,10 +357,11 @@ bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
       return c.fail_here(ErrorCode::type, fmt::format("{} is {}, not a text", spec.name, to_string(spec.type)));
     }
     if (spec.type == Type::motion)
-      return c.fail(ErrorCode::type, "a motion is not set: it takes a segment of time", key,
+      return c.fail(ErrorCode::type, "a motion cannot be set: it needs a segment of time", key,
                     "as in at 1f..24f wheel.motion T(6 0)");
     if (spec.type == Type::attachment)
-      return c.fail(ErrorCode::type, "an attachment is not set", key, "couple A to B, attach A to B, hang A on B");
+      return c.fail(ErrorCode::type, "an attachment cannot be set", key,
+                    "write couple A to B, attach A to B or hang A on B");
     Value v;
     if (!values(k).value(spec, component, v, *f)) return false;
     Slot& slot = object.slot(*f);

@@ -35,6 +35,11 @@ bool as_left(const Scene& s, const OpenSheet& left) {
 
 }  // namespace
 
+void keep_shown(const Scene& s, Sheet& sheet) {
+  if (s.main.empty() || sheet.list.empty() || !ever_calls(s, s.main, sheet.list)) return;
+  sheet.before = s.lists, sheet.later_before = s.later_lists;
+}
+
 void find_tracks(Scene& s, Sheet& sheet) {
   sheet.tracks.clear();
   if (!sheet.on.spec) return;  // the pattern names nothing, so its rows are skipped
@@ -65,9 +70,8 @@ bool go_on(Scene& s, Script& script, const OpenSheet& left) {
            : !s.names.same(left.names) || !s.defined.same(left.defined) || !s.aliases.same(left.aliases))
     return false;
   Sheet& sheet = script.sheet = left.sheet;
-  sheet.before = s.lists, sheet.later_before = s.later_lists;
+  keep_shown(s, sheet);
   sheet.changed = false;
-  sheet.on.text = left.pattern;
   if (!sheet.on.targets.empty()) sheet.on.spec = &spec_of(s, sheet.on.targets[0].function);
   find_tracks(s, sheet);
   return true;

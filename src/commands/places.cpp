@@ -5,33 +5,16 @@
 // once for each of them.
 #include <unordered_map>
 
+#include "base/cancellation.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "commands/command.h"
-#include "commands/verbs.h"
+#include "commands/line_head.h"
 #include "language/code_names.h"
 #include "language/formula.h"
 #include "scene/rollback.h"
 
 namespace betwixt {
 namespace {
-
-// Takes the next word, with everything that its brackets and quotes enclose, such as the time after `at`.
-std::string_view piece(std::string_view& rest) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r'; };
-  while (!rest.empty() && blank(rest[0])) rest.remove_prefix(1);
-  int depth = 0;
-  bool quoted = false;
-  std::size_t at = 0;
-  for (; at < rest.size() && (depth > 0 || quoted || !blank(rest[at])); ++at) {
-    if (rest[at] == '"') quoted = !quoted;
-    if (rest[at] == '(' || rest[at] == '{' || rest[at] == '[') ++depth;
-    if (rest[at] == ')' || rest[at] == '}' || rest[at] == ']') --depth;
-  }
-  const std::string_view out = rest.substr(0, at);
-  rest.remove_prefix(at);
-  return out;
-}
 
 bool speaks_of_any(std::string_view text) { return speaks_of_place(text.data(), text.data() + text.size()); }
 
@@ -43,16 +26,13 @@ struct Subject {
   bool paired = false;  // names written out by braces after the pattern pair with the pattern's objects
 };
 Subject subject(std::string_view line) {
+  const LineHead head = line_head(line);
+  const std::string_view rest = between((head.verb ? head.rest : head.name).data(), line.data() + line.size());
   Subject out;
-  std::string_view word = piece(line);
-  for (; word == "at" || word == "on"; word = piece(line)) {
-    const std::string_view behind = piece(line);
-    out.placed = out.placed || (word == "at" && speaks_of_any(behind));
-  }
-  out.pattern = word;
-  if (find_verb(word)) out.pattern = piece(line), out.creates = word == "create";
-  out.placed = out.placed || speaks_of_any(line);
-  out.paired = is_pattern(out.pattern) && writes_out_names(line);
+  out.pattern = head.verb ? head.name : head.word;
+  out.creates = head.word == "create";
+  out.placed = speaks_of_any(head.time) || speaks_of_any(rest);
+  out.paired = is_pattern(out.pattern) && writes_out_names(rest);
   return out;
 }
 
@@ -124,7 +104,7 @@ bool in_places(Command& k, const std::function<bool()>& command) {
   const Alone alone(k);
   Rollback rollback(k.scene);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    StillWanted::ask();
+    Cancellation::check();
     k.cursor.at = start, k.cursor.depth = 0;
     k.cursor.place = all[i];
     k.script.only = {about.creates ? ObjectId{} : objects[i], names[i], false};
@@ -157,7 +137,7 @@ bool in_places(Command& k, const Selected& of, const std::function<bool(const Se
   {
     Rollback rollback(k.scene);
     for (std::size_t i = 0; done && i < each.size(); ++i) {
-      StillWanted::ask();
+      Cancellation::check();
       k.cursor.at = start, k.cursor.depth = 0;
       k.cursor.place = all[i];
       sheet.above = above.size() == each.size() ? above[i] : before;

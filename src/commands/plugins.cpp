@@ -51,9 +51,9 @@ std::string_view taken_by(std::string_view name, Role role) {
   if (find_verb(name)) return "a command";
   if (name == name_of(Twerper::unset) || find_twerper(name)) return "a twerper";
   if (find_filter(name)) return "a filter";
-  if (role == Role::value && known_to_lua(name)) return "a word of Lua";
+  if (role == Role::value && known_to_lua(name)) return "a Lua keyword";
   const auto shell = reserved_words();
-  if (role == Role::command && std::find(shell.begin(), shell.end(), name) != shell.end()) return "a word of the shell";
+  if (role == Role::command && std::find(shell.begin(), shell.end(), name) != shell.end()) return "a shell command";
   return {};
 }
 
@@ -67,12 +67,12 @@ Status use_plugin(const std::string& path) {
   const auto free = [&](const std::string& name, std::string_view taken) -> Status {
     if (!is_name(name)) return refuse(ErrorCode::name, fmt::format("'{}' cannot be a name", name));
     if (!taken.empty())
-      return refuse(ErrorCode::name, fmt::format("it registers '{}', which is {} already", name, taken));
+      return refuse(ErrorCode::name, fmt::format("it registers '{}', which is already {}", name, taken));
     for (const Word& w : words)
       if (w.name == name) return refuse(ErrorCode::name, fmt::format("it registers '{}' twice", name));
     for (const Word& w : all.words)
       if (w.name == name && w.path != path)
-        return refuse(ErrorCode::name, fmt::format("it registers '{}', which {} has brought already", name, w.path));
+        return refuse(ErrorCode::name, fmt::format("it registers '{}', which {} has already registered", name, w.path));
     return Nothing{};
   };
   std::vector<FunctionSpec> functions;
@@ -84,7 +84,7 @@ Status use_plugin(const std::string& path) {
     if (const Status s = free(f.name, is_function(f.name) ? "a function" : ""); !s) return s;
     const TypeRow* row = type_of_numbers(f.type);
     if (!row)
-      return refuse(ErrorCode::type, fmt::format("the function '{}' has no type that is known: '{}'", f.name, f.type));
+      return refuse(ErrorCode::type, fmt::format("the function '{}' has an unknown type: '{}'", f.name, f.type));
     words.push_back({f.name, {}, path});
     double n[4] = {};
     std::copy_n(f.numbers.begin(), std::min<std::size_t>(f.numbers.size(), 4), n);
@@ -94,7 +94,7 @@ Status use_plugin(const std::string& path) {
   const auto others = static_cast<std::size_t>(
       std::count_if(all.words.begin(), all.words.end(), [&](const Word& w) { return w.path != path; }));
   if (others + words.size() > most_words)
-    return refuse(ErrorCode::range, fmt::format("plug-ins have no more than {} words", most_words));
+    return refuse(ErrorCode::range, fmt::format("plug-ins can have at most {} words", most_words));
   // If the same file is loaded again, its words are replaced.
   std::erase_if(all.procedures, [&](const NamedProcedure& p) { return p.code->source == path; });
   std::erase_if(all.functions, [&](const FunctionSpec& f) {

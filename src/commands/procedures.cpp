@@ -7,14 +7,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancellation.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "betwixt/program.h"
 #include "commands/command.h"
 #include "commands/plugins.h"
 #include "commands/reader.h"
 #include "language/code_names.h"
 #include "procedure/lua.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
@@ -37,20 +38,20 @@ bool procedure(Command& k) {
   const std::string_view about = c.since(start);
   if (!finish(c)) return false;
   if (const std::string_view what = taken_by(name, role); !what.empty())
-    return c.fail(ErrorCode::name, fmt::format("'{}' is {} already", name, what), name);
+    return c.fail(ErrorCode::name, fmt::format("'{}' is already {}", name, what), name);
   auto code = role == Role::value ? make_code(k, std::move(source), false) : make_lua(role, std::move(source));
-  if (!code) return c.fail(code.error().code, code.error().message, about, code.error().hint);
+  if (!code) return c.fail(code.error(), about);
   NamedProcedure made{std::string(name), role, *std::move(code)};
   const auto& all = *s.procedures;
   const auto at = std::find_if(all.begin(), all.end(), [&](const NamedProcedure& p) { return p.name == name; });
   if (at == all.end()) {
-    if (all.size() >= 200) return c.fail(ErrorCode::range, "no more than 200 procedures can have names", name);
+    if (all.size() >= 200) return c.fail(ErrorCode::range, "a film can have at most 200 named procedures", name);
     s.procedures.edit().push_back(std::move(made));
     return true;
   }
   if (at->role != role)
     return c.fail(ErrorCode::name,
-                  fmt::format("'{}' is a {} already", name, role_names[static_cast<std::size_t>(at->role)]), name);
+                  fmt::format("'{}' is already a {}", name, role_names[static_cast<std::size_t>(at->role)]), name);
   s.procedures.edit()[static_cast<std::size_t>(at - all.begin())] = std::move(made);
   // Filters store their code; they continue with the new one.
   if (role == Role::filter)
@@ -87,9 +88,9 @@ struct Hosting : Host {
   auto or_called_off(Work&& work) -> decltype(work()) {
     try {
       return work();
-    } catch (const NotWanted&) {
+    } catch (const Cancelled&) {
       called_off = true;
-      return fail(ErrorCode::machine, "this is not wanted any more");
+      return fail(ErrorCode::machine, "cancelled: a newer change replaces this one");
     }
   }
   Status run_line(std::string_view line) {
@@ -126,13 +127,8 @@ bool arguments(Cursor& c, std::vector<std::string>& words) {
     }
     const char* at = c.at;
     if (c.peek() == '(') {
-      int depth = 0;
-      while (c.at < c.end && *c.at != '\n') {
-        if (*c.at == '(') ++depth;
-        if (*c.at == ')' && --depth == 0) break;
-        ++c.at;
-      }
-      if (c.at < c.end && *c.at == ')') ++c.at;
+      const char* const behind = bracket_end(at, c.end);
+      c.at = behind > at ? behind : line_end(at, c.end);
       words.emplace_back(c.since(at));
       continue;
     }
@@ -144,8 +140,9 @@ bool arguments(Cursor& c, std::vector<std::string>& words) {
 
 constexpr Verb procedures_rows[] = {
     {"procedure", "procedure NAME [twerper|filter|command] lua \"…\"",
-     "A function of your own in Lua: a value, a twerper, a filter or a command.",
-     "procedure swing lua \"return math.sin(t)\"", 0, procedure},
+     "Code of your own in Lua, with a name: it computes a value, or is a twerper, a filter or a command.",
+     "procedure swing lua \"return math.sin(t)\"", Verb::makes_procedure, procedure,
+     "NEW; twerper filter command lua; lua"},
 };
 
 }  // namespace
@@ -160,8 +157,8 @@ Result<std::shared_ptr<const Routine>> make_code(const Command& k, std::string s
     if ((place == 0 && !let_so) || known_to_lua(word) || find_procedure(k.scene, word)) continue;
     const std::string value = place > 0 ? std::to_string(place) : write_code(let->second);
     if (value.empty())
-      return fail(ErrorCode::type, fmt::format("'{}' counts frames, and code counts seconds", word),
-                  fmt::format("let {} = 0.5s is one; code knows frame and rate", word));
+      return fail(ErrorCode::type, fmt::format("'{}' is in frames, but code counts seconds", word),
+                  fmt::format("write it in seconds: let {} = 0.5s; code can also use frame and rate", word));
     names += (names.empty() ? "" : ", ") + std::string(word);
     values += (values.empty() ? "" : ", ") + value;
   }
@@ -179,13 +176,13 @@ bool own_command(Command& k, const NamedProcedure& p) {
   std::vector<std::string> words;
   if (!arguments(c, words)) return false;
   if (script.depth >= deepest_command)
-    return c.fail(ErrorCode::range, fmt::format("commands run each other more than {} deep", deepest_command),
+    return c.fail(ErrorCode::range, fmt::format("commands call each other more than {} levels deep", deepest_command),
                   {start - p.name.size(), p.name.size()});
   Rollback all(s);
   const NamedProcedure own = p;  // a copy, because its lines may replace this procedure
   Hosting host(k);
   const Status done = own.code->command(host, words);
-  if (host.called_off) throw NotWanted{};
+  if (host.called_off) throw Cancelled{};
   if (done) return all.keep(), true;
   return c.fail(done.error().code, fmt::format("{}: {}", own.name, done.error().message),
                 {start - own.name.size(), own.name.size()}, done.error().hint);

@@ -26,18 +26,18 @@ bool rate_of_change(Command& k, const Selected& to, Value& out) {
       const char* start = c.at;
       for (int i = 0; i < 3; ++i)
         if (!c.number(v[i])) return false;
-      if (v == Vec3{}) return c.fail(ErrorCode::range, "an axis needs a direction; 0 0 0 has none", c.since(start));
+      if (v == Vec3{}) return c.fail(ErrorCode::range, "the axis 0 0 0 has no direction", c.since(start));
     }
     if (!values(k).angle(angle) || !c.close()) return false;
     out = angle * normalize(v);
     return true;
   }
   if (c.peek_word() == "quat")
-    return c.fail_here(ErrorCode::type, "a turning speed is wanted here, not an orientation",
+    return c.fail_here(ErrorCode::type, "expected an angular velocity here, not an orientation",
                        "as in axis(0 1 0, 90deg)");
   const bool spin = c.accept_word("spin");  // about the fixed axes, as one vector
   if (!spin && c.peek() != '(' && !c.accept_word("euler"))
-    return c.fail_here(ErrorCode::type, "a turning speed is wanted here",
+    return c.fail_here(ErrorCode::type, "expected an angular velocity here",
                        "as in axis(0 1 0, 90deg) or euler(0 90deg 0)");
   if (!c.open()) return false;
   for (int i = 0; i < 3; ++i)
@@ -54,7 +54,7 @@ namespace {
 bool turning_tangent(Command& k, const Selected& to, const Event& e, Value& out) {
   Cursor& c = k.cursor;
   const auto* q = std::get_if<Quat>(&e.value);
-  if (!q) return c.fail_here(ErrorCode::type, "keep has no orientation that a tangent could be of");
+  if (!q) return c.fail_here(ErrorCode::type, "'keep' takes no tangent of an orientation");
   if (c.accept_word("quat")) {
     Quat rate;
     if (!c.open()) return false;
@@ -64,7 +64,7 @@ bool turning_tangent(Command& k, const Selected& to, const Event& e, Value& out)
     return c.close();
   }
   if (c.peek_word() == "euler" || c.peek() == '(')
-    return c.fail_here(ErrorCode::type, "an orientation's tangent is a turning speed or quat(…)",
+    return c.fail_here(ErrorCode::type, "the tangent of an orientation must be an angular velocity or quat(…)",
                        "as in tangent=axis(0 1 0, 90deg) or tangent=spin(0 90deg 0)");
   Value speed;
   if (!rate_of_change(k, to, speed)) return false;
@@ -78,7 +78,7 @@ bool turning_tangent(Command& k, const Selected& to, const Event& e, Value& out)
 // Reads tangent=V, tangent-in=V, tangent-out=V: the slopes of hermite, per second.
 bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
   auto& [s, c, time, layer, script] = k;
-  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
+  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing after {}", key));
   const Type type = to.type();
   if (!row_of(type).tangents) return c.fail(ErrorCode::type, fmt::format("{} has no tangents", to_string(type)), key);
   Value v;
@@ -89,35 +89,37 @@ bool tangent(Command& k, const Selected& to, std::string_view key, Event& e) {
                             : !values(k).value(unbounded(*to.spec), to.component, v))  // a speed may be of any size
     return false;
   if (std::holds_alternative<Quat>(v) && !turns)
-    return c.fail(ErrorCode::type, "angles have tangents of angles", c.since(start), "as in tangent=euler(0 90deg 0)");
+    return c.fail(ErrorCode::type, "the tangent of angles must be angles", c.since(start),
+                  "as in tangent=euler(0 90deg 0)");
   EventDetail& d = e.detail.edit();
   if (key != "tangent-out") d.tangent_in = v, d.handle_in.reset();
   if (key != "tangent-in") d.tangent_out = v, d.handle_out.reset();
   return true;
 }
 
-// Reads handle-in=(L V), handle-out=(L V): the handles of fcurve, relative to the event.
+// Reads handle-in=(LENGTH VALUE), handle-out=(LENGTH VALUE): the handles of fcurve, relative to the event.
 bool handle(Command& k, const Selected& to, std::string_view key, Event& e) {
   auto& [s, c, time, layer, script] = k;
-  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
+  if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing after {}", key));
   const Type type = to.type();
   if (!row_of(type).tangents) return c.fail(ErrorCode::type, fmt::format("{} has no handles", to_string(type)), key);
   if (type == Type::orientation || std::holds_alternative<Quat>(e.value))
-    return c.fail(ErrorCode::type, "an orientation has no handles", key, "angles have: euler(0 90deg 0)");
+    return c.fail(ErrorCode::type, "an orientation has no handles", key, "angles have handles: euler(0 90deg 0)");
   c.space();
   if (c.peek() != '(')
-    return c.fail_here(ErrorCode::syntax, fmt::format("{} is a length of time and a difference of value", key),
+    return c.fail_here(ErrorCode::syntax, fmt::format("{} must be a length of time and a difference of value", key),
                        fmt::format("as in {}=(4f 1)", key));
   if (!c.open()) return false;
   c.space();
   const char* const start = c.at;
   Time length;
   if (!c.length(length)) return false;
-  if (length < Time{}) return c.fail(ErrorCode::range, "a handle is not shorter than nothing", c.since(start));
+  if (length < Time{}) return c.fail(ErrorCode::range, "a handle must not be negative", c.since(start));
   Value v;
   if (!values(k).value(unbounded(*to.spec), to.component, v)) return false;
   if (std::holds_alternative<Quat>(v))
-    return c.fail(ErrorCode::type, "angles have handles of angles", c.since(start), "as in (4f euler(0 90deg 0))");
+    return c.fail(ErrorCode::type, "the handle of angles must be angles", c.since(start),
+                  "as in (4f euler(0 90deg 0))");
   if (!c.close()) return false;
   EventDetail& d = e.detail.edit();
   (key == "handle-in" ? d.tangent_in : d.tangent_out) = std::move(v);

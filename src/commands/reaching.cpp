@@ -104,11 +104,12 @@ bool in_a_circle(const Scene& s, const std::vector<Reacher>& all, const std::vec
 std::string hindrance(const Scene& s, const std::vector<Reacher>& all, ObjectId hand, std::vector<ObjectId> chain,
                       ObjectId goal, Time t) {
   const std::string &name = s.objects[hand.index].name, &there = s.objects[goal.index].name;
-  if (goal == hand) return fmt::format("'{}' cannot reach for itself", name);
+  if (goal == hand) return fmt::format("'{}' cannot reach itself", name);
   chain.push_back(hand);
-  if (moves_with(s, goal, chain, t)) return fmt::format("'{}' moves with '{}': it cannot be reached", there, name);
+  if (moves_with(s, goal, chain, t))
+    return fmt::format("'{}' cannot reach '{}', because they move together", name, there);
   if (in_a_circle(s, all, chain, goal, t))
-    return fmt::format("'{}' reaches for what moves with '{}': a circle", there, name);
+    return fmt::format("'{0}' cannot reach '{1}', because '{1}' reaches an object that moves with '{0}'", name, there);
   return {};
 }
 
@@ -117,15 +118,15 @@ bool can_reach(Command& k, const Reaching& r, ObjectId hand, std::string_view ab
   Cursor& c = k.cursor;
   const std::string& name = s.objects[hand.index].name;
   if (!placed(s.objects[hand.index].kind))
-    return c.fail(ErrorCode::type, fmt::format("'{}' is nowhere: it cannot reach for anything", name), about);
+    return c.fail(ErrorCode::type, fmt::format("'{}' has no position, so it cannot reach anything", name), about);
   const Time t = r.from.value_or(Time{});
   std::vector<ObjectId> chain = joints(s, hand, t, r.bones);
   if (static_cast<long>(chain.size()) < std::max(2L, r.bones) &&
       !held_by_code(s, chain.empty() ? hand : chain.back(), t))
     return c.fail(ErrorCode::type,
-                  chain.empty() ? fmt::format("'{}' hangs on nothing that could bend", name)
-                                : fmt::format("'{}' hangs on {} joint{} only: {} would have to bend", name,
-                                              chain.size(), chain.size() == 1 ? "" : "s", std::max(2L, r.bones)),
+                  chain.empty() ? fmt::format("'{}' has no parents that could bend", name)
+                                : fmt::format("'{}' has only {} joint{} above it, but {} must bend", name, chain.size(),
+                                              chain.size() == 1 ? "" : "s", std::max(2L, r.bones)),
                   about, fmt::format("as in couple {} to forearm, couple forearm to arm", name));
   const auto* goal = std::get_if<ObjectId>(&r.goal);
   if (!goal || !*goal) return true;
@@ -136,14 +137,14 @@ bool can_reach(Command& k, const Reaching& r, ObjectId hand, std::string_view ab
 bool aimed(Command& k, FunctionId f, Value& out) { return values(k).value(built_in_functions()[f], -1, out, f); }
 
 bool key_is_next(Cursor& c, std::string_view key) {
-  return c.accept('=') || c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing behind {}", key));
+  return c.accept('=') || c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing after {}", key));
 }
 
 bool blend(Cursor& c, std::optional<Time>& out) {
   const char* const start = c.at;
   Time length;
   if (!c.length(length)) return false;
-  if (length < Time{}) return c.fail(ErrorCode::range, "a blend is not shorter than nothing", c.since(start));
+  if (length < Time{}) return c.fail(ErrorCode::range, "a blend must not be negative", c.since(start));
   out = length;
   return true;
 }
@@ -156,7 +157,8 @@ bool option(Command& k, Reaching& r) {
     Time t;
     if (!c.time(t)) return false;
     if (key == "from" && k.time)
-      return c.fail(ErrorCode::syntax, "it begins at the time that stands before it", c.since(start));
+      return c.fail(ErrorCode::syntax, "'from' is not needed here: the reach begins at the time of the command",
+                    c.since(start));
     (key == "from" ? r.from : r.until) = t;
     return true;
   }
@@ -171,7 +173,7 @@ bool option(Command& k, Reaching& r) {
   if (key == "chain")
     return key_is_next(c, key) && (r.bones_said = c.whole_number(2, most_bones, "a chain's number of joints", r.bones));
   return c.fail(ErrorCode::syntax, fmt::format("'{}' is not expected here", key.substr(0, 40)), key,
-                "from TIME, until TIME, pole=POINT, chain=N, blend=LENGTH");
+                "write from TIME, until TIME, pole=POINT, chain=N or blend=LENGTH");
 }
 
 bool arguments_of_reach(Command& k, Reaching& r, std::string_view& about) {
@@ -184,9 +186,10 @@ bool arguments_of_reach(Command& k, Reaching& r, std::string_view& about) {
     if (!option(k, r)) return false;
   if (r.until && !r.from) r.from = Time{};
   if (r.until && !(*r.from < *r.until))
-    return c.fail(ErrorCode::range, "it has to end after it begins", about, "from 12f until 36f");
+    return c.fail(ErrorCode::range, "a reach must end after it begins", about, "as in from 12f until 36f");
   if ((r.blend_in || r.blend_out) && !r.from)
-    return c.fail(ErrorCode::syntax, "what reaches all the time is not blended", about, "from 12f until 36f blend=6f");
+    return c.fail(ErrorCode::syntax, "a reach without times cannot be blended", about,
+                  "as in from 12f until 36f blend=6f");
   return true;
 }
 
@@ -241,9 +244,11 @@ bool reach(Command& k) {
 
 constexpr Verb reaching_rows[] = {
     {"reach",
-     "reach A to B [from TIME until TIME] [pole=POINT] [chain=N] [blend=L] [blend-in=L] [blend-out=L] or at TIME reach "
-     "…",
-     "Brings a thing to a place by turning the joints above it (inverse kinematics): two, as in an arm or a leg, or N.",
+     "reach A to B [from TIME until TIME] [pole=POINT|NAME] [chain=N] [blend=LENGTH] [blend-in=LENGTH] "
+     "[blend-out=LENGTH] "
+     "or at TIME reach …",
+     "Brings an object to a place by turning the joints above it (inverse kinematics): two, as in an arm or a leg, or "
+     "N.",
      "create arm box\ncreate forearm box position=(1 0 0)\ncreate palm sphere position=(1 0 0)\n"
      "couple forearm to arm\ncouple palm to forearm\nreach palm to (1 1 0) from 12f until 36f",
      Verb::timed, reach},
@@ -251,15 +256,17 @@ constexpr Verb reaching_rows[] = {
 
 }  // namespace
 
-std::vector<std::string> hindered_reaches(const Scene& s) {
+std::vector<Error> hindered_reaches(const Scene& s) {
   const std::vector<Reacher> all = reachers(s);
-  std::vector<std::string> out;
+  std::vector<Error> out;
   std::size_t looks = 1000;
   for (const Reacher& r : all)
     for (const auto& [goal, since] : r.goals) {
       if (looks-- == 0) return out;
       std::string why = hindrance(s, all, r.hand, joints(s, r.hand, since, r.bones), {goal}, since);
-      if (!why.empty()) out.push_back(std::move(why));
+      if (why.empty()) continue;
+      out.push_back(fail(ErrorCode::name, std::move(why)));
+      out.back().subject = s.objects[r.hand.index].name;
     }
   return out;
 }

@@ -7,15 +7,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/how_far.h"
+#include "base/cancellation.h"
+#include "base/memory_budget.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
+#include "base/utf8.h"
+#include "base/work_progress.h"
+#include "commands/foreign_words.h"
+#include "commands/line_head.h"
+#include "commands/lint.h"
 #include "commands/list_rows.h"
-#include "commands/look_over.h"
-#include "commands/roads.h"
 #include "commands/verbs.h"
 #include "language/formula.h"
-#include "language/line_words.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
@@ -26,10 +29,10 @@ bool open_sheet(Command& k, std::string_view word) {
   if (!targets(k, word, on)) return false;
   if (!c.at_line_end())
     return c.fail_here(
-        ErrorCode::syntax, "nothing follows the target that opens a sheet",
-        fmt::format("its rows go below, indented; a single event is written: at TIME {0} VALUE, a value for the "
-                    "whole film: set {0} VALUE",
-                    word));
+        ErrorCode::syntax, "a target that opens a sheet must be alone on its line",
+        fmt::format(
+            "write its rows below, indented; for one event write at TIME {0} VALUE, for the whole film set {0} VALUE",
+            word));
   Sheet& sheet = script.sheet;
   sheet = {};
   sheet.open = true;
@@ -41,20 +44,20 @@ bool open_sheet(Command& k, std::string_view word) {
 // Reports that there is no such command, and suggests similar words.
 bool no_command(Command& k, std::string_view w, const char* start) {
   auto& [s, c, time, layer, script] = k;
-  const auto fail = [&](ErrorCode code, std::string message, std::string hint = {}) {
+  const auto fail = [&](ErrorCode code, std::string message, Hint hint = {}) {
     return k.cursor.fail(code, std::move(message), w, std::move(hint));
   };
   const std::string said(w.substr(0, 40));
   if (starts_like_time(w[0]))
     return c.fail(ErrorCode::syntax, "this looks like a row, but no sheet is open", {start, w.size()},
-                  "rows are indented under a line that is only a target, as in ball.position");
+                  "rows are indented below a line with only a target, as in ball.position");
   if (const auto why = not_of_a_script(w); !why.empty())
     return fail(ErrorCode::name, fmt::format("'{}' {}", w, why),
-                w == "load" ? "who shows the film loads it: betwixt play --load PLUGIN FILE" : "");
+                w == "load" ? "load it when you show the film: betwixt play --load PLUGIN FILE" : "");
   if (c.at_line_end() && !time) script.sheet.open = script.sheet.broken = true;  // probably meant as a target
   if (s.names.find(w))
     return fail(ErrorCode::name, fmt::format("'{}' is an object, not a command", said),
-                fmt::format("a sheet opens with a target, as in {}.position", said));
+                fmt::format("to open a sheet, write a target, as in {}.position", said));
   for (const ListRow& row : list_rows())
     if (row.word == w && !time)
       return fail(ErrorCode::name, fmt::format("'{}' is a row of a display list, not a command", w),
@@ -63,9 +66,9 @@ bool no_command(Command& k, std::string_view w, const char* start) {
     return fail(ErrorCode::syntax, "a comment starts with '#' and a space");
   const std::string message = fmt::format("there is no command '{}'", said);
   c.space();
-  if (c.peek() == '=')
-    return fail(ErrorCode::name, message, fmt::format("names for many objects are made by: alias {} = …", said));
-  if (const std::string_view leads = road(w); !leads.empty()) return fail(ErrorCode::name, message, std::string(leads));
+  if (c.peek() == '=') return fail(ErrorCode::name, message, fmt::format("to name many objects: alias {} = …", said));
+  if (const std::string_view leads = foreign_word_hint(w); !leads.empty())
+    return fail(ErrorCode::name, message, std::string(leads));
   std::vector<std::string_view> words = verb_words();
   for (const NamedProcedure& p : *s.procedures)
     if (p.role == Role::command) words.push_back(p.name);
@@ -79,8 +82,8 @@ bool since_row_above(Command& k, Time& out) {
   Time later;
   if (!c.length(later)) return false;
   if (!k.script.sheet.above)
-    return c.fail(ErrorCode::syntax, "there is no row above that this could come later than", c.since(start),
-                  "the first row of a sheet says its time, as in 12f");
+    return c.fail(ErrorCode::syntax, "a time with '+' needs a row above it", c.since(start),
+                  "write the time of the first row, as in 12f");
   out = *k.script.sheet.above + later;
   return true;
 }
@@ -92,7 +95,7 @@ bool row_of(Command& k, const Selected& on) {
   c.space();
   if (!starts_like_time(c.peek()) && !formula_begins(c))
     return c.fail_here(ErrorCode::syntax,
-                       fmt::format("a row begins with a time, not with '{}'",
+                       fmt::format("a row must begin with a time, not with '{}'",
                                    c.peek_word().empty() ? std::string_view(c.at, 1) : c.peek_word()),
                        "a command that follows a sheet is not indented");
   const char* const start = c.at;
@@ -154,7 +157,7 @@ bool follows(const Script& script, const Error& e, const Cursor& c) {
 
 // Reports the error of the line that began there. Reading continues after the line.
 void complain(Scene& s, Cursor& c, Script& script, const char* line_start) {
-  Error e = c.error.value_or(fail(ErrorCode::syntax, "this cannot be carried out"));
+  Error e = c.error.value_or(fail(ErrorCode::syntax, "this command failed"));
   const LogicalLine one = logical_line(between(line_start, c.end));
   const char* next = one.next(c.end);
   // An unclosed bracket is the cause, not the words that the lines below seem to lack.
@@ -178,14 +181,25 @@ void say_touched(Script& script, const char* line_start) {
   if (script.touched > 1) script.note(Severity::notice, fmt::format("{} objects", script.touched), {line_start, 0});
 }
 
+// Runs one logical line. A line that would make too much fails; what it has changed is not kept by its caller.
+bool line_within_limits(Command& k, const char* line_start, bool& too_much) {
+  try {
+    return line(k, line_start);
+  } catch (const OverBudget& limit) {
+    too_much = true;
+    const Error e = too_many_bytes(limit.most);
+    return k.cursor.fail(e, Cursor(between(line_start, k.cursor.end)).next_word());
+  }
+}
+
 void run(Scene& s, Script& script, std::size_t from = 0) {
   Cursor c(script.source.text);
   c.at += from;
   const bool author = script.open_files.size() < 2;  // a used file counts as one line of it
   const std::size_t size = script.source.text.size();
   while (c.at < c.end && !script.given_up) {
-    StillWanted::ask();
-    if (author) HowFar::tell(size - static_cast<std::size_t>(c.end - c.at), size);
+    Cancellation::check();
+    if (author) WorkProgress::report(size - static_cast<std::size_t>(c.end - c.at), size);
     const char* line_start = c.at;
     const char* p = c.at;
     while (p < c.end && blank(*p)) ++p;
@@ -198,7 +212,8 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     c.depth = 0;
     Command k{s, c, {}, {}, script};
     script.touched = 0;
-    const bool done = line(k, line_start);
+    bool too_much = false;
+    const bool done = line_within_limits(k, line_start, too_much);
     if (done && script.options.counts) say_touched(script, line_start);
     if (done && script.watch && script.depth == 0) script.watch->look(s, script.source, between(line_start, c.at));
     if (done && !script.failed.empty())  // its names exist now
@@ -207,6 +222,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     if (!done) {
       complain(s, c, script, line_start);
       c.error.reset(), c.where = {};
+      script.given_up |= too_much;  // no later line could make anything
     } else if (c.at < c.end && *c.at == '\n') {
       ++c.at;
     }
@@ -222,7 +238,7 @@ bool finish(Cursor& c) {
                                                   : fmt::format("'{}' is not expected here", w.substr(0, 40)));
 }
 
-bool no_choice(Cursor& c, std::string_view word, std::string message, std::string hint) {
+bool no_choice(Cursor& c, std::string_view word, std::string message, Hint hint) {
   if (word.empty()) return c.fail_here(ErrorCode::syntax, std::move(message), std::move(hint));
   return c.fail(ErrorCode::type, std::move(message), word, std::move(hint));
 }
@@ -241,10 +257,10 @@ bool pass_over(Command& k, const char* from) {
 }
 
 std::string_view not_of_a_script(std::string_view word) {
-  if (word == "load") return "is no word of a script: plug-ins are programs, which a script must not start";
+  if (word == "load") return "is not a script command: a script may not start programs such as plug-ins";
   const auto shell = reserved_words();
   if (std::find(shell.begin(), shell.end(), word) == shell.end()) return {};
-  return "is a word of the shell; a script does not need it";
+  return "is a shell command; a script does not need it";
 }
 
 bool carry_out(Command& k) {
@@ -253,11 +269,10 @@ bool carry_out(Command& k) {
   const char* start = c.at;
   const std::string_view w = c.word();
   if (w.empty())
-    return c.fail_here(ErrorCode::syntax, fmt::format("a command begins with a verb, not with '{}'", c.peek()));
+    return c.fail_here(ErrorCode::syntax, fmt::format("a command must begin with a verb, not with '{}'", c.peek()));
   script.verb = start;
   const Verb* const known = find_verb(w);
-  // `at` is only a prefix of the command.
-  if (w != "at" && (!known || !(known->flags & Verb::opens_sheet))) show_lists(s, script);
+  if (!known || !(known->flags & (Verb::opens_sheet | Verb::prefix))) show_lists(s, script);
   if (const Verb* v = known) {
     if ((v->flags & Verb::stamped) && !time && script.options.now) {
       script.stamp(s, {start, 0}, "at ", " ");
@@ -279,35 +294,24 @@ bool carry_out(Command& k) {
   return false;
 }
 
-std::vector<std::string> names_made(std::string_view line) {
-  static constexpr std::string_view makers[] = {"create", "layer",     "alias",   "let",
-                                                "define", "procedure", "animate", "make"};
-  Cursor c(line);
-  const std::string_view verb = c.next_word();
-  std::string_view word = c.next_word();
-  if (verb == "let" && word == "again") word = c.next_word();
-  if (verb == "split") return word.empty() ? std::vector<std::string>() : std::vector{std::string(word) + '/'};
-  if (word.empty() || std::find(std::begin(makers), std::end(makers), verb) == std::end(makers)) return {};
-  auto names = expand_braces(word, 10'000);
-  return names ? *std::move(names) : std::vector<std::string>();
-}
-
 std::vector<std::string> names_missed(const Scene& s, std::string_view line) {
   auto names = names_made(line);
   std::erase_if(names, [&](const std::string& name) {
-    const auto called = [&](const auto& one) { return one.name == name; };
     return s.names.find(name) || s.aliases->contains(name) || s.lets->contains(name) || s.lists->contains(name) ||
-           std::any_of(s.defined->begin(), s.defined->end(), called) || find_procedure(s, name);
+           s.defined->find(name) || find_procedure(s, name);
   });
   return names;
 }
 
 std::string_view name_missed(const Error& e) {
-  if (e.code != ErrorCode::name) return {};
-  const std::string_view message = e.message;
-  const auto close = message.rfind('\''), open = message.rfind('\'', close - 1);
-  if (close == std::string_view::npos || close == 0 || open == std::string_view::npos) return {};
-  return message.substr(open + 1, close - open - 1);
+  return e.code == ErrorCode::name ? std::string_view(e.subject) : std::string_view();
+}
+
+bool unknown_command(const Error& e, std::string_view line) {
+  const std::string_view word = first_word(line);
+  return e.code == ErrorCode::name && e.hint.empty() && e.place.line > 0 && !word.empty() && !find_verb(word) &&
+         static_cast<std::size_t>(e.place.column) == 1 + count_characters(between(line.data(), word.data())) &&
+         static_cast<std::size_t>(e.place.length) == count_characters(word);
 }
 
 std::vector<std::string_view> with_those_above(std::string_view name) {
@@ -324,7 +328,7 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   Sheet outer_sheet = std::exchange(script.sheet, {});
   const std::filesystem::path outer_folder = std::exchange(script.folder, std::filesystem::path(name).parent_path());
   const std::size_t outer_touched = script.touched;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
+  text = without_mark(text);
   script.source = {text, name};
   std::error_code ignored;
   if (script.root.empty())
@@ -332,8 +336,8 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   if (const auto bad = unsound(text)) {
     script.report(Severity::error, bad->why, {text.data() + bad->at, 0});
     script.diagnostics.back().line.clear();
-  } else {  // the first line of a script that the system can start
-    run(s, script, text.starts_with("#!") ? std::min(text.find('\n'), text.size()) : 0);
+  } else {
+    run(s, script, program_line(text));
   }
   close_list(s, script);
   show_lists(s, script);
@@ -349,11 +353,17 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
 
 void read_line(Scene& s, Script& script, std::string_view line, const std::string& name) {
   script.folder = std::filesystem::path(name).parent_path();
-  const std::shared_ptr<const OpenSheet> left = std::exchange(script.left, nullptr);
-  if (left && indented(line) && !go_on(s, script, *left)) {
-    // The meaning of its names has changed.
+  std::shared_ptr<const OpenSheet> left = std::exchange(script.left, nullptr);
+  std::string opener, pattern;  // of the sheet that the row continues
+  const bool row = left && indented(line);
+  if (row) opener = left->opener, pattern = left->pattern;
+  const bool same = row && go_on(s, script, *left);
+  left.reset();  // it shares parts of the scene, which would be copied when they change
+  if (same) {
+    script.sheet.on.text = pattern;
+  } else if (row) {  // the meaning of its names has changed
     const std::size_t said = script.diagnostics.size();
-    script.source = {left->opener, name};
+    script.source = {opener, name};
     run(s, script);
     script.sheet.place = {}, script.sheet.spots.clear();
     for (std::size_t i = said; i < script.diagnostics.size(); ++i) script.diagnostics[i].what.place = {};

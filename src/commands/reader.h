@@ -27,9 +27,10 @@ void read_line(Scene&, Script&, std::string_view line, const std::string& name);
 // names_made(): the names that a line makes, or would have made if it had not failed. names_missed(): those of its
 // names that the scene lacks. name_missed(): the name that an error of a name is about. If a missed name equals a made
 // one, the error follows from the failed line. "title/" represents all names that `split title` makes.
-std::vector<std::string> names_made(std::string_view line);
 std::vector<std::string> names_missed(const Scene&, std::string_view line);
 std::string_view name_missed(const Error&);
+// Returns whether the error is that the line's first word is no command, without a hint.
+bool unknown_command(const Error&, std::string_view line);
 // Returns the name and all names above it, itself first. For "man/arm/hand": also "man/arm/", "man/arm", "man/" and
 // "man".
 std::vector<std::string_view> with_those_above(std::string_view name);

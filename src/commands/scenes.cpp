@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancellation.h"
 #include "base/files.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "commands/command.h"
 #include "commands/drawings.h"
 #include "exchange/scene_names.h"
@@ -84,10 +84,11 @@ bool find_clip(Command& k, const SceneFile& file, const Wanted& w, std::string_v
     out = &clips[n - 1];
   else if (!w.animation.empty())
     return k.cursor.fail(ErrorCode::name, fmt::format("{} has no animation '{}'", w.path, w.animation.substr(0, 60)),
-                         about, clips.empty() ? "it has none" : "its animations are " + clip_names(file));
+                         about,
+                         clips.empty() ? "the file has no animations" : "its animations are " + clip_names(file));
   if (w.animation.empty() && clips.size() > 1)
-    k.script.note(Severity::notice, fmt::format("of {} animations this is the first one", clips.size()), about,
-                  "animation=… chooses: " + clip_names(file));
+    k.script.note(Severity::notice, fmt::format("the file has {} animations; this uses the first one", clips.size()),
+                  about, "choose one by animation=…: " + clip_names(file));
   return true;
 }
 
@@ -113,7 +114,7 @@ class SceneMaker {
     all_.assign(1, wanted_.root), parents_.assign(1, -1);
     all_[0].name = name;
     for (std::size_t i = 0; i < file_.nodes.size(); ++i) {
-      StillWanted::ask();
+      Cancellation::check();
       node(i);
     }
     if (file_.meshes.empty()) bones();
@@ -188,7 +189,7 @@ class SceneMaker {
     const std::size_t width = t.width(), per = t.way == SceneTrack::cubic ? 3 : 1;
     Events& events = slot.track.edit().events;
     for (std::size_t i = 0; i < t.times.size(); ++i) {
-      if (i % 4096 == 0) StillWanted::ask();
+      if (i % 4096 == 0) Cancellation::check();
       const double* here = &t.values[i * width * per + first];
       Event e;
       e.time = wanted_.start + at_frames(t.times[i], s_.rate);
@@ -301,14 +302,17 @@ bool define_weights(Command& k, const SceneFile& file, std::string_view about) {
       const std::string& name = m.mesh->rig->targets[i].name;
       if (const auto f = find_function(s, Kind::mesh, name)) {
         if (spec_of(s, *f).type != Type::scalar)
-          script.note(Severity::warning,
-                      fmt::format("a morph target '{}' has no weight: a function of that name is there, and is {}",
-                                  name, to_string(spec_of(s, *f).type)),
-                      about);
+          script.note(
+              Severity::warning,
+              fmt::format(
+                  "the morph target '{}' cannot have a weight: a function of that name already exists, and is {}", name,
+                  to_string(spec_of(s, *f).type)),
+              about);
         continue;
       }
-      if (s.defined->size() >= 10000)
-        return c.fail(ErrorCode::range, "no more than 10000 functions can be defined", about);
+      if (s.defined->size() >= OwnFunctions::most)
+        return c.fail(ErrorCode::range, fmt::format("a film can define at most {} functions", OwnFunctions::most),
+                      about);
       s.defined.edit().push_back({.name = name, .type = Type::scalar, .rest = 0.0, .kinds = 0xffffffff});
     }
   return true;
@@ -324,20 +328,19 @@ bool create_scene(Command& k, const std::vector<std::string>& names, const std::
   if (ending(wanted.path) == "svg") return create_drawing(k, names, parents, wanted.root, wanted.path, about);
   std::filesystem::path where;
   if (!may_use(k, wanted.path, about, where)) return false;
-  const auto loaded = load_scene(
-      where.string(), [&](const std::string& p) { return k.script.may_read(p); }, k.script.options.read_anywhere);
-  if (!loaded) return c.fail(loaded.error().code, loaded.error().message, about, loaded.error().hint);
+  const auto loaded = scene_of_file(k, where);
+  if (!loaded) return c.fail(loaded.error(), about);
   const SceneFile& file = **loaded;
   const SceneClip* clip = nullptr;
   if (!find_clip(k, file, wanted, about, clip)) return false;
   Rollback back(s);
   if (!define_weights(k, file, about)) return false;
-  keep_meshes(s, wanted.path, file);
+  if (!keep_meshes(k, wanted.path, file, about)) return false;
   for (std::size_t i = 0; i < names.size(); ++i) {
     SceneMaker maker(s, file, wanted, clip);
     std::vector<Object> all = maker.objects(names[i]);
     if (s.objects.size() + all.size() > most_objects)
-      return c.fail(ErrorCode::range, fmt::format("a film has at most {} objects", most_objects), about);
+      return c.fail(ErrorCode::range, fmt::format("a film can have at most {} objects", most_objects), about);
     for (const Object& o : all)
       if (!free_name(k, o.name, about)) return false;
     FromFile made{{}, names[i], command_of(wanted, file, clip), {}};
@@ -351,7 +354,7 @@ bool create_scene(Command& k, const std::vector<std::string>& names, const std::
     s.from_files.edit().push_back(std::move(made));
   }
   for (const std::string& sentence : file.left_out)
-    script.note(Severity::warning, fmt::format("of {}: {}", wanted.path, sentence), about);
+    script.note(Severity::warning, fmt::format("in {}: {}", wanted.path, sentence), about);
   back.keep();
   return true;
 }

@@ -21,9 +21,9 @@ Script::Script(Scene& scene, Diagnostics& to, const LoadOptions& how) : diagnost
   adopt_plugins(scene);
 }
 
-Script::Script(Scene& scene, Diagnostics& to, const LoadOptions& how, const SoFar& from, const Home& home)
+Script::Script(Scene& scene, Diagnostics& to, const LoadOptions& how, const ReaderState& from, const Home& home)
     : Script(scene, to, how) {
-  static_cast<SoFar&>(*this) = from;
+  static_cast<ReaderState&>(*this) = from;
   live = true;
   root = home.root;
   if (!home.file.empty()) open_files.push_back(home.file);
@@ -65,7 +65,7 @@ void Script::report(Severity severity, Error error, std::string_view about) {
     if (!given_up)
       diagnostics.push_back(
           {Severity::error,
-           fail(ErrorCode::syntax, fmt::format("more than {} errors; the rest is not said", most_errors)),
+           fail(ErrorCode::syntax, fmt::format("there are more than {} errors; the others are not shown", most_errors)),
            {},
            0});
     given_up = true;
@@ -108,10 +108,10 @@ void Script::names_nothing(std::string_view pattern) {
           return std::any_of(above.begin(), above.end(), [&](std::string_view part) { return matches(part, name); });
         });
       });
-  if (!followed && !file_missing) note(Severity::notice, fmt::format("'{}' names nothing", pattern), pattern);
+  if (!followed && !file_missing) report(Severity::notice, nothing_named(pattern), pattern);
 }
 
-void Script::note(Severity severity, std::string message, std::string_view about, std::string hint) {
+void Script::note(Severity severity, std::string message, std::string_view about, Hint hint) {
   report(severity, fail(ErrorCode::syntax, std::move(message), std::move(hint)), about);
 }
 

@@ -21,7 +21,7 @@
 
 namespace betwixt {
 
-class Watch;
+class PlaceFinder;
 
 // The result of reading a pattern: the targets that it names, and the type of their values.
 struct Selected {
@@ -72,14 +72,14 @@ struct OpenSheet {
   std::string pattern;  // that names its targets
   Sheet sheet;
   NameIndex names;
-  Cow<std::vector<FunctionSpec>> defined;
+  Cow<OwnFunctions> defined;
   Cow<std::map<std::string, std::vector<std::string>, std::less<>>> aliases;
   Cow<DisplayLists> lists;
   Cow<LaterLists> later_lists;
 };
 
 // The state that later lines need from earlier ones. It is a value, so that a copy of it serves undo.
-struct SoFar {
+struct ReaderState {
   bool frames_read = false, ticks_read = false;  // whether times have been given in these
   int included = 0;                              // files
   std::size_t copied = 0;                        // events made by copying
@@ -95,11 +95,11 @@ struct Home {
   std::filesystem::path file;  // real path of the file, which it cannot `use`
 };
 
-struct Script : SoFar {
+struct Script : ReaderState {
   // Adds the plug-ins' words to the scene.
   Script(Scene&, Diagnostics&, const LoadOptions&);
-  // For a live author: continues from `SoFar`.
-  Script(Scene&, Diagnostics&, const LoadOptions&, const SoFar&, const Home&);
+  // For a live author: continues from `ReaderState`.
+  Script(Scene&, Diagnostics&, const LoadOptions&, const ReaderState&, const Home&);
 
   Diagnostics& diagnostics;
   LoadOptions options;
@@ -169,13 +169,13 @@ struct Script : SoFar {
   std::vector<std::uint32_t> speakers(const Scene&, const std::vector<ObjectId>&);
   std::vector<ObjectId> below(const Scene&, const std::string& name, bool drawn);
 
-  Watch* watch = nullptr;  // observes each line; may be nullptr
+  PlaceFinder* watch = nullptr;  // observes each line; may be nullptr
 
   int errors = 0;
   bool given_up = false;  // there are too many errors; later ones are not reported
 
   void report(Severity, Error, std::string_view about);
-  void note(Severity severity, std::string message, std::string_view about, std::string hint = {});
+  void note(Severity severity, std::string message, std::string_view about, Hint hint = {});
   // Adds a notice that a pattern matched nothing, unless a failed line would have made a name that it matches.
   void names_nothing(std::string_view pattern);
 
@@ -204,10 +204,13 @@ void show_lists(Scene&, Script&);
 std::string opener(const Scene&, const Sheet&);
 // Returns the script's open sheet for later lines, or nullptr if none is open.
 std::shared_ptr<const OpenSheet> left_open(const Scene&, const Script&);
-// Reopens a sheet in the script. Returns false if its names no longer mean the same.
+// Reopens a sheet in the script, without the text of its target. Returns false if its names no longer mean the same.
 bool go_on(Scene&, Script&, const OpenSheet&);
 // Sets the tracks that receive rows directly.
 void find_tracks(Scene&, Sheet&);
+// Stores the lists if the sheet's list is shown, so that rows which make it too large can be dropped. A stored state
+// makes the next change copy the names of all lists.
+void keep_shown(const Scene&, Sheet&);
 // Report, at the end of the script: events masked by velocities, releases that end nothing, incomplete lists, and falls
 // that later lines have turned.
 void say_masked_events(const Scene&, Script&);

@@ -59,8 +59,7 @@ bool change(Command& k, const Stretch& on, const Work& work, bool along, Changed
   for (const Target& t : on.of.targets) {
     const Status done = each_track(k.scene, t, along, work, sum);
     if (done) continue;
-    if (done.error().code != ErrorCode::type)
-      return k.cursor.fail(done.error().code, done.error().message, on.word, done.error().hint);
+    if (done.error().code != ErrorCode::type) return k.cursor.fail(done.error(), on.word);
     left_out.push_back(t);
     if (!why) why = done.error();
   }
@@ -72,9 +71,9 @@ bool change(Command& k, const Stretch& on, const Work& work, bool along, Changed
 
 void say_changed(Command& k, const Stretch& on, const Changed& sum) {
   if (sum.events == 0)
-    k.script.note(Severity::notice, fmt::format("there are no events of '{}' there", on.of.text), on.word);
+    k.script.note(Severity::notice, fmt::format("'{}' has no events in this segment", on.of.text), on.word);
   if (sum.replaced > 0)
-    k.script.note(Severity::notice, fmt::format("{} gave way", plural(sum.replaced, "event")), on.word);
+    k.script.note(Severity::notice, fmt::format("{} replaced", plural(sum.replaced, "event")), on.word);
 }
 
 bool operate(Command& k, const Stretch& on, const Work& work, bool along = true) {
@@ -123,7 +122,8 @@ bool given_factors(Command& k, const Stretch& on, Value& out) {
     return true;
   }
   if (one)
-    return c.fail_here(ErrorCode::type, fmt::format("one number is wanted here: this is {}", to_string(on.type())));
+    return c.fail_here(ErrorCode::type,
+                       fmt::format("expected one number here: the target is {}", to_string(on.type())));
   Vec3 v;
   if (!values(k).vector(component_count(on.type()) == 2 ? 2 : 3, v)) return false;
   out = v;
@@ -161,8 +161,8 @@ bool stretch(Command& k) {
   if (!(factor > 0))
     return c.fail(ErrorCode::range,
                   on.of.spec && on.type() == Type::motion
-                      ? "time is stretched by more than 0"
-                      : "time is stretched by more than 0; 'reverse' turns it round",
+                      ? "the factor must be greater than 0"
+                      : "the factor must be greater than 0; to play backwards, use 'reverse'",
                   c.since(at));
   if (notes)
     return retime_notes(k, on.word, on.segment, [&](Time t, auto& to) {
@@ -186,9 +186,8 @@ void say_bent(Command& k, const std::vector<std::string>& places, std::string_vi
       fmt::format("{}", fmt::join(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(named), ", "));
   if (places.size() > most) all += fmt::format(" and {} more", places.size() - most);
   k.script.note(
-      Severity::warning, "these bend otherwise than before, backwards: " + all, about,
-      "their in-betweens follow from the events beside them, which are others now; reverse the whole track, or "
-      "bake it first");
+      Severity::warning, "these segments have another shape backwards: " + all, about,
+      "their shape depends on the neighbouring events, which have changed; reverse the whole track, or bake it first");
 }
 
 bool reverse(Command& k) {
@@ -202,10 +201,10 @@ bool reverse(Command& k) {
   const auto turn_round = [&](Track& t, Type type, int component, const Target& of) -> Result<Changed> {
     if (of.velocity && !on.of.velocity)
       return fail(ErrorCode::type, "a track with velocities cannot be reversed",
-                  "clear them first, or reverse the velocity alone");
+                  "clear the velocities first, or reverse the velocity alone");
     if (type == Type::motion)
       return fail(ErrorCode::type, "a motion cannot be reversed",
-                  "write what undoes it: betwixt algebra --inverse tells");
+                  "write its inverse, which betwixt algebra --inverse prints");
     const bool part = component >= 0 || on.of.component >= 0;
     fill_in_kept(t, on.segment, type, of.velocity, part);
     for (const Segment& s : own_tangents(t, on.segment, type_of_track(type, of.velocity, part), part))
@@ -257,7 +256,7 @@ bool turn_values(Command& k, Stretch& on, Changed& sum) {
   const auto turn = [&](Track& t, Type type, int component, const Target& of) -> Result<Changed> {
     if (component >= 0)
       return fail(ErrorCode::type,
-                  "the components of this track have tracks of their own: it cannot be rotated as a whole");
+                  "the components of this track have their own tracks, so it cannot be rotated as a whole");
     auto done = rotate_segment(t, on.segment, axis_angle(axis, angle), of.velocity ? Vec3{} : centre);
     if (!done && type == Type::rotation)
       return fail(ErrorCode::type, "angles cannot be rotated, orientations can",
@@ -301,7 +300,7 @@ bool clear_before(Command& k, Stretch& on, bool notes) {
   });
   if (whole > 3) left += fmt::format(" and {} more", whole - 3);
   if (whole > 0)
-    k.script.note(Severity::notice, "left whole, as what comes later follows from all of it: " + left, on.word);
+    k.script.note(Severity::notice, "not cleared, because later values depend on all earlier events: " + left, on.word);
   if (on.of.targets.empty()) return finish(k.cursor);
   const auto erase = [&](Track& track, Type type, int, const Target&) -> Result<Changed> {
     return Changed{erase_before(track, t, row_of(type).changes), 0};
@@ -333,21 +332,22 @@ bool clear(Command& k) {
 }
 
 constexpr Verb segments_rows[] = {
-    {"move", "move TARGET A..B by LENGTH", "Moves the events of a segment in time, or notes.",
-     "move ball.position 1f..24f by 12f", Verb::layered, move},
-    {"stretch", "stretch TARGET A..B by FACTOR", "Makes a segment longer or shorter.",
-     "stretch ball.position 1f..24f by 2", Verb::layered, stretch},
-    {"reverse", "reverse TARGET A..B", "Runs a segment backwards.", "reverse ball.position 1f..24f", Verb::layered,
-     reverse},
+    {"move", "move TARGET|notes A..B by LENGTH", "Moves the events of a segment, or notes, in time.",
+     "move ball.position 1f..24f by 12f", Verb::layered, move, "TARGET; NUMBER; by"},
+    {"stretch", "stretch TARGET|notes A..B by FACTOR", "Makes a segment longer or shorter in time.",
+     "stretch ball.position 1f..24f by 2", Verb::layered, stretch, "TARGET; NUMBER; by"},
+    {"reverse", "reverse TARGET|notes A..B", "Plays a segment backwards.", "reverse ball.position 1f..24f",
+     Verb::layered, reverse},
     {"scale", "scale TARGET A..B (X Y Z)", "Multiplies the values of a segment.",
      "scale ball.position 1f..24f (1 -1 1)", Verb::layered, scale},
     {"translate", "translate TARGET A..B (X Y Z)", "Adds to the values of a segment.",
      "translate ball.position 1f..24f (0 1 0)", Verb::layered, translate},
     {"rotate", "rotate TARGET A..B ANGLE AXIS [@ (X Y Z)]", "Turns the values of a segment about an axis.",
      "rotate ball.position 1f..24f 90deg y", Verb::layered, rotate},
-    {"clear", "clear TARGET A..B or clear TARGET TIME or clear TARGET before TIME",
-     "Removes the events of a segment or of one time, those before a time that later values do not need, or notes.",
-     "clear ball.position 6f..18f", Verb::layered, clear},
+    {"clear", "clear TARGET|notes A..B, clear TARGET|notes TIME or clear TARGET|notes before TIME",
+     "Removes events, or notes: those of a segment, those at one time, or, with `before`, those that no later value "
+     "needs.",
+     "clear ball.position 6f..18f", Verb::layered, clear, "TARGET; before"},
 };
 
 }  // namespace
@@ -373,10 +373,10 @@ bool reaches(Command& k, const Stretch& on, const Target& t, const Value& by, co
     const std::string name = target_name(k.scene, one), from = format_time(on.segment.from, k.scene.rate);
     return k.cursor.fail(
         ErrorCode::type,
-        fmt::format("{} has no events from {} to {}: they cannot be {}", name, from,
+        fmt::format("{} has no events from {} to {} that could be {}", name, from,
                     format_time(on.segment.to, k.scene.rate), changed),
         on.word,
-        fmt::format("the components of this track have tracks of their own; at {} {} VALUE writes an event", from,
+        fmt::format("the components of this track have their own tracks; to write an event: at {} {} VALUE", from,
                     name));
   }
   return true;

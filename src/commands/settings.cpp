@@ -24,9 +24,9 @@ bool read_rate(Command& k, Rate& rate, bool used, const char* what) {
   if (&rate == &s.ticks) s.smooth_ticks = smooth;
   if (used && !(fresh == rate))
     script.note(Severity::warning,
-                fmt::format("times in {} above this line were read at {} per second and stay where they are", what,
+                fmt::format("times in {} above this line were read at {} per second and do not change", what,
                             rate.den == 1 ? std::to_string(rate.num) : fmt::format("{}/{}", rate.num, rate.den)),
-                about, "say the rate first");
+                about, "write the rate first");
   rate = fresh;
   return true;
 }
@@ -53,7 +53,7 @@ bool policy(Command& k) {
   const std::string_view w = c.next_word();
   const auto at = std::find(policy_names.begin(), policy_names.end(), w);
   if (at == policy_names.end())
-    return no_choice(c, w, "the policy is translate, ignore or ask",
+    return no_choice(c, w, "the policy must be translate, ignore or ask",
                      did_you_mean(w, {policy_names.begin(), policy_names.end()}));
   if (!finish(c)) return false;
   s.policy = static_cast<Policy>(at - policy_names.begin());
@@ -61,16 +61,18 @@ bool policy(Command& k) {
 }
 
 constexpr Verb settings_rows[] = {
-    {"rate", "rate N, as in rate 24 or rate 30000/1001", "Frames per second; write it first.", "rate 25", Verb::once,
-     rate},
+    {"rate", "rate N, as in rate 24 or rate 30000/1001", "How many frames a second has; write it first.", "rate 25",
+     Verb::once, rate, "NUMBER…"},
     {"range", "range FROM TO, as in range 1f 48f", "The first and the last frame of the film.", "range 1f 48f",
-     Verb::once | Verb::aside, range},
-    {"ticks", "ticks N [smooth], environment ticks per second",
-     "Environment ticks per second, for times such as 90t; smooth: motion between them too.", "ticks 60 smooth", 0,
-     ticks},
+     Verb::once | Verb::aside, range, "NUMBER…"},
+    {"ticks", "ticks N [smooth]",
+     "How many ticks a second has: `90t` is a time in ticks, and environments move at ticks. With `smooth` they also "
+     "move "
+     "between two ticks.",
+     "ticks 60 smooth", 0, ticks, "NUMBER…"},
     {"policy", "policy translate|ignore|ask",
-     "What happens to a value that makes no sense for its target: error, warning or translation.", "policy ignore", 0,
-     policy},
+     "What to do with a value of the wrong type: convert it, ignore the line, or ask.", "policy ignore", 0, policy,
+     "translate ignore ask"},
 };
 
 }  // namespace

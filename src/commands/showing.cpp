@@ -49,11 +49,11 @@ bool display(Command& k) {
 
 constexpr Verb showing_rows[] = {
     {"look", "at TIME look through CAMERA", "Changes the camera from this time on: a cut.", "at 24f look through eye",
-     Verb::timed | Verb::aside, look},
+     Verb::timed | Verb::aside | Verb::quick, look, "through; CAMERA"},
     {"show", "show A or at TIME show A", "Shows objects, from a time on or for the whole film.", "at 12f show ball",
-     Verb::timed | Verb::layered | Verb::aside, display<true>},
+     Verb::timed | Verb::layered | Verb::aside | Verb::quick, display<true>, "OBJECT…"},
     {"hide", "hide A or at TIME hide A", "Hides objects, from a time on or for the whole film.", "at 24f hide ball",
-     Verb::timed | Verb::layered | Verb::aside, display<false>},
+     Verb::timed | Verb::layered | Verb::aside | Verb::quick, display<false>, "OBJECT…"},
 };
 
 }  // namespace

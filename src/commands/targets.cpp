@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
+#include "base/cancellation.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "commands/command.h"
-#include "commands/roads.h"
+#include "commands/foreign_words.h"
 #include "scene/names.h"
 
 namespace betwixt {
@@ -57,7 +57,7 @@ struct Search {
     t.layer = k.layer;
     return t;
   }
-  bool fail(ErrorCode code, std::string message, std::string_view about, std::string hint = {}) const {
+  bool fail(ErrorCode code, std::string message, std::string_view about, Hint hint = {}) const {
     return k.cursor.fail(code, std::move(message), about, std::move(hint));
   }
   bool still(const FunctionSpec& spec) const {
@@ -77,15 +77,14 @@ bool no_object(const Search& q) {
     if (const auto braces = expand_braces(object); !braces)
       return q.fail(braces.error().code, braces.error().message, object);
   if (is_pattern(object) || s.aliases->contains(std::string(object))) return q.names_nothing(object);
-  return q.fail(ErrorCode::name, fmt::format("there is no object '{}'", object.substr(0, 60)), object,
-                near_object(s, object));
+  return q.k.cursor.fail(unknown_name("object", object, near_object(s, object)), object);
 }
 
 // Finds targets for queries only: the world matrix and the like, or an object's place, as in world.x.
 bool asked_for(const Search& q, const std::vector<ObjectId>& objects, Query asked) {
   const auto& [whole, object, function, component, velocity] = q.words;
   if (q.meant != Meant::asked)
-    return q.fail(ErrorCode::type, fmt::format("'{}' can be asked for, not set", function), function);
+    return q.fail(ErrorCode::type, fmt::format("'{}' can be read, but not set", function), function);
   const auto words =
       component.empty() ? Result<std::vector<std::string>>(std::vector<std::string>()) : expand_braces(component, 100);
   for (const ObjectId id : objects) {
@@ -98,16 +97,16 @@ bool asked_for(const Search& q, const std::vector<ObjectId>& objects, Query aske
   if (component.empty() || !q.out.targets.empty()) return true;
   const std::string_view without = whole.substr(0, whole.size() - component.size() - 1);
   return q.fail(ErrorCode::name, fmt::format("'{}' has no part '{}'", without, component.substr(0, 40)), component,
-                asked == Query::world    ? fmt::format("{}.x, .y and .z say where it is", without)
-                : asked == Query::motion ? fmt::format("{} is a matrix, row by row", without)
-                                         : fmt::format("ask for {}", without));
+                asked == Query::world ? fmt::format("its position is {}.x, .y and .z", without)
+                : asked == Query::by  ? fmt::format("{} is a matrix, row by row", without)
+                                      : fmt::format("read {}", without));
 }
 
 // Finds the named components; -1 represents the whole.
 bool parts_of(const Search& q, const FunctionSpec& spec, std::vector<int>& parts) {
   const std::string_view component = q.words.component;
   if (component.empty()) return parts.push_back(-1), true;
-  const std::string near = has_velocity(spec.type) ? did_you_mean(component, {"velocity"}) : std::string();
+  const Hint near = has_velocity(spec.type) ? did_you_mean(component, {"velocity"}) : Hint();
   if (component_count(spec.type) == 0)
     return q.fail(ErrorCode::name, fmt::format("{} has no components: it is {}", spec.name, to_string(spec.type)),
                   component, near);
@@ -146,10 +145,9 @@ bool differ(const FunctionSpec& a, const FunctionSpec& b) { return a.type != b.t
 
 bool unlike(Command& k, const FunctionSpec& a, const FunctionSpec& b, std::string_view about) {
   return k.cursor.fail(ErrorCode::type,
-                       a.type == b.type
-                           ? fmt::format("{} and {} are measured in different units", a.name, b.name)
-                           : fmt::format("these functions have values of different types: {} is {}, {} is {}", a.name,
-                                         to_string(a.type), b.name, to_string(b.type)),
+                       a.type == b.type ? fmt::format("{} and {} are measured in different units", a.name, b.name)
+                                        : fmt::format("these functions have different types: {} is {}, {} is {}",
+                                                      a.name, to_string(a.type), b.name, to_string(b.type)),
                        about);
 }
 
@@ -185,11 +183,11 @@ bool no_function(const Search& q, ObjectId id, std::string_view function) {
   const Object& o = q.scene().objects[id.index];
   auto names = function_names(q.scene(), o.kind);
   names.push_back("world");
-  std::string near = did_you_mean(function, names);
-  if (function.find('.') != std::string_view::npos) near = "components stand behind all of them: {position,scale}.y";
+  Hint near = did_you_mean(function, names);
+  if (function.find('.') != std::string_view::npos) near = "write the component after the braces: {position,scale}.y";
   return q.fail(ErrorCode::name,
                 fmt::format("'{}', {}, has no function '{}'", o.name, a_kind(o.kind), function.substr(0, 40)),
-                q.words.function, near.empty() ? std::string(road(function)) : near);
+                q.words.function, near.empty() ? Hint(std::string(foreign_word_hint(function))) : near);
 }
 
 // Returns whether any kind of object has the function. If so, objects without it are left out; if not, its name is
@@ -210,7 +208,7 @@ bool all_of(const Search& q, const std::vector<ObjectId>& objects) {
   }
   std::vector<bool> found(wanted.size());
   for (const ObjectId id : objects) {
-    StillWanted::ask();
+    Cancellation::check();
     for (std::size_t i = 0; i < wanted.size(); ++i)
       for (const FunctionId f : functions(q, q.kind(id), wanted[i])) {
         found[i] = true;
@@ -248,16 +246,6 @@ struct Refused {
 };
 
 }  // namespace
-
-std::size_t first_dot(std::string_view w) {
-  int braces = 0;
-  for (std::size_t i = 0; i < w.size(); ++i) {
-    if (w[i] == '{') ++braces;
-    if (w[i] == '}') --braces;
-    if (w[i] == '.' && braces <= 0) return i;
-  }
-  return std::string_view::npos;
-}
 
 bool alike(Command& k, const Selected& of) {
   for (const Target& t : of.targets)

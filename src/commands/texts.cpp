@@ -40,19 +40,21 @@ Value settled_value(const Scene& s, const Object& o, FunctionId f) {
 
 bool setting_of(Command& k, const Object& o, std::string_view about, Setting& out) {
   if (o.kind != Kind::text)
-    return k.cursor.fail(ErrorCode::type, fmt::format("'{}' is {}: only texts are split", o.name, a_kind(o.kind)),
+    return k.cursor.fail(ErrorCode::type, fmt::format("'{}' is {}; only texts can be split", o.name, a_kind(o.kind)),
                          about);
   Shape shape;
   for (const std::string_view name : settled) {
     const FunctionId f = *find_built_in(Kind::text, name);
     if (!is_settled(o, f))
-      return k.cursor.fail(ErrorCode::type, fmt::format("'{}.{}' changes: a text that is split stays", o.name, name),
-                           about, name == "typed" ? "hide its letters and show them one by one: stagger" : "");
+      return k.cursor.fail(
+          ErrorCode::type,
+          fmt::format("'{}.{}' changes in the film; only a text that does not change can be split", o.name, name),
+          about, name == "typed" ? "use stagger to show its letters one by one" : "");
     spec_of(k.scene, f).shape(shape, settled_value(k.scene, o, f), k.scene);
   }
   if (shape.formula)
-    return k.cursor.fail(ErrorCode::type, fmt::format("'{}' is a formula, which stays whole", o.name), about,
-                         "its glyphs come one by one by 'typed'");
+    return k.cursor.fail(ErrorCode::type, fmt::format("'{}' is a formula; formulas cannot be split", o.name), about,
+                         "use 'typed' to show its glyphs one by one");
   out = {*shape.text, *shape.font, shape.letters, shape.size.y};
   return true;
 }
@@ -80,7 +82,7 @@ bool split_one(Command& k, ObjectId id, SplitInto into, std::string_view about, 
   if (parts.empty())
     return c.fail(ErrorCode::range, fmt::format("'{}' has no letters that could be split", whole.name), about);
   if (s.objects.size() + parts.size() > most_objects)
-    return c.fail(ErrorCode::range, fmt::format("a film has at most {} objects", most_objects), about);
+    return c.fail(ErrorCode::range, fmt::format("a film can have at most {} objects", most_objects), about);
   const auto name = [&](std::size_t i) { return fmt::format("{}/{}", whole.name, i + 1); };
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (!free_name(k, name(i), about)) return false;
@@ -103,11 +105,11 @@ bool split(Command& k) {
   std::vector<ObjectId> texts;
   if (!objects(k, word, texts)) return false;
   if (!c.accept_word("into"))
-    return c.fail_here(ErrorCode::syntax, "'into' is missing here", "split title into letters, words or lines");
+    return c.fail_here(ErrorCode::syntax, "'into' is missing here", "as in split title into letters, words or lines");
   const std::string_view into = c.next_word();
   const auto at = std::find(part_names.begin(), part_names.end(), into);
   if (at == part_names.end())
-    return no_choice(c, into, "a text is split into letters, words or lines",
+    return no_choice(c, into, "a text can be split into letters, words or lines",
                      did_you_mean(into, {part_names.begin(), part_names.end()}));
   if (!finish(c)) return false;
   Rollback all(s);
@@ -121,10 +123,10 @@ bool split(Command& k) {
 
 constexpr Verb texts_rows[] = {
     {"split", "split TITLE into letters|words|lines",
-     "Splits a text into objects TITLE/1, TITLE/2 …, in their places; they hang on the text, which is hidden.",
+     "Splits a text into objects TITLE/1, TITLE/2 … at the same places; the text is their parent and is hidden.",
      "create title text text=\"The end\"\nsplit title into letters\nat 1f title/*.position (0 5 0)\n"
      "at 24f title/*.position (0 0 0)\nstagger title/*.position by 2f",
-     0, split},
+     Verb::makes_parts, split, "OBJECT; into; letters words lines"},
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/cancellation.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "commands/verbs.h"
 #include "track/curve.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 bool at(Command& k) {
   auto& [s, c, time, layer, script] = k;
-  if (time) return c.fail_here(ErrorCode::syntax, "one 'at' is enough");
+  if (time) return c.fail_here(ErrorCode::syntax, "a command can have only one 'at'");
   std::optional<Time> until;
   c.space();
   const char* const times = c.at;
@@ -45,11 +45,11 @@ bool at(Command& k) {
   const Verb* verb = find_verb(w);
   if (verb && layer && verb->flags & Verb::timed && !(verb->flags & Verb::layered)) return on_no_layer(c, w);
   if (verb && verb->flags & Verb::timed) return carry_out(timed);
-  if (verb) return c.fail(ErrorCode::syntax, fmt::format("'{}' has no time: it holds for the whole film", w), w);
+  if (verb) return c.fail(ErrorCode::syntax, fmt::format("'{}' takes no time: it applies to the whole film", w), w);
   if (const auto why = not_of_a_script(w); !why.empty())
     return c.fail(ErrorCode::name, fmt::format("'{}' {}", w, why), w);
-  const std::string near = did_you_mean(w, verb_words(Verb::timed));
-  return c.fail(ErrorCode::syntax, fmt::format("a target or a command is wanted here, not '{}'", w.substr(0, 40)), w,
+  const Hint near = did_you_mean(w, verb_words(Verb::timed));
+  return c.fail(ErrorCode::syntax, fmt::format("expected a target or a command here, not '{}'", w.substr(0, 40)), w,
                 near.empty() ? "as in at 24f ball.position (1 2 3)" : near);
 }
 
@@ -59,9 +59,9 @@ void say_unseen(Command& k, const Selected& to, std::string_view about) {
   for (const Target& t : to.targets)
     for (const Track* track : tracks_of(k.scene, t))
       if (!track->events.empty() && track->events.front().time <= begins)
-        return k.script.note(Severity::warning, "this track has events from the beginning on: what is set is not seen",
-                             about,
-                             fmt::format("at TIME {} VALUE changes one; clear takes them out", about.substr(0, 60)));
+        return k.script.note(
+            Severity::warning, "this track has events from the beginning, so 'set' has no effect", about,
+            fmt::format("change an event with at TIME {} VALUE, or remove the events with clear", about.substr(0, 60)));
 }
 
 // Fails if the target is a component that cannot be set by itself.
@@ -69,10 +69,10 @@ bool has_components(Command& k, const Target& t, std::string_view about) {
   const Slot* slot = k.scene.objects[t.object.index].find(t.function, t.layer);
   if (t.component < 0 || !slot || !slot->set) return true;
   if (std::holds_alternative<Procedure>(*slot->set))
-    return k.cursor.fail(ErrorCode::type, "code computes the whole of it; it has no separate components", about);
+    return k.cursor.fail(ErrorCode::type, "code computes the whole value, so its components cannot be set", about);
   if (std::holds_alternative<Quat>(*slot->set))
     return k.cursor.fail(ErrorCode::type, "an orientation has no separate angles", about,
-                         "set the whole of it as euler(x y z) first");
+                         "set the whole value as euler(x y z) first");
   return true;
 }
 
@@ -91,7 +91,7 @@ bool compute_component(Command& k, const Selected& to, const Value& code) {
     const auto tracks = tracks_of(k.scene, t);
     if (!std::all_of(tracks.begin(), tracks.end(), free)) return say_unseen(k, to, to.text), true;
   }
-  for (const Target& t : to.targets) StillWanted::ask(), put_event(k.scene, t, e);
+  for (const Target& t : to.targets) Cancellation::check(), put_event(k.scene, t, e);
   return true;
 }
 
@@ -108,27 +108,26 @@ bool set_alike(Command& k, const Selected& to) {
     return event(k, to, *script.options.now);
   }
   if (to.velocity)
-    return c.fail(ErrorCode::type, "a velocity holds from a time on", w,
-                  fmt::format("as in at 1f {} …", w.substr(0, 60)));
+    return c.fail(ErrorCode::type, "a velocity needs a time", w, fmt::format("as in at 1f {} …", w.substr(0, 60)));
   if (c.peek() == '=') {
     if (!computed(k, to, v) || !finish(c)) return false;
     if (to.component >= 0) return compute_component(k, to, v);
-    for (const Target& t : to.targets) StillWanted::ask(), set_value(s, t, v);
+    for (const Target& t : to.targets) Cancellation::check(), set_value(s, t, v);
     return true;
   }
   if (goes_along(c)) return set_along_line(k, to);
   if (to.type() == Type::motion)
-    return c.fail(ErrorCode::type, "a motion is not set: it takes a segment of time", w,
+    return c.fail(ErrorCode::type, "a motion cannot be set: it needs a segment of time", w,
                   fmt::format("as in at 1f..24f {} T(6 0)", w.substr(0, 60)));
   if (to.type() == Type::attachment)
-    return c.fail(ErrorCode::type, "an attachment is not set", w,
-                  "couple A to B, attach A to B, hang A on B, detach A");
+    return c.fail(ErrorCode::type, "an attachment cannot be set", w,
+                  "write couple A to B, attach A to B, hang A on B or detach A");
   if (!values(k).value(*to.spec, to.component, v, to.targets[0].function) || !finish(c)) return false;
   for (const Target& t : to.targets) {
     if (!draws(k, t, w) || !focuses_elsewhere(k, t, v, w) || !has_components(k, t, w)) return false;
   }
   say_unseen(k, to, w);
-  for (const Target& t : to.targets) StillWanted::ask(), set_value(s, t, v);
+  for (const Target& t : to.targets) Cancellation::check(), set_value(s, t, v);
   say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, v, w);
   return true;
 }
@@ -149,12 +148,12 @@ bool twerper_of_all(Command& k, const Selected& to, bool none) {
     const std::string_view key = c.peek_word();
     if (key != "in") return finish(c);
     c.word();
-    if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing behind in");
+    if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing after in");
     const std::string_view how = c.next_word();
-    if (how != "light" && how != "srgb") return no_choice(c, how, "colours blend in=light or in=srgb");
+    if (how != "light" && how != "srgb") return no_choice(c, how, "write in=light or in=srgb");
     if (!row_of(to.type()).light)
       return c.fail(ErrorCode::type,
-                    fmt::format("only colours blend in light or srgb; this is {}", to_string(to.type())), key);
+                    fmt::format("only colours can blend in light or srgb; this is {}", to_string(to.type())), key);
     srgb = how == "srgb";
   }
   if (!finish(c)) return false;
@@ -185,7 +184,8 @@ bool extend(Command& k) {
   if (at == extrapolation_names.end())
     return no_choice(c, how,
                      how.empty() ? "hold, linear, cycle or bounce is missing here"
-                                 : fmt::format("'{}' is no way to extend a track", how.substr(0, 40)),
+                                 : fmt::format("a track must be extended by hold, linear, cycle or bounce, not '{}'",
+                                               how.substr(0, 40)),
                      did_you_mean(how, {extrapolation_names.begin(), extrapolation_names.end()}));
   bool before = true, after = true;
   if (c.accept_word("before"))
@@ -201,7 +201,7 @@ bool extend(Command& k) {
   const std::string why = fmt::format("an attachment cannot be extended by {}", how);
   if (to.targets.empty() && !holding.empty())
     return c.fail(ErrorCode::type, why, how,
-                  fmt::format("write it again and again: copy {} 1f..24f to 25f times 3", to.text.substr(0, 60)));
+                  fmt::format("repeat it with copy: copy {} 1f..24f to 25f times 3", to.text.substr(0, 60)));
   if (!holding.empty()) say_left_out(k, holding, to.text, why);
   for (const Target& t : to.targets)
     for (Track* track : edit_tracks(s, t)) {
@@ -213,16 +213,16 @@ bool extend(Command& k) {
 
 constexpr Verb tracks_rows[] = {
     {"set", "set TARGET VALUE, as in set ball.color red",
-     "Sets the value of a function; it counts while the track has no events.", "set ball.color red",
-     Verb::timed | Verb::layered | Verb::aside, set},
+     "Sets the value of a function; it applies while the track has no events.", "set ball.color red",
+     Verb::timed | Verb::layered | Verb::aside | Verb::quick, set, "TARGET; VALUE; WAY…"},
     {"at", "at TIME TARGET VALUE or at TIME COMMAND", "Gives a command its time, or puts one event on a track.",
-     "at 12f ball.radius 2 ease-in=4f", Verb::layered, at},
-    {"twerper", "twerper TARGET NAME [in=light|srgb]; none gives every event its own again",
-     "Sets the twerper (interpolation, easing) of a whole track.", "twerper ball.position linear", Verb::layered,
-     global_twerper},
+     "at 12f ball.radius 2 ease-in=4f", Verb::layered | Verb::prefix | Verb::quick, at, "NUMBER"},
+    {"twerper", "twerper TARGET NAME [in=light|srgb] or twerper TARGET none",
+     "Sets the twerper (interpolation, easing) of a whole track; none gives every event its own again.",
+     "twerper ball.position linear", Verb::layered, global_twerper, "TARGET; TWERPER none; in=light in=srgb"},
     {"extend", "extend TARGET hold|linear|cycle|bounce [before|after]",
      "The extrapolation of a track: its values before its first and after its last event.",
-     "extend ball.position cycle", Verb::layered, extend},
+     "extend ball.position cycle", Verb::layered, extend, "TARGET; hold linear cycle bounce; before after"},
 };
 
 }  // namespace

@@ -9,9 +9,9 @@
 
 #include "base/names.h"
 #include "commands/command.h"
-#include "commands/roads.h"
-#include "language/line_words.h"
+#include "commands/foreign_words.h"
 #include "language/values.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
@@ -37,10 +37,10 @@ bool percentage(Cursor& c, std::optional<double>& out) {
   double place = 0;
   if (!c.literal(place)) return false;
   if (c.at != p)
-    return c.fail(ErrorCode::syntax, "this is no percentage", {start, static_cast<std::size_t>(p - start)});
+    return c.fail(ErrorCode::syntax, "this is not a percentage", {start, static_cast<std::size_t>(p - start)});
   ++c.at;
   if (!(std::abs(place) <= 1e6))
-    return c.fail(ErrorCode::range, "a stop's place in time is from -1000000% to 1000000%", c.since(start));
+    return c.fail(ErrorCode::range, "the time of a stop must be from -1000000% to 1000000%", c.since(start));
   out = place;
   return true;
 }
@@ -52,24 +52,24 @@ bool stop(Cursor& c, std::vector<SaidStop>& all, std::optional<double>& latest) 
   if (!percentage(c, place)) return false;
   if (place)
     return c.fail(ErrorCode::syntax,
-                  all.empty() ? "a percentage stands behind its stop" : "a stop has at most two places in time",
+                  all.empty() ? "write the percentage after its stop" : "a stop can have at most two percentages",
                   c.since(start), "as in linear(0 0.25 25% 75% 1)");
   SaidStop said;
   if (!c.number(said.value)) return false;
   if (const auto unit = c.unit(); !unit.empty())
-    return c.fail(ErrorCode::type, fmt::format("a stop is a plain number, without '{}'", unit), c.since(start));
+    return c.fail(ErrorCode::type, fmt::format("a stop must be a plain number, without '{}'", unit), c.since(start));
   if (!(std::abs(said.value) <= 1e6))
-    return c.fail(ErrorCode::range, "a stop is a number from -1000000 to 1000000", c.since(start));
+    return c.fail(ErrorCode::range, "a stop must be from -1000000 to 1000000", c.since(start));
   all.push_back(said);
   for (int i = 0; i < 2; ++i) {
     const char* const at = (c.space(), c.at);
     if (!percentage(c, place = std::nullopt)) return false;
     if (!place) break;
     if (latest && *place < *latest)
-      return c.fail(
-          ErrorCode::range,
-          fmt::format("stops go forward in time: {}% stands behind {}%", write_number(*place), write_number(*latest)),
-          c.since(at));
+      return c.fail(ErrorCode::range,
+                    fmt::format("the percentages of stops must not go back: {}% is after {}%", write_number(*place),
+                                write_number(*latest)),
+                    c.since(at));
     if (i == 1) all.push_back(said);
     latest = all.back().place = place;
   }
@@ -87,7 +87,7 @@ bool stops(Cursor& c, std::shared_ptr<const Stops>& out) {
   for (c.space(); c.peek() != ')'; c.space()) {
     if (!stop(c, all, latest)) return false;
     if (all.size() > most)
-      return c.fail(ErrorCode::range, fmt::format("linear has at most {} stops", most), {start, 1});
+      return c.fail(ErrorCode::range, fmt::format("linear can have at most {} stops", most), {start, 1});
   }
   if (!c.close()) return false;
   if (all.size() < 2)
@@ -104,11 +104,11 @@ bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, TwerperArgum
   const char* const start = c.at;
   if (row.stops) return c.peek() != '(' || stops(c, out.stops);
   if (row.arguments.empty())
-    return c.peek() != '(' || c.fail_here(ErrorCode::syntax, fmt::format("'{}' takes nothing in brackets", name));
+    return c.peek() != '(' || c.fail_here(ErrorCode::syntax, fmt::format("'{}' takes no brackets", name));
   if (c.peek() != '(')
     return c.fail(ErrorCode::syntax,
                   t == Twerper::bezier ? "bezier needs its two control points"
-                                       : fmt::format("{} needs in brackets {}", name, row.arguments[0].name),
+                                       : fmt::format("{} needs {} in brackets", name, row.arguments[0].name),
                   name, fmt::format("as in {}", row.example.substr(row.example.rfind(' ', row.example.find('(')) + 1)));
   if (!c.open()) return false;
   for (std::size_t i = 0; i < row.arguments.size(); ++i) {
@@ -118,9 +118,9 @@ bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, TwerperArgum
     if (!c.number(out[i])) return false;
     if (out[i] >= a.low && out[i] <= a.high && (!a.whole || out[i] == std::floor(out[i]))) continue;
     if (t == Twerper::bezier && a.name[0] == 'x')
-      return c.fail(ErrorCode::range, "the x of a bezier's control points is from 0 to 1", c.since(start));
+      return c.fail(ErrorCode::range, "the x of a bezier's control points must be from 0 to 1", c.since(start));
     return c.fail(ErrorCode::range,
-                  fmt::format("{} is {} from {} to {}", a.name, a.whole ? "a whole number" : "a number",
+                  fmt::format("{} must be {} from {} to {}", a.name, a.whole ? "a whole number" : "a number",
                               write_number(a.low), write_number(a.high)),
                   c.since(at));
   }
@@ -130,8 +130,8 @@ bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, TwerperArgum
     if (const std::string_view w = c.peek_word(); !w.empty()) {
       const auto known = std::find(row.words.begin(), row.words.end(), w);
       if (known == row.words.end())
-        return c.fail(ErrorCode::syntax, fmt::format("'{}' is none of {}", w.substr(0, 40), fmt::join(row.words, ", ")),
-                      w);
+        return c.fail(ErrorCode::syntax,
+                      fmt::format("'{}' is not one of {}", w.substr(0, 40), fmt::join(row.words, ", ")), w);
       which = static_cast<double>(known - row.words.begin());
       c.word();
     }
@@ -156,16 +156,16 @@ bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arg
   }
   if (!found) {
     if (w.empty()) return c.fail_here(ErrorCode::name, "a twerper is missing here");
-    const std::string_view leads = road(w);
-    const std::string near = leads.empty() ? did_you_mean(w, twerper_words(s)) : std::string(leads);
-    return c.fail(ErrorCode::name, fmt::format("there is no twerper '{}'", w.substr(0, 40)), w,
-                  near.empty() && is_name(w) ? "where it is a plug-in's: --load PLUGIN" : near);
+    const std::string_view leads = foreign_word_hint(w);
+    const Hint near = leads.empty() ? did_you_mean(w, twerper_words(s)) : Hint(std::string(leads));
+    return c.fail(unknown_name("twerper", w, near.empty() && is_name(w) ? "if a plug-in has it: --load PLUGIN" : near),
+                  w);
   }
   out = *found;
   std::string why;
   if (!fits(out, to.type(), &why))
     return c.fail(ErrorCode::type, why, w,
-                  to.type() == Type::text ? "letters turn into others by geometry: at 24f A.geometry shape(B) …" : "");
+                  to.type() == Type::text ? "to morph letters, use geometry: at 24f A.geometry shape(B) …" : "");
   return twerper_arguments(c, out, w, arguments);
 }
 

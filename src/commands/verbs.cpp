@@ -45,6 +45,29 @@ std::vector<std::string_view> verb_words(unsigned flags) {
   return words;
 }
 
+static constexpr std::string_view to_be_repeated = "…";
+
+std::string_view words_at(std::string_view words, std::size_t place) {
+  const bool repeats = words.ends_with(to_be_repeated);
+  if (repeats) words.remove_suffix(to_be_repeated.size());
+  for (; place > 0; --place) {
+    const std::size_t next = words.find(';');
+    if (next == std::string_view::npos) return repeats ? words : std::string_view();
+    words.remove_prefix(next + 1);
+  }
+  return words.substr(0, words.find(';'));
+}
+
+bool has_word(std::string_view words, std::string_view one) {
+  for (std::size_t at = words.find(one); at != std::string_view::npos; at = words.find(one, at + 1)) {
+    const std::string_view behind = words.substr(at + one.size());
+    const bool begins = at == 0 || words[at - 1] == ' ';
+    if (begins && (behind.empty() || behind[0] == ' ' || behind[0] == ';' || behind.starts_with(to_be_repeated)))
+      return true;
+  }
+  return false;
+}
+
 std::span<const std::string_view> reserved_words() {
   static constexpr std::string_view shell[] = {"help",    "list", "describe", "undo", "redo", "plot", "play", "stop",
                                                "rewrite", "save", "open",     "load", "quit", "exit", "eval", "style"};

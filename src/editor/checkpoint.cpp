@@ -19,11 +19,13 @@ constexpr int after_all_others = 10;  // its nice value
 
 struct Checkpoint::Work {
   Document document;
+  std::size_t steps = 0;
   std::string name, path;
   LoadOptions options;
   Result<std::string> script = fail(ErrorCode::machine, "no script makes the document as it is");
-  std::optional<ScriptBeside> beside;
-  std::atomic<bool> done{false};
+  CheckpointStep step;
+  std::optional<NextHistory> next;
+  std::atomic<bool> done{false}, wanted{true};
 
   void run() {
     ::setpriority(PRIO_PROCESS, 0, after_all_others);  // of this thread only
@@ -33,29 +35,32 @@ struct Checkpoint::Work {
       script = fail(ErrorCode::machine, e.what());
     }
     document = {};
+    step = {};
     done = true;
   }
   void work() {
     std::string text = write(document);
     const Loaded again = load_text(text, name, options);
     if (has_errors(again.diagnostics) || !(again.document == document)) return;
+    if (!wanted) return;
     if (!path.empty()) {
-      auto there = write_beside(path, text);
-      if (!there) {
-        script = there.error();
+      auto files = write_next(path, text, steps, step);
+      if (!files) {
+        script = files.error();
         return;
       }
-      beside = *std::move(there);
+      next = *std::move(files);
     }
     script = std::move(text);
   }
 };
 
 Checkpoint::Checkpoint(Document document, std::size_t steps, std::string name, std::string path,
-                       const LoadOptions& options)
+                       const LoadOptions& options, CheckpointStep step)
     : work_(std::make_shared<Work>()), steps_(steps) {
   work_->document = std::move(document), work_->options = options;
   work_->name = std::move(name), work_->path = std::move(path);
+  work_->steps = steps, work_->step = std::move(step);
   try {
     std::thread([work = work_] { work->run(); }).detach();
   } catch (const std::system_error&) {  // no thread could be started
@@ -63,16 +68,11 @@ Checkpoint::Checkpoint(Document document, std::size_t steps, std::string name, s
   }
 }
 
+Checkpoint::~Checkpoint() { work_->wanted = false; }
+
 bool Checkpoint::done() const { return work_->done; }
 const Result<std::string>& Checkpoint::script() const { return work_->script; }
 std::string Checkpoint::take_script() { return *std::move(work_->script); }
-const std::optional<ScriptBeside>& Checkpoint::beside() const { return work_->beside; }
-
-void Checkpoint::free_beside(std::vector<Step> steps) {
-  try {
-    std::thread([gone = std::move(steps)] {}).detach();
-  } catch (const std::system_error&) {  // no thread could be started: they are freed here
-  }
-}
+std::optional<NextHistory> Checkpoint::take_next() { return std::exchange(work_->next, std::nullopt); }
 
 }  // namespace betwixt

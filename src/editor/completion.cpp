@@ -13,9 +13,9 @@
 #include "editor/help.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
-#include "language/line_words.h"
 #include "scene/colors.h"
 #include "scene/names.h"
+#include "syntax/tokens.h"
 #include "track/filter.h"
 
 namespace betwixt {
@@ -35,65 +35,6 @@ struct Begun {
   std::size_t place() const { return words.empty() ? 0 : words.size() - 1; }  // index after the verb
 };
 
-// Words that depend only on the verb and on the place after it.
-struct Following {
-  std::string_view verb;
-  std::size_t place;
-  std::string_view words;  // separated by blanks
-};
-constexpr Following following[] = {
-    {"policy", 0, "translate ignore ask"},
-    {"notes", 0, "on off"},
-    {"record", 0, "on off"},
-    {"background", 0, "none transparent"},
-    {"background", 1, "to"},
-    {"film", 0, "flat solid"},
-    {"ambient", 0, "off"},
-    {"fog", 0, "off"},
-    {"fog", 1, "from"},
-    {"fog", 3, "to"},
-    {"ground", 0, "on off"},
-    {"sky", 0, "on off"},
-    {"contact", 0, "on off"},
-    {"size", 0, "1280x720 1920x1080 3840x2160"},
-    {"extend", 1, "hold linear cycle bounce"},
-    {"extend", 2, "before after"},
-    {"twerper", 2, "in=light in=srgb"},
-    {"layer", 1, "add mix"},
-    {"procedure", 1, "twerper filter command lua"},
-    {"procedure", 2, "lua"},
-    {"create", 1, "like scene"},
-    {"look", 0, "through"},
-    {"couple", 1, "to"},
-    {"attach", 1, "to"},
-    {"hang", 1, "on"},
-    {"couple", 3, "keep-world"},
-    {"attach", 3, "keep-world"},
-    {"hang", 3, "keep-world"},
-    {"copy", 2, "to"},
-    {"copy", 4, "on shift times"},
-    {"copy", 6, "on shift times"},
-    {"copy", 8, "on shift times"},
-    {"move", 2, "by"},
-    {"stretch", 2, "by"},
-    {"clear", 1, "before"},
-    {"stagger", 1, "by"},
-    {"stagger", 3, "from per random"},
-    {"stagger", 4, "first last centre edges random"},
-    {"bake", 2, "every within"},
-    {"bake", 4, "within"},
-    {"split", 1, "into"},
-    {"split", 2, "letters words lines"},
-    {"arrange", 1, "in"},
-    {"arrange", 2, "row column grid circle"},
-    {"arrange", 3, "gap= centre= columns= radius="},
-    {"place", 1, "next-to"},
-    {"place", 3, "side= gap= align="},
-    {"spread", 1, "from"},
-    {"spread", 3, "to"},
-    {"samples", 0, "1 4 9 16"},
-};
-
 void split(std::string_view words, char between, Words& all) {
   while (!words.empty()) {
     const std::size_t end = std::min(words.find(between), words.size());
@@ -105,29 +46,28 @@ void split(std::string_view words, char between, Words& all) {
 // Splits a line into words. Brackets belong to the word before them.
 Words whole_words(std::string_view text) {
   Words all;
-  long open = 0;
-  for (std::string& w : line_words(text)) {
-    if (open > 0)
-      all.back() += " " + w;
-    else
-      all.push_back(std::move(w));
-    open =
-        std::count(all.back().begin(), all.back().end(), '(') - std::count(all.back().begin(), all.back().end(), ')');
-  }
+  for (std::string_view word = take_piece(text); !word.empty(); word = take_piece(text)) all.emplace_back(word);
   return all;
+}
+
+// Returns the words that can follow a verb, or a word of the shell, at a place.
+std::string_view words_after(std::string_view verb, std::size_t place) {
+  if (const Verb* known = find_verb(verb); known && !known->words.empty()) return words_at(known->words, place);
+  const Session::State::Word* word = Session::State::find_word(verb);
+  return word ? words_at(word->words, place) : std::string_view();
 }
 
 // Completes functions after the first dot of a target, components after the second.
 void parts_of_target(const Document& d, std::string_view last, bool asking, Words& all) {
   const Scene& s = d.scene();
-  const std::size_t dot = last.find('.');
+  const std::size_t dot = first_dot(last);
   const std::string_view object = last.substr(0, dot);
   const std::size_t behind = last.find('.', dot + 1);
   for (const ObjectId id : select(s, object)) {
     const Kind kind = s.objects[id.index].kind;
     if (behind == std::string_view::npos) {
       for (const auto f : function_names(s, kind)) all.push_back(fmt::format("{}.{}", object, f));
-      for (const char* query : {"world", "touching", "in-view", "loudness", "onsets"})
+      for (const char* query : {"world", "touching", "in-view", "loudness", "onsets", "by", "every", "count"})
         if (asking && find_query(kind, query)) all.push_back(fmt::format("{}.{}", object, query));
       continue;
     }
@@ -230,20 +170,32 @@ void event_words(const Document& d, const std::string& target, bool value_due, W
   all.emplace_back("keep");
 }
 
+void object_names(const Document& d, Words& all) {
+  for (const std::string& name : d.names()) all.push_back(name);
+}
+
+// The kind that a line names before its parameters.
+std::optional<Kind> kind_before(const Begun& b) {
+  for (std::size_t i = 1; i < b.words.size(); ++i)
+    if (has_word(words_after(b.verb, i - 1), "KIND")) return find_kind(b.words[i]);
+  return std::nullopt;
+}
+
 void behind_key(const Document& d, const Begun& b, Words& all) {
-  const Kind kind = b.words.size() > 2 ? find_kind(b.words[2]).value_or(Kind::sphere) : Kind::sphere;
-  if (b.verb == "create")
-    if (const auto f = find_function(d.scene(), kind, b.key)) value_words(d, spec_of(d.scene(), *f), all);
+  if (!has_word(words_after(b.verb, b.place()), "PARAMETER")) return;
+  if (const auto f = find_function(d.scene(), kind_before(b).value_or(Kind::sphere), b.key))
+    value_words(d, spec_of(d.scene(), *f), all);
 }
 
 void parameters(const Document& d, const Begun& b, Words& all) {
-  if (b.verb == "create" && b.place() >= 2)
-    if (const auto kind = find_kind(b.words[2]))
-      for (const auto name : function_names(d.scene(), *kind)) all.push_back(fmt::format("{}=", name));
-  if (b.verb == "filter" && b.place() >= 2)
-    if (const FilterSpec* f = find_filter(b.words[2]))
-      for (const FilterParameter& p : f->parameters) all.push_back(fmt::format("{}=", p.name));
-  if (b.verb == "fall" && b.place() >= 1) split("delay= gravity= ground= bounce= for", ' ', all);
+  const auto kind = kind_before(b);
+  if (!kind) return object_names(d, all);
+  for (const auto name : function_names(d.scene(), *kind)) all.push_back(fmt::format("{}=", name));
+}
+
+void settings(const Begun& b, Words& all) {
+  const FilterSpec* f = b.words.size() > 2 ? find_filter(b.words[2]) : nullptr;
+  for (std::size_t i = 0; f && i < f->parameters.size(); ++i) all.push_back(fmt::format("{}=", f->parameters[i].name));
 }
 
 // The first words of a command or of a shell line.
@@ -260,39 +212,58 @@ void words_of_help(Words& all) {
     if (e.group != HelpGroup::verb || is_verb(e.word)) all.emplace_back(e.word);
 }
 
-bool takes_color(const Begun& b) {
-  const bool first = b.verb == "background" || b.verb == "ambient" || b.verb == "fog" || b.verb == "ground";
-  return (first && b.place() == 0) || (b.verb == "background" && b.place() == 2);
-}
+// A place in a line, and the words that can be there.
+struct Offer {
+  const Document& d;
+  const Begun& b;
+  const LineAround& around;
+  Words& all;
+};
+// What the words in capitals of Verb::words stand for.
+struct ArgumentKind {
+  std::string_view word;
+  void (*offer)(const Offer&);
+};
+constexpr ArgumentKind argument_kinds[] = {
+    {"NEW", [](const Offer&) {}},     // a name that does not exist yet
+    {"NUMBER", [](const Offer&) {}},  // a number, a time or a text
+    {"OBJECT", [](const Offer& o) { object_names(o.d, o.all); }},
+    {"TARGET", [](const Offer& o) { object_names(o.d, o.all); }},
+    {"QUERY", [](const Offer& o) { object_names(o.d, o.all); }},  // a target that can be read only
+    {"CAMERA", [](const Offer& o) { objects_of(o.d.scene(), Kind::camera, o.all); }},
+    {"LAYER", [](const Offer& o) { objects_of(o.d.scene(), Kind::layer, o.all); }},
+    {"KIND",
+     [](const Offer& o) {
+       for (const KindRow& k : kinds()) o.all.emplace_back(k.name);
+     }},
+    {"PARAMETER", [](const Offer& o) { parameters(o.d, o.b, o.all); }},
+    {"TYPE",
+     [](const Offer& o) {
+       for (const std::string_view w : type_words()) o.all.emplace_back(w);
+     }},
+    {"FILTER", [](const Offer& o) { filters(o.d.scene(), o.all); }},
+    {"SETTING", [](const Offer& o) { settings(o.b, o.all); }},
+    {"TWERPER", [](const Offer& o) { ways(o.d.scene(), Type::vector, o.all); }},
+    {"COLOR", [](const Offer& o) { value_words(o.d, spec_of(o.d.scene(), fn::color), o.all); }},
+    {"VALUE", [](const Offer& o) { event_words(o.d, o.b.words[1], true, o.all); }},
+    {"WAY", [](const Offer& o) { event_words(o.d, o.b.words[1], false, o.all); }},
+    {"FILE", [](const Offer& o) { files(o.around.folder, o.all); }},
+    {"STYLE", [](const Offer& o) { o.all.insert(o.all.end(), o.around.styles.begin(), o.around.styles.end()); }},
+    {"WORD", [](const Offer& o) { words_of_help(o.all); }},
+};
 
-// Adds the words that depend on the verb. Returns false if names of objects can come there too.
-bool by_verb(const Document& d, const Begun& b, const LineAround& around, Words& all) {
-  const Scene& s = d.scene();
-  const std::size_t before = all.size();
-  for (const Following& f : following)
-    if (f.verb == b.verb && f.place == b.place()) split(f.words, ' ', all);
-  if (b.verb == "create" && b.place() == 1)
-    for (const KindRow& k : kinds()) all.emplace_back(k.name);
-  if (b.verb == "define" && b.place() == 1)
-    for (const std::string_view w : type_words()) all.emplace_back(w);
-  if (takes_color(b)) value_words(d, spec_of(s, fn::color), all);
-  if (b.verb == "filter" && b.place() == 1) filters(s, all);
-  if (b.verb == "twerper" && b.place() == 1) ways(s, Type::vector, all), all.emplace_back("none");
-  if (b.verb == "look" && b.place() == 1) objects_of(s, Kind::camera, all);
-  if (b.verb == "on" && b.place() == 0) objects_of(s, Kind::layer, all);
-  if (b.verb == "style") all.insert(all.end(), around.styles.begin(), around.styles.end());
-  if (b.verb == "help") words_of_help(all);
-  if (b.verb == "save" || b.verb == "open" || b.verb == "use" || b.verb == "load") files(around.folder, all);
-  parameters(d, b, all);
-  return all.size() > before || (b.verb == "create" && b.place() < 2);
-}
-
-// Returns true if a time, a number or nothing comes next.
-bool nothing_known(const Begun& b) {
-  static constexpr std::string_view of_numbers[] = {"at",   "rate", "ticks", "range", "note",    "play",
-                                                    "undo", "redo", "exit",  "quit",  "exposure"};
-  if (b.row || b.words.empty()) return false;
-  return std::find(std::begin(of_numbers), std::end(of_numbers), b.verb) != std::end(of_numbers);
+// Adds the words that the verb's row has for a place. Returns false if it has none: then names of objects can be there.
+bool by_row(const Offer& o) {
+  std::string_view rest = words_after(o.b.verb, o.b.place());
+  bool any = false;
+  for (std::string_view word = take_piece(rest); !word.empty(); word = take_piece(rest), any = true) {
+    const auto kind = std::ranges::find(argument_kinds, word, &ArgumentKind::word);
+    if (kind != std::end(argument_kinds))
+      kind->offer(o);
+    else
+      o.all.emplace_back(word);
+  }
+  return any;
 }
 
 void offered(const Document& d, const Begun& b, const LineAround& around, Words& all) {
@@ -304,31 +275,23 @@ void offered(const Document& d, const Begun& b, const LineAround& around, Words&
   }
   if (b.row && !b.in_list && !b.words.empty()) return event_words(d, around.sheet, b.words.size() == 1, all);
   if ((b.row && !b.in_list) || b.timed_next()) return let_names(d.scene(), false, all);
-  if (nothing_known(b)) return;
   if (b.words.empty()) first_words(b, around.in_shell, all);
-  const bool target = b.verb.find('.') != std::string::npos;
+  const bool target = first_dot(b.verb) != std::string_view::npos;
   if (b.timed && target) return event_words(d, b.verb, b.words.size() == 1, all);
-  if (b.verb == "set" && b.place() >= 1) return event_words(d, b.words[1], b.place() == 1, all);
-  if (by_verb(d, b, around, all)) return;
-  for (const std::string& name : d.names()) all.push_back(name);
+  if (b.in_list || !by_row({d, b, around, all})) object_names(d, all);
 }
 
 // Removes `at TIME` and `on LAYER`.
 void take_off(Begun& b) {
-  while (b.words.size() >= 2 && (b.words[0] == "at" || b.words[0] == "on")) {
-    (b.words[0] == "at" ? b.timed : b.layered) = true;
+  while (b.words.size() >= 2) {
+    const Verb* const verb = find_verb(b.words[0]);
+    if (!verb || !(verb->flags & Verb::prefix)) return;
+    (verb->flags & Verb::timed ? b.layered : b.timed) = true;
     b.words.erase(b.words.begin(), b.words.begin() + 2);
   }
 }
 
-}  // namespace
-
-std::size_t begun_word(std::string_view line) {
-  const std::size_t blank_at = line.find_last_of(" \t,(=");
-  return blank_at == std::string_view::npos ? 0 : blank_at + 1;
-}
-
-std::vector<std::string> completions(std::string_view line, const Document& d, const LineAround& around) {
+Begun begun(std::string_view line, const LineAround& around) {
   Begun b;
   b.last = line.substr(begun_word(line));
   const std::string_view before = line.substr(0, line.size() - b.last.size());
@@ -342,11 +305,43 @@ std::vector<std::string> completions(std::string_view line, const Document& d, c
   b.in_list = b.row && around.list;
   if (!b.row) take_off(b);
   if (!b.words.empty()) b.verb = b.words[0];
-  static constexpr std::string_view askers[] = {"eval", "plot", "describe"};
-  const bool asking = std::find(std::begin(askers), std::end(askers), b.verb) != std::end(askers);
+  return b;
+}
+
+}  // namespace
+
+std::size_t begun_word(std::string_view line) {
+  const auto last = token_before(line, line.size());
+  const bool begun =
+      last && last->end() == line.size() &&
+      (last->kind == TokenKind::word || last->kind == TokenKind::text || last->kind == TokenKind::comment);
+  if (!begun) return line.size();
+  const std::string_view word = line.substr(last->at);
+  const std::size_t open = word.rfind('{'), close = word.rfind('}');
+  const bool in_braces = open != std::string_view::npos && (close == std::string_view::npos || close < open);
+  return in_braces ? last->at + word.find_last_of("{,") + 1 : last->at;
+}
+
+bool takes_target(std::string_view line) {
+  const Begun b = begun(line, {});
+  const std::string_view words = words_after(b.verb, b.place());
+  if (without_indent(words).empty()) return true;
+  return (has_word(words, "TARGET") || has_word(words, "QUERY")) && !has_word(words, "OBJECT");
+}
+
+std::optional<Kind> kind_at(std::string_view line, const Document& d) {
+  const Begun b = begun(line, {});
+  const std::size_t dot = first_dot(b.last);
+  if (dot == std::string_view::npos) return kind_before(b);
+  const auto all = select(d.scene(), b.last.substr(0, dot));
+  return all.empty() ? std::nullopt : std::optional(kind(d, all.front()));
+}
+
+std::vector<std::string> completions(std::string_view line, const Document& d, const LineAround& around) {
+  const Begun b = begun(line, around);
   Words all;
-  if (b.last.find('.') != std::string_view::npos)
-    parts_of_target(d, b.last, asking, all);
+  if (first_dot(b.last) != std::string_view::npos)
+    parts_of_target(d, b.last, has_word(words_after(b.verb, b.place()), "QUERY"), all);
   else
     offered(d, b, around, all);
   std::erase_if(all, [&](const std::string& w) { return !w.starts_with(b.last); });
@@ -357,7 +352,7 @@ std::vector<std::string> completions(std::string_view line, const Document& d, c
 
 std::vector<std::string> Session::complete(std::string_view line) const {
   const auto& sheet = state_->editor.now().script.left;
-  LineAround around{.in_shell = true, .styles = state_->doors.styles};
+  LineAround around{.in_shell = true, .styles = state_->callbacks.styles};
   if (sheet) around.sheet_open = true, around.list = !sheet->sheet.list.empty(), around.sheet = sheet->pattern;
   return completions(line, document(), around);
 }

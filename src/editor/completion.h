@@ -5,11 +5,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "betwixt/document.h"
+#include "betwixt/object.h"
 
 namespace betwixt {
 
@@ -24,6 +25,11 @@ struct LineAround {
 
 // Returns the offset at which the last word of a line begins.
 std::size_t begun_word(std::string_view line);
+// Returns whether the last word of a line can be a target, so that a dot follows the name of an object.
+bool takes_target(std::string_view line);
+// Returns the kind of the object whose function the last word names: that before its dot, or that of the kind that the
+// line names before its parameters. Returns nullopt if there is none.
+std::optional<Kind> kind_at(std::string_view line, const Document&);
 // Returns all completions of the last word, sorted.
 std::vector<std::string> completions(std::string_view line, const Document&, const LineAround&);
 

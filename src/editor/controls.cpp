@@ -89,7 +89,7 @@ Result<Value> mapped(const Dial& dial, double number) {
   // from + k (to - from), in an order that gives both ends exactly.
   const std::optional<Value> rest = add_scaled(dial.from, dial.from, -k);
   const std::optional<Value> v = rest ? add_scaled(*rest, dial.to, k) : std::nullopt;
-  if (!v) return fail(ErrorCode::type, dial.address + ": its two values have nothing between them");
+  if (!v) return fail(ErrorCode::type, dial.address + ": there is no value between its two values");
   return *v;
 }
 
@@ -101,13 +101,13 @@ bool writable(const std::string& text) {
 Result<Value> text_value(const FunctionSpec& spec, const Dial& dial, const std::string& text) {
   if (spec.name == "file" || spec.name == "texture" || spec.name == "font")
     return fail(ErrorCode::type,
-                fmt::format("{}: {} names a file, and live input opens none", dial.address, spec.name));
+                fmt::format("{}: {} is a file name, and live input cannot open files", dial.address, spec.name));
   if (!writable(text))
-    return fail(ErrorCode::type, dial.address + ": this is not a text: it is not UTF-8, or has control characters");
+    return fail(ErrorCode::type, dial.address + ": this is not a text: it is not UTF-8 or has control characters");
   const std::string choice = "|" + spec.words + "|";
   if (!spec.words.empty() &&
       (text.find('|') != std::string::npos || choice.find("|" + text + "|") == std::string::npos))
-    return fail(ErrorCode::type, fmt::format("{}: {} is one of {}", dial.address, spec.name, spec.words));
+    return fail(ErrorCode::type, fmt::format("{}: {} must be one of {}", dial.address, spec.name, spec.words));
   return Value(Text(text));
 }
 
@@ -116,15 +116,15 @@ Result<Value> value_of(const FunctionSpec& spec, const Dial& dial, std::span<con
   const bool whole = dial.target.component < 0;
   const Type type = whole ? spec.type : component_type(spec.type);
   if (type == Type::text) {
-    if (!text) return fail(ErrorCode::type, fmt::format("{}: {} takes a text", dial.address, spec.name));
+    if (!text) return fail(ErrorCode::type, fmt::format("{}: {} needs a text", dial.address, spec.name));
     return text_value(spec, dial, *text);
   }
   const std::size_t wanted = dial.mapped ? 1 : row_of(type).dials ? static_cast<std::size_t>(number_count(type)) : 0;
-  if (wanted == 0) return fail(ErrorCode::type, fmt::format("no dial can turn {}", to_string(type)));
+  if (wanted == 0) return fail(ErrorCode::type, fmt::format("a dial cannot control {}", to_string(type)));
   if (text || numbers.size() != wanted)
-    return fail(ErrorCode::type, fmt::format("{}: {} wants {}, not {}", dial.address, spec.name, in_words(wanted),
+    return fail(ErrorCode::type, fmt::format("{}: {} needs {}, not {}", dial.address, spec.name, in_words(wanted),
                                              text ? "a text" : in_words(numbers.size())));
-  if (!finite(numbers)) return fail(ErrorCode::range, dial.address + ": this is no number");
+  if (!finite(numbers)) return fail(ErrorCode::range, dial.address + ": this is not a finite number");
   Result<Value> v = dial.mapped ? mapped(dial, numbers[0]) : made_of(type, numbers);
   if (!v) return v;
   v = shortened(type, *std::move(v), within_value(dial, type, may_be_off));
@@ -161,7 +161,7 @@ void give_way(Slot& slot, int component, Type type) {
 Status can_turn(const Scene& s, const Dial& dial) {
   const Slot* slot = s.objects[dial.target.object.index].find(dial.target.function, dial.target.layer);
   if (dial.target.component < 0 || !slot || !indivisible(*slot)) return Nothing{};
-  return fail(ErrorCode::type, fmt::format("{}: {} is given as a whole here; it has no separate components",
+  return fail(ErrorCode::type, fmt::format("{}: the whole of {} is set here, so its components cannot be controlled",
                                            dial.address, spec_of(s, dial.target.function).name));
 }
 
@@ -212,7 +212,7 @@ bool has_events(const Scene& s, const Target& t, Time from, Time to) {
                      [&](const Track* track) { return track->events.count(from, to) > 0; });
 }
 
-void erase(Scene& s, const Target& t, Time from, Time to = for_good) {
+void erase(Scene& s, const Target& t, Time from, Time to = latest_time) {
   if (!has_events(s, t, from, to)) return;
   for (Track* track : edit_tracks(s, t)) track->events.erase(from, to);
 }
@@ -270,7 +270,7 @@ void Take::record(Scene& s, const Target& t, const Value& v, Time now) {
     if (const auto before = value_before(before_, t, now, v)) event.detail.edit().before = *before;
     erase(s, t, now);
     erase(s, velocity_of(t), now);
-    if (has_events(s, velocity_of(t), from_the_beginning, now)) {
+    if (has_events(s, velocity_of(t), earliest_time, now)) {
       Event ends;
       ends.time = now, ends.value = 0.0, ends.release = true;
       put_event(s, velocity_of(t), std::move(ends));
@@ -297,7 +297,7 @@ void Take::end(Time now) {
   for (const Touched& t : touched_) {
     // The recording ends at `now`, but shows the last change for one frame at least. After it the film is as it was.
     const Time to = std::max({now, t.held, t.last + after->rate.span(1)});
-    if (has_events(before_.scene(), t.target, to + Time{1}, for_good) || to <= before_.range().second) {
+    if (has_events(before_.scene(), t.target, to + Time{1}, latest_time) || to <= before_.range().second) {
       Event event = event_at(*after, t.target, to, t.value);
       const Value was = Program::compile(before_).read(t.target, to);
       if (const auto goes_on = value_before(before_, t.target, to, t.value)) {
@@ -309,7 +309,7 @@ void Take::end(Time now) {
       put_event(*after, t.target, std::move(event));
     }
     for (const Target& one : {t.target, velocity_of(t.target)})
-      bring(*after, before_.scene(), one, to + Time{1}, for_good);
+      bring(*after, before_.scene(), one, to + Time{1}, latest_time);
     covered_.push_back({t.target, t.from, to});
   }
   document_ = before_ = Document(std::move(after));
@@ -327,7 +327,7 @@ std::string Take::text(std::string_view script) const {
     for (const Target& t : {c.target, velocity_of(c.target)}) {
       // A copy whose track has the recorded events only.
       auto only = std::make_shared<Scene>(document_.scene());
-      erase(*only, t, from_the_beginning);
+      erase(*only, t, earliest_time);
       for (const Covered& part : covered_) {
         if (!(part.target == c.target)) continue;
         if (has_events(script_.scene(), t, part.from, part.to))
@@ -340,7 +340,7 @@ std::string Take::text(std::string_view script) const {
       for (std::size_t i = 0; i < tracks; ++i) {
         Target one = t;
         if (tracks > 1) one.component = static_cast<int>(i);
-        if (has_events(recorded.scene(), one, from_the_beginning, for_good))
+        if (has_events(recorded.scene(), one, earliest_time, latest_time))
           out += recorded.name(one) + "\n" + write_rows(recorded, one);
       }
     }

@@ -8,8 +8,8 @@
 #include <set>
 #include <unordered_map>
 
+#include "base/cancellation.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "betwixt/environment.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
@@ -36,41 +36,38 @@ std::size_t events_of(const Object& o) {
 std::unordered_map<std::uint32_t, std::size_t> events_of_layers(const Scene& s) {
   std::unordered_map<std::uint32_t, std::size_t> all;
   for (std::size_t i = 0; i < s.objects.size(); ++i)
-    for (StillWanted::ask(); const Slot& slot : s.objects[i].slots)
+    for (Cancellation::check(); const Slot& slot : s.objects[i].slots)
       if (slot.layer) all[slot.layer.index] += events_of(slot);
   return all;
 }
 
 Error no_object(const Document& d, const std::string& word) {
-  return fail(ErrorCode::name, fmt::format("there is no object '{}'", word.substr(0, 60)),
-              near_object(d.scene(), word));
+  return unknown_name("object", word, near_object(d.scene(), word));
 }
 
 constexpr std::size_t longest_description = 32 << 20;  // bytes
 
 Error too_long(const std::string& word) {
-  return fail(
-      ErrorCode::range,
-      fmt::format("what '{}' names takes more than {} bytes to describe", word.substr(0, 60), longest_description),
-      "describe fewer at a time");
+  return fail(ErrorCode::range,
+              fmt::format("the description of '{}' is longer than {} bytes", word.substr(0, 60), longest_description),
+              "describe fewer objects at a time");
 }
 
 // Lists what the object is attached to, and from when until when.
 std::string attachment_lines(const Document& d, const Object& o) {
   std::string said;
   for (const AttachmentSpan& a : attachments(o)) {
-    if (!a.to.parent && !a.computed && a.from == from_the_beginning) continue;
+    if (!a.to.parent && !a.computed && a.from == earliest_time) continue;
     if (a.computed) {
-      said += "  hangs on what its code says";
-      said += a.from == from_the_beginning ? "\n" : fmt::format(" from {}\n", format_time(a.from, d));
+      said += "  its parent is computed by code";
+      said += a.from == earliest_time ? "\n" : fmt::format(" from {}\n", format_time(a.from, d));
       continue;
     }
     static constexpr std::string_view how[] = {"is detached", "is let go", "hangs on", "is attached to",
                                                "is coupled to"};
     said += fmt::format("  {}", how[static_cast<std::size_t>(a.to.kind)]);
     if (a.to.parent) said += " " + d.name(a.to.parent);
-    if (a.from != from_the_beginning)
-      said += fmt::format(" {} {}", a.to.parent ? "from" : "at", format_time(a.from, d));
+    if (a.from != earliest_time) said += fmt::format(" {} {}", a.to.parent ? "from" : "at", format_time(a.from, d));
     said += a.to.keep_world ? ", keep-world\n" : "\n";
   }
   return said;
@@ -123,7 +120,7 @@ struct About {
     if (!lists) {
       lists.emplace();
       for (const std::string& name : d.names()) {
-        StillWanted::ask();
+        Cancellation::check();
         std::set<std::uint32_t> all;
         for (const EnvironmentSpan& span : spans_of(d, d.find(name)))
           for (const ObjectId id : span.environments) all.insert(id.index);
@@ -220,7 +217,7 @@ std::string track_lines(const Document& d, const Target& t) {
 std::string list_lines(const Document& d, const std::string& name, const std::vector<Time>& versions) {
   std::string said = fmt::format("{}, a display list{}\n", name, name == d.scene().main ? ", the main object" : "");
   for (const Time from : versions) {
-    if (from != from_the_beginning) said += fmt::format("from {}\n", format_time(from, d));
+    if (from != earliest_time) said += fmt::format("from {}\n", format_time(from, d));
     said += write_rows(*list_at(d.scene(), name, from));
   }
   for (const auto& [from, changed] : *d.scene().later_lists)
@@ -256,25 +253,25 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
   }
   const auto laid = events_of_layers(d.scene());
   for (ObjectId id : ids) {
-    StillWanted::ask();
+    Cancellation::check();
     const Object& o = d.scene().objects[id.index];
     std::size_t events = events_of(o);
     if (const auto on = laid.find(id.index); on != laid.end()) events += on->second;
     said += fmt::format("{:{}}  {:8}  {}\n", o.name, wide, name_of(o.kind), counted(events, "event"));
   }
-  return said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has such a name\n") : said;
+  return said.empty() ? (pattern.empty() ? "there are no objects yet\n" : "nothing has this name\n") : said;
 }
 
 Result<std::string> describe(const Document& d, const std::string& word) { return describe(Program::compile(d), word); }
 
 Result<std::string> describe(const Program& program, const std::string& word) {
   const Document& d = program.document();
-  if (word.empty()) return fail(ErrorCode::name, "what shall be described?", "usage: describe NAME");
+  if (word.empty()) return fail(ErrorCode::name, "a name is missing here", "usage: describe NAME");
   if (const auto all = versions(d.scene(), word); !all.empty()) return list_lines(d, word, all);
   const auto ids = select(d.scene(), word);
   std::string said;
   const auto put = [&](const std::string& one) {
-    StillWanted::ask();
+    Cancellation::check();
     said += one;
     return said.size() <= longest_description;
   };
@@ -299,7 +296,7 @@ Result<std::string> describe(const Program& program, const std::string& word) {
 
 std::string list_notes(const Document& d) {
   std::string said;
-  for (const auto& [time, words] : d.notes(from_the_beginning, for_good))
+  for (const auto& [time, words] : d.notes(earliest_time, latest_time))
     said += fmt::format("{:8} {}\n", format_time(time, d), write_text(words));
   return said.empty() ? "there are no notes\n" : said;
 }
@@ -318,8 +315,7 @@ Result<std::string> look_up(const Document& d, const std::string& word) {
   if (const ObjectId id = d.find(word); id)
     return fmt::format("{} is an object of this film: describe {}\n", word, word);
   const std::vector<std::string_view> known = words_with_help();
-  return fail(ErrorCode::name, fmt::format("there is no help about '{}'", word.substr(0, 60)),
-              did_you_mean(word, known));
+  return unknown_name("help for", word, did_you_mean(word, known));
 }
 
 }  // namespace betwixt

@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "base/memory.h"
-#include "language/line_words.h"
 #include "scene/document.h"
 #include "scene/memory.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 
@@ -33,14 +33,30 @@ Point Editor::read(std::string_view text, Diagnostics& said) const {
   return {Document(std::make_shared<const Scene>(std::move(scene))), script};
 }
 
-Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<Time> now, bool translated) const {
-  Deed deed;
-  const bool row = from.script.left && indented(line);
-  if (row) deed.sheet = from.script.left->opener;
+CommandResult Editor::carry_out(const Point& from, std::string_view line, std::optional<Time> now,
+                                bool translated) const {
   Scene scene = from.document.scene();
+  ReaderState script = from.script;
+  CommandResult result = carry_out_on(scene, script, line, now, translated);
+  if (!result.done) return result;
+  if (result.empty) script.left = from.script.left;  // a comment does not close a sheet
+  result.after = {Document(std::make_shared<const Scene>(std::move(scene))), std::move(script)};
+  return result;
+}
+
+Point Editor::Draft::point() && {
+  return {Document(std::make_shared<const Scene>(std::move(scene_))), std::move(script_)};
+}
+
+CommandResult Editor::carry_out_on(Scene& scene, ReaderState& so_far, std::string_view line, std::optional<Time> now,
+                                   bool translated) const {
+  CommandResult result;
+  const bool row = so_far.left && indented(line);
+  if (row) result.sheet = so_far.left->opener;
   LoadOptions options = options_;
   options.now = now;
-  Script script(scene, deed.said, options, from.script, home_);
+  Script script(scene, result.said, options, so_far, home_);
+  so_far.left.reset();  // the sheet shares parts of the scene, which would be copied when they change
   script.spells_out = translated;
   const Policy policy = scene.policy;
   if (translated) scene.policy = Policy::translate;
@@ -48,21 +64,23 @@ Deed Editor::carry_out(const Point& from, std::string_view line, std::optional<T
   if (translated) scene.policy = policy;
   if (script.in_time && !in_reach(*now))  // the history would get a time that the reader refuses
     script.report(Severity::error,
-                  fail(ErrorCode::range, "it is later now than times reach (146 years, 4.6e9 s)",
-                       "seek an earlier time, or say one: at TIME …"),
+                  fail(ErrorCode::range, "the present time is beyond the limit of 146 years (4.6e9 s)",
+                       "seek an earlier time, or write one: at TIME …"),
                   {});
-  for (Diagnostic& d : deed.said)
+  for (Diagnostic& d : result.said)
     if (d.what.place.file == home_.name) d.what.place.file.clear();
-  deed.done = !has_errors(deed.said);
-  if (!deed.done) return deed;
-  deed.line = script.stamped();
-  if (!row) deed.line.erase(0, deed.line.find_first_not_of(" \t\r,"));  // the history must not take it for a row
-  deed.stamped = !row && !translated && script.in_time;
-  deed.touched = script.touched;
-  if (!row && !script.verb) script.left = from.script.left;  // a comment does not close a sheet
-  deed.opens = !row && script.verb && script.left;
-  deed.after = {Document(std::make_shared<const Scene>(std::move(scene))), script};
-  return deed;
+  result.done = !has_errors(result.said);
+  so_far = script;
+  if (!result.done) return result;
+  result.line = script.stamped();
+  if (!row)
+    result.line.erase(
+        0, result.line.size() - without_indent(result.line).size());  // the history must not take it for a row
+  result.stamped = !row && !translated && script.in_time;
+  result.touched = script.touched;
+  result.empty = !row && !script.verb;
+  result.opens = !row && script.verb && script.left;
+  return result;
 }
 
 std::optional<Point> Editor::carried_out(const Point& from, const std::string& lines) const {
@@ -75,22 +93,22 @@ std::optional<Point> Editor::carried_out(const Point& from, const std::string& l
   return Point{Document(std::make_shared<const Scene>(std::move(scene))), script};
 }
 
-Deed Editor::carry_out(const Step& step) const {
+CommandResult Editor::carry_out(const Step& step) const {
   const std::vector<std::string> lines = lines_of(step, last_step());
-  Deed deed;
+  CommandResult result;
   Point at = now_;
   if (step.lines.size() > 1 || (!step.sheet.empty() && !stands_below(step, last_step()))) at.script.left.reset();
   if (lines.size() > 1)
     if (auto after = carried_out(at, fmt::format("{}", fmt::join(lines, "\n")))) {
-      deed.done = true, deed.after = *std::move(after);
-      return deed;
+      result.done = true, result.after = *std::move(after);
+      return result;
     }
   for (const std::string& line : lines) {  // one by one, to find the wrong line
-    deed = carry_out(at, line);
-    if (!deed.done) return deed;
-    at = deed.after;
+    result = carry_out(at, line);
+    if (!result.done) return result;
+    at = result.after;
   }
-  return deed;
+  return result;
 }
 
 std::size_t Editor::bytes_kept(const Point& before, const Point& after) {
@@ -148,9 +166,10 @@ Status Editor::undo() {
   if (standing_ == 0) return fail(ErrorCode::range, "there is nothing to undo");
   if (before_.empty() && heavy_)
     return fail(ErrorCode::range,
-                fmt::format("no more can be undone: what is kept for it has at most {} bytes", depth_.bytes));
+                fmt::format("no more can be undone: the undo history is limited to {} bytes", depth_.bytes));
   if (before_.empty())
-    return fail(ErrorCode::range, fmt::format("no more than {} commands can be undone", depth_.steps));
+    return fail(ErrorCode::range,
+                fmt::format("no more can be undone: the undo history is limited to {} commands", depth_.steps));
   if (Status s = tell(Did::undo, steps_[standing_ - 1]); !s) return s;
   step_back();
   return Nothing{};
@@ -170,15 +189,15 @@ Status Editor::redo() {
 
 // Keeps no document between two steps, so that they are as fast as a script with the same lines. If a step fails,
 // carries out each half separately.
-void Editor::settle_all(std::span<const Step> steps, std::size_t number, std::vector<LeftOut>& left_out) {
+void Editor::settle_all(std::span<const Step> steps, std::size_t number, std::vector<FailedStep>& left_out) {
   if (steps.empty()) return;
   if (steps.size() == 1) {
-    Deed deed = carry_out(steps[0]);
-    if (!deed.done) {
-      left_out.push_back({number, steps[0], std::move(deed.said)});
+    CommandResult result = carry_out(steps[0]);
+    if (!result.done) {
+      left_out.push_back({number, steps[0], std::move(result.said)});
       return;
     }
-    now_ = std::move(deed.after);
+    now_ = std::move(result.after);
   } else {
     std::string text;
     const Step* above = last_step();
@@ -198,18 +217,18 @@ void Editor::settle_all(std::span<const Step> steps, std::size_t number, std::ve
   standing_ = steps_.size();
 }
 
-std::vector<LeftOut> Editor::restore(std::span<const Step> steps, std::size_t standing) {
-  std::vector<LeftOut> out;
+std::vector<FailedStep> Editor::restore(std::span<const Step> steps, std::size_t standing) {
+  std::vector<FailedStep> out;
   const std::size_t settled = standing - std::min(standing, depth_.steps);  // they cannot be undone
   settle_all(steps.first(settled), 0, out);
   for (std::size_t i = settled; i < steps.size(); ++i) {
-    Deed deed = carry_out(steps[i]);
-    if (!deed.done && i >= standing) break;
-    if (!deed.done) {
-      out.push_back({i, steps[i], std::move(deed.said)});
+    CommandResult result = carry_out(steps[i]);
+    if (!result.done && i >= standing) break;
+    if (!result.done) {
+      out.push_back({i, steps[i], std::move(result.said)});
       continue;
     }
-    push(std::move(deed.after), steps[i]);
+    push(std::move(result.after), steps[i]);
     if (i < standing) shorten();
   }
   while (standing_ > standing - out.size()) step_back();

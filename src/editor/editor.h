@@ -29,24 +29,25 @@ struct Counts {
 // A state to which the editor can return: a document, and the state of the reader behind it with its open sheet.
 struct Point {
   Document document;
-  SoFar script;
+  ReaderState script;
   std::optional<Counts> counts = {};  // of the document; nullopt if not counted yet
 };
 
 // The result of a line that was carried out on a copy. The editor itself has not changed.
-struct Deed {
+struct CommandResult {
   bool done = false;  // if false, the line is wrong and `said` has the diagnostics
   Point after;
   std::string line;         // as the history records it
   std::string sheet;        // the sheet's lines, if the line is a row
   bool stamped = false;     // the time in `line` is the time at which it came
   bool opens = false;       // the line opens a sheet
+  bool empty = false;       // the line has no command
   std::size_t touched = 0;  // the number of things its pattern matches, if more than one
   Diagnostics said;         // a diagnostic without a file is about the line itself
 };
 
 // A step of an earlier session that can no longer be carried out.
-struct LeftOut {
+struct FailedStep {
   std::size_t number = 0;  // of the step, from 0
   Step step;
   Diagnostics why;
@@ -54,7 +55,7 @@ struct LeftOut {
 
 // The limits of undo: a number of steps, and an estimate of the bytes that they hold. The last step can always be
 // undone.
-struct UndoDepth {
+struct UndoLimits {
   static constexpr std::size_t without_limit = std::numeric_limits<std::size_t>::max();
   std::size_t steps = without_limit, bytes = without_limit;
 };
@@ -65,7 +66,7 @@ class Editor {
   using Sink = std::function<Status(Did, const Step&)>;
 
   // The editor keeps the text of all steps, but earlier documents only within the limits of `depth`.
-  explicit Editor(LoadOptions options = {}, UndoDepth depth = {}) : options_(std::move(options)), depth_(depth) {}
+  explicit Editor(LoadOptions options = {}, UndoLimits depth = {}) : options_(std::move(options)), depth_(depth) {}
 
   // Begins with the author's text; the sink gets nothing. `name`: the name of its file, or "".
   Diagnostics begin(std::string text, const std::string& name);
@@ -89,14 +90,36 @@ class Editor {
   // Carries out a line: a command, or a row of the open sheet. `now`: the time of commands from a live client
   // (LoadOptions::now). `translated`: translates values that have no meaning at their place; the line of the result has
   // the translation.
-  Deed carry_out(const Point& from, std::string_view line, std::optional<Time> now = {}, bool translated = false) const;
+  CommandResult carry_out(const Point& from, std::string_view line, std::optional<Time> now = {},
+                          bool translated = false) const;
   // Carries out a step of a history on the current document: its sheet, then all its lines. If one line fails, the
   // diagnostics are about that line.
-  Deed carry_out(const Step&) const;
+  CommandResult carry_out(const Step&) const;
   // Carries out the steps of an earlier session: `standing` steps, then those that were undone. The sink gets nothing.
   // Returns the standing steps that fail; they are left out. An undone step that fails is forgotten, with all behind
   // it.
-  std::vector<LeftOut> restore(std::span<const Step> steps, std::size_t standing);
+  std::vector<FailedStep> restore(std::span<const Step> steps, std::size_t standing);
+
+  // Carries out lines one after the other on one copy of a document. Some parts of a document are copied as a whole
+  // when they change (notes, aliases, names in formulas, functions, display lists): here once, not for each line.
+  class Draft {
+   public:
+    Draft(const Editor& editor, const Point& from)
+        : editor_(&editor), scene_(from.document.scene()), script_(from.script) {}
+    // Like Editor::carry_out(), for a line that has a command or is a row. The result has no `after`.
+    CommandResult carry_out(std::string_view line, std::optional<Time> now) {
+      return editor_->carry_out_on(scene_, script_, line, now, false);
+    }
+    const Scene& scene() const { return scene_; }
+    bool sheet_is_open() const { return script_.left != nullptr; }
+    void close_sheet() { script_.left.reset(); }
+    Point point() &&;
+
+   private:
+    const Editor* editor_;
+    Scene scene_;
+    ReaderState script_;
+  };
 
   // Returns the bytes that undo keeps for a step between the two. This may take long, so you can call it before take().
   static std::size_t bytes_kept(const Point& before, const Point& after);
@@ -122,15 +145,18 @@ class Editor {
   Status tell(Did what, const Step& step) const { return sink_ ? sink_(what, step) : Status(Nothing{}); }
   void push(Point after, Step step, std::optional<std::size_t> bytes = {});
   void forget(Past& past);
+  // Carries out a line on this scene, which may be left changed if the line fails. Returns a result without `after`.
+  CommandResult carry_out_on(Scene&, ReaderState&, std::string_view line, std::optional<Time> now,
+                             bool translated) const;
   // Carries out lines of a history on one copy of a document. Returns nullopt if one of them fails.
   std::optional<Point> carried_out(const Point& from, const std::string& lines) const;
-  void settle_all(std::span<const Step> steps, std::size_t number, std::vector<LeftOut>& left_out);
+  void settle_all(std::span<const Step> steps, std::size_t number, std::vector<FailedStep>& left_out);
   const Step* last_step() const { return standing_ > 0 ? &steps_[standing_ - 1] : nullptr; }
   void step_back();
   void shorten();
 
   LoadOptions options_;
-  UndoDepth depth_;
+  UndoLimits depth_;
   Sink sink_;
   std::function<void(Point)> free_;
   Home home_;

@@ -10,9 +10,9 @@
 #include <deque>
 #include <vector>
 
+#include "commands/foreign_words.h"
 #include "commands/list_rows.h"
 #include "commands/plugins.h"
-#include "commands/roads.h"
 #include "commands/verbs.h"
 
 namespace betwixt {
@@ -21,26 +21,38 @@ namespace {
 using enum HelpGroup;
 
 constexpr HelpEntry other_words[] = {
-    {function, "world", "Its matrix in the world; read only.", "", ""},
-    {function, "loudness", "How loud a sound is at a time, 0 to 1; read only.", "", ""},
+    {function, "world",
+     "Its matrix in the world; of an environment, the product of its updates until the time; read only.", "", ""},
+    {function, "by", "The matrix of one update of an environment; read only.", "", ""},
+    {function, "every", "How many ticks there are from one update of an environment to the next; read only.", "", ""},
+    {function, "count", "How many updates an environment has made until the time; read only.", "", ""},
+    {function, "loudness", "The loudness of a sound at a time, 0 to 1; read only.", "", ""},
     {function, "onsets", "How many onsets (beats, strokes) a sound has had up to a time; read only.", "", ""},
-    {function, "touching", "The names of the things that it touches; read only.", "", ""},
-    {function, "in-view", "Whether any of it is in view; read only.", "", ""},
+    {function, "touching", "The names of the objects that it touches; read only.", "", ""},
+    {function, "in-view", "Whether any part of it is in view; read only.", "", ""},
 
     {kind, "scene",
      "The contents of a file (glTF, BVH, FBX, Collada, SVG): nodes become objects, animation becomes tracks.",
-     "file=\"…\" animation=… start=TIME, then what the whole is told", ""},
+     "file=\"…\" animation=… start=TIME, then settings of the whole", ""},
     {kind, "disc", "Another name of `circle`.", "radius=1", "create dot disc radius=3"},
 
     {option, "cut", "A jump: the track arrives at the first value and continues from the second.", "VALUE cut VALUE",
      "at 12f ball.radius 2 cut 1"},
-    {option, "keep", "Changes only the twerper; the value is what it would have been.", "keep TWERPER",
+    {option, "keep", "Changes only the twerper; the value stays as it would be without the event.", "keep TWERPER",
      "at 12f ball.radius keep linear"},
+    {option, "ease-in",
+     "For this length of time before the event the track slows down, so that it arrives slowly. (The twerper "
+     "`ease-in`, without a length, begins slowly.)",
+     "ease-in=LENGTH", "at 12f ball.radius 2 ease-in=4f"},
+    {option, "ease-out",
+     "For this length of time after the event the track speeds up, so that it leaves slowly. (The twerper `ease-out`, "
+     "without a length, ends slowly.)",
+     "ease-out=LENGTH", "at 12f ball.radius 2 ease-out=4f"},
     {option, "tangent", "The tangents of hermite, per second; also tangent-in, tangent-out.", "tangent=VALUE",
      "at 12f ball.radius 2 hermite tangent=1"},
-    {option, "velocity", "The speed of a target, on a track beside its own; it has priority until a release.",
+    {option, "velocity", "The velocity of a target, on a track of its own; it overrides the values until a release.",
      "TARGET.velocity", "at 12f ball.position.velocity (1 0 0)"},
-    {option, "release", "Ends the priority of a velocity; from here the track goes to its next event.",
+    {option, "release", "Ends a velocity; from here the track goes to its next event.",
      "at TIME TARGET.velocity release", "at 12f ball.position.velocity (1 0 0)\nat 24f ball.position.velocity release"},
     {option, "keep-world", "The attached object keeps its place in the world at that moment.",
      "attach A to B keep-world", "at 20f attach ball to hand keep-world"},
@@ -51,14 +63,14 @@ struct GroupRow {
   std::string_view word, title;  // `word`: the argument of `help` that lists the group
 };
 constexpr GroupRow groups[] = {
-    {shell, "shell", "Words of the shell"},
+    {shell, "shell", "Shell commands"},
     {verb, "commands", "Commands"},
     {row, "rows", "Rows of display lists (make NAME)"},
     {kind, "kinds", "Kinds of objects (create NAME KIND …)"},
     {function, "functions", "Functions (NAME.function)"},
-    {twerper, "twerpers", "Twerpers (from one event to the next)"},
+    {twerper, "twerpers", "Twerpers (interpolation from one event to the next)"},
     {filter, "filters", "Filters (filter TARGET NAME …)"},
-    {option, "options", "Words of events and attachments"},
+    {option, "options", "Options of events and attachments"},
 };
 
 void list_group(const GroupRow& row, std::string& out) {
@@ -67,8 +79,11 @@ void list_group(const GroupRow& row, std::string& out) {
     if (e.group == row.group) out += fmt::format("  {:16} {}\n", e.word, e.sentence);
 }
 
+// Returns whether the word is only used with a sign: "tangent=VALUE".
+bool is_key(const HelpEntry& e) { return e.group == option && e.usage.starts_with(std::string(e.word) + "="); }
+
 // Describes a word that exists under another name.
-std::string signpost(const Road& r) {
+std::string signpost(const ForeignWord& r) {
   std::string out = fmt::format("{}: {}\n", r.word, r.leads);
   std::string_view rest = r.see;
   for (std::size_t end = 0; !rest.empty(); rest.remove_prefix(std::min(rest.size(), end + 1))) {
@@ -79,14 +94,14 @@ std::string signpost(const Road& r) {
 }
 
 constexpr std::string_view what(HelpGroup g) {
-  return g == shell      ? "a word of the shell"
+  return g == shell      ? "a shell command"
          : g == verb     ? "a command"
          : g == row      ? "a row of a display list"
          : g == kind     ? "a kind of object"
          : g == function ? "a function"
          : g == twerper  ? "a twerper"
          : g == filter   ? "a filter"
-                         : "a word of events";
+                         : "an event option";
 }
 
 // Describes a procedure: its role, and its author's sentence.
@@ -122,7 +137,7 @@ std::span<const HelpEntry> help_entries() {
     for (const bool common : {true, false})  // common functions first
       for (const FunctionSpec& f : built_in_functions())
         if (!f.sentence.empty() && common == ((f.kinds & bit(Kind::group)) != 0))
-          entries.push_back({HelpGroup::function, f.name, f.sentence, f.written, f.example});
+          entries.push_back({HelpGroup::function, f.name, f.sentence, f.written, f.example, &f});
     entries.insert(entries.end(), std::begin(other_words), std::end(other_words));
     for (const TwerperRow& t : twerpers())
       if (!t.sentence.empty()) entries.push_back({HelpGroup::twerper, t.name, t.sentence, t.written, t.example});
@@ -137,16 +152,36 @@ std::span<const HelpEntry> help_entries() {
 std::vector<std::string_view> words_with_help() {
   std::vector<std::string_view> all;
   for (const HelpEntry& e : help_entries()) all.push_back(e.word);
-  for (const Road& r : roads()) all.push_back(r.word);
+  for (const ForeignWord& r : foreign_words()) all.push_back(r.word);
   for (const GroupRow& g : groups) all.push_back(g.word);
   return all;
 }
 
-std::string_view sentence_of(std::string_view word) {
-  if (word.ends_with('=')) word.remove_suffix(1);
-  for (const HelpEntry& e : help_entries())
-    if (e.word == word) return e.sentence;
+std::string owners_of(const FunctionSpec& f) {
+  if (f.kinds & bit(Kind::group)) return "every object";
+  std::string out;
+  for (const KindRow& k : kinds())
+    if (f.kinds & bit(k.kind)) out += (out.empty() ? "" : ", ") + std::string(k.name);
+  return out;
+}
+
+std::string_view sentence_of(std::string_view word, std::optional<Kind> of) {
+  const std::size_t dot = word.rfind('.');
+  const bool key = word.ends_with('='), part = of && dot != std::string_view::npos;
+  if (key) word.remove_suffix(1);
+  if (part) word.remove_prefix(dot + 1);
+  for (const HelpEntry& e : help_entries()) {
+    if (e.word != word) continue;
+    const bool of_kind = of && (!e.function || (e.function->kinds & bit(*of)));
+    if (key || part ? e.group == option || (e.group == HelpGroup::function && of_kind)
+                    : e.group != HelpGroup::function && !is_key(e))
+      return e.sentence;
+  }
   return {};
+}
+
+std::string_view sentence_of(const FunctionView& f) {
+  return f.id < built_in_functions().size() ? built_in_functions()[f.id].sentence : std::string_view();
 }
 
 std::string help_overview(const Scene& scene, bool of_the_shell) {
@@ -163,15 +198,17 @@ std::string help_overview(const Scene& scene, bool of_the_shell) {
     out += fmt::format("  {:16} A function: {}.\n", f.name, to_string(f.type));
   for (const NamedProcedure& p : *scene.procedures) out += fmt::format("  {:16} {}\n", p.name, about(p));
   return out +
-         "\nhelp WORD says more and gives an example; help commands, help kinds, help twerpers … list a part of "
+         "\nhelp WORD explains a word and gives an example; help commands, help kinds, help twerpers … list a part of "
          "this.\n";
 }
 
-std::string help_text(std::string_view word, const Scene& scene) {
+std::string help_text(std::string_view word, const Scene& scene, std::optional<Kind> of_kind) {
+  const bool shared =
+      std::ranges::count_if(help_entries(), [&](const HelpEntry& e) { return e.function && e.word == word; }) > 1;
   std::string out;
   static constexpr std::array<std::string_view, 2> factors[] = {
-      {"T", "a way, T(6 0) or T(6 0 0)"},
-      {"R", "a turn about a point, R(90deg @ 0 1), an object, R(1turn @ sun), or an axis, R(1turn @ 0 1 0 axis y)"},
+      {"T", "a translation, T(6 0) or T(6 0 0)"},
+      {"R", "a rotation about a point, R(90deg @ 0 1), an object, R(1turn @ sun), or an axis, R(1turn @ 0 1 0 axis y)"},
       {"S", "a scaling about a point, S(2), S(2 0.5 @ 0 1), or by the linear law, S(2 2 @ 0 0 linear)"}};
   for (const auto& [letter, sentence] : factors)
     if (letter == word)
@@ -179,12 +216,13 @@ std::string help_text(std::string_view word, const Scene& scene) {
                         letter, sentence);
   for (const GroupRow& group : groups)
     if (group.word == word) list_group(group, out);
-  for (const Road& r : roads())
+  for (const ForeignWord& r : foreign_words())
     if (r.word == word) out += signpost(r);
   for (const HelpEntry& e : help_entries()) {
-    if (e.word != word) continue;
+    if (e.word != word || (of_kind && e.function && !(e.function->kinds & bit(*of_kind)))) continue;
     if (!out.empty()) out += "\n";
-    out += fmt::format("{}, {}: {}\n", e.word, what(e.group), e.sentence);
+    const std::string of = shared && e.function ? " of " + owners_of(*e.function) : "";
+    out += fmt::format("{}, {}{}: {}\n", e.word, what(e.group), of, e.sentence);
     if (!e.usage.empty()) out += fmt::format("  {}: {}\n", e.group <= row ? "usage" : "written", e.usage);
     if (!e.example.empty()) {
       std::string lines(e.example);

@@ -5,6 +5,7 @@
 // journal beside it, in the format of a session. Then an acknowledged step survives any end of the process.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,7 +28,7 @@ struct StepList {
 };
 
 // The history that a script and its journal make together.
-struct Kept {
+struct StoredHistory {
   std::string base;  // the text before the steps: the script, or the part of it before the steps that were saved
   StepList steps;
   std::string remarks;   // one line each
@@ -40,27 +41,47 @@ struct Kept {
 Status finish_checkpoint(Journal&, const std::string& script);
 
 // A new script on the disk that has not replaced the old one yet.
-struct ScriptBeside {
+struct PendingScript {
   std::string part, place;
   Fingerprint print;
   // The old script when the new one was written, and the identity of its file as the system gives it.
   std::optional<Fingerprint> seen;
   std::string seen_file;
 };
-Result<ScriptBeside> write_beside(const std::string& path, std::string_view script);
+Result<PendingScript> write_beside(const std::string& path, std::string_view script);
 void drop_beside(const std::string& path);  // removes what an interrupted one has left
+
+// Called after each step of a checkpoint, with the name of the step, by the thread that took it. A test can look at the
+// files then, as if the process had been killed at that moment.
+using CheckpointStep = std::function<void(const char* step)>;
+
+// What replaces script and journal at a checkpoint: on the disk already, under other names.
+struct NextHistory {
+  PendingScript script;
+  std::unique_ptr<Journal> journal;
+  JournalText copied;                // of the present journal, without the records: the later ones are to be copied
+  std::size_t before = 0, gone = 0;  // steps that are in the script now, and the bytes of their text
+  std::size_t length = 0;            // bytes of the steps in the new journal
+};
+// Writes script and journal beside those of `path`: the script has the first `before` steps, the journal all others.
+// Reads those from the present journal, which another thread may append to. Errors: file, machine.
+Result<NextHistory> write_next(const std::string& path, std::string_view script, std::size_t before,
+                               const CheckpointStep& done);
 
 // A sink of an editor, which gets every step before it is taken.
 class History {
  public:
   // `longest`: the limit for the commands in bytes, without the base text.
-  explicit History(std::size_t longest) : longest_(longest) {}
+  explicit History(std::size_t longest, CheckpointStep step = {});
+  ~History();  // waits for a checkpoint whose files are being put in place
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
 
   // Locks the journal beside `path`. Errors: file (another process has it), machine.
   Status hold(const std::string& path);
   // Returns the history in the script and the locked journal. `script`: nullopt if the file does not exist. Leaves out
   // records that are torn or damaged; keeps a copy of the journal under another name if it is more than torn.
-  Result<Kept> found(const std::optional<std::string>& script);
+  Result<StoredHistory> found(const std::optional<std::string>& script);
   // Writes the base text to the file and begins an empty journal. Errors: file, machine.
   Status keep(const std::string& base);
   // Continues a history that found() returned: file and journal hold it already.
@@ -74,12 +95,20 @@ class History {
   // Flushes the journal to the disk. After a failure it is unknown which steps are there.
   Status sync();
   // Writes all standing steps to the file; refuses if another process has changed it. Errors: file, machine.
-  Status save(const std::string& base, std::span<const Step> steps);
-  // Replaces the file by a checkpoint, which contains the first `before` steps, and begins the journal anew with the
-  // later `steps`. An interruption at any moment leaves a history of the same document. `to`: nullopt if nothing is
-  // stored.
-  Status checkpoint(const std::optional<ScriptBeside>& to, std::size_t before, std::span<const Step> steps,
-                    std::span<const Step> undone);
+  Status save(const std::string& base, std::span<const Step> steps, std::span<const Step> undone);
+
+  // Goes over to the files of a checkpoint. From now on, each step is noted in both journals. The next sync() starts a
+  // thread that puts the files in place. An interruption at any moment leaves a history of the same document. On
+  // failure nothing has changed.
+  Status go_over_to(NextHistory);
+  bool goes_over() const { return change_ != nullptr; }
+  void wait();  // for that thread, if it has been started
+  // Returns nullopt until the thread has ended. On failure the steps stay in the journal.
+  std::optional<Status> gone_over();
+  // Does all of it now: the script is replaced, and the journal has these steps.
+  Status replace(const PendingScript& script, std::span<const Step> steps, std::span<const Step> undone);
+  // Without files: the history has only these steps now.
+  void measure(std::span<const Step> steps, std::span<const Step> undone);
   // Removes the journal, as the file holds everything.
   void finish();
 
@@ -92,15 +121,16 @@ class History {
   std::string journal() const { return journal_path(path_); }
 
  private:
-  Status unchanged() const;
-  Status write(const std::string& script);
-  void measure(std::span<const Step> steps, std::span<const Step> undone);
+  struct Change;
+  bool in_place() const;
 
   const std::size_t longest_;
+  const CheckpointStep step_;
   std::string path_;
   std::unique_ptr<Journal> journal_;
   std::optional<Fingerprint> known_;  // of the file when it was last read or written; nullopt if there was none
   bool others_ = false;               // the file existed before this history
+  std::unique_ptr<Change> change_;    // while a checkpoint's files are being put in place
   std::size_t bytes_ = 0, length_ = 0;
 };
 

@@ -20,7 +20,8 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t longest_head = 64;   // of a record
+constexpr std::size_t longest_head = 64;  // of a record
+constexpr std::size_t longest_header = 128;
 constexpr const char* next_name = ".new";  // appended to the journal's name: its replacement
 
 constexpr std::uint64_t fnv_basis = 0xcbf29ce484222325;  // FNV-1a, 64 bits
@@ -50,6 +51,65 @@ std::string record(Did what, std::string_view text, std::uint64_t& sum) {
   return fmt::format("{} {} {:016x}\n{}\n", kind, text.size(), sum, text);
 }
 
+// Reads the record at the beginning of `rest`. Returns false if it is not complete.
+bool read_record(std::string_view rest, JournalText& to) {
+  const std::size_t stop = rest.find('\n');
+  const std::string line(
+      rest.substr(0, std::min(stop, longest_head)));  // not more: sscanf looks for the end of its text
+  char kind = 0;
+  std::uint64_t size = 0, sum = 0, expected = to.end.sum;
+  const bool said =
+      stop < longest_head && std::sscanf(line.c_str(), "%c %" SCNu64 " %" SCNx64, &kind, &size, &sum) == 3;
+  const std::size_t left = said ? rest.size() - stop - 1 : 0;
+  const bool known = kind == 'c' || kind == 'u' || kind == 'r' || kind == 's' || kind == 'k';
+  if (said && known && size < left) {
+    const std::string_view text = rest.substr(stop + 1, size);
+    const std::string whole = record(static_cast<Did>(kind), text, expected);
+    if (rest.starts_with(whole)) {
+      to.records.push_back({static_cast<Did>(kind), std::string(text)});
+      to.end = {to.end.end + whole.size(), expected};
+      return true;
+    }
+  }
+  to.torn = rest.size();
+  to.damaged = stop != std::string::npos && (!said || size < left);
+  return false;
+}
+
+// Reads the header of a journal. Returns false if it has none.
+bool read_header(std::string_view all, JournalText& to) {
+  const std::size_t line = std::min(all.find('\n'), longest_header);
+  const std::string first(all.substr(0, line));
+  Fingerprint base;
+  if (line < longest_header &&
+      std::sscanf(first.c_str(), "betwixt-journal 1 %" SCNu64 " %" SCNx64, &base.size, &base.hash) == 2 &&
+      header(base) == first + "\n") {
+    to.base = base;
+    to.end = {line + 1, fnv(all.substr(0, line + 1))};
+    return true;
+  }
+  // A header that was cut off: no record behind it can have been acknowledged.
+  const std::string_view begin = "betwixt-journal 1 ";
+  const std::size_t n = std::min(begin.size(), all.size());
+  to.foreign = all.find('\n') != std::string_view::npos || all.substr(0, n) != begin.substr(0, n);
+  return false;
+}
+
+int read_from(int file, std::uint64_t at, std::string& text) {
+  struct stat s {};
+  if (::fstat(file, &s) != 0) return errno;
+  const auto size = static_cast<std::uint64_t>(s.st_size);
+  text.resize(size > at ? size - at : 0);
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t n = ::pread(file, text.data() + done, text.size() - done, static_cast<off_t>(at + done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return errno;
+    if (n == 0) text.resize(done);
+    done += static_cast<std::size_t>(n);
+  }
+  return 0;
+}
+
 }  // namespace
 
 Fingerprint fingerprint(std::string_view text) { return {text.size(), fnv(text)}; }
@@ -76,96 +136,74 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
     struct stat held {};
     struct stat named {};
     if (::fstat(file, &held) != 0) return machine(path, "read");
-    if (!S_ISREG(held.st_mode)) return fail(ErrorCode::machine, fmt::format("'{}' is no file", path));
+    if (!S_ISREG(held.st_mode)) return fail(ErrorCode::machine, fmt::format("'{}' is not a regular file", path));
     // The last owner may have removed the file between open() and flock().
     if (::stat(path.c_str(), &named) != 0 || named.st_ino != held.st_ino || named.st_dev != held.st_dev) continue;
-    journal->read();
+    if (betwixt::read_more(file, journal->text_) != 0) journal->text_.foreign = true;
     return journal;
   }
 }
 
 Journal::~Journal() { ::close(file_); }
 
-void Journal::read() {
-  const auto read = text_of(file_, path_);
-  if (!read) {
-    foreign_ = true;
-    return;
+int read_more(int file, JournalText& text) {
+  std::string bytes;
+  if (const int reason = read_from(file, text.end.end, bytes)) return reason;
+  std::string_view rest = bytes;
+  text.torn = 0, text.damaged = false;
+  if (!text.base) {
+    if (!read_header(rest, text)) return 0;
+    rest.remove_prefix(text.end.end);
   }
-  const std::string& all = *read;
-  const std::size_t line = all.find('\n');
-  Fingerprint base;
-  if (line == std::string::npos ||
-      std::sscanf(all.c_str(), "betwixt-journal 1 %" SCNu64 " %" SCNx64, &base.size, &base.hash) != 2 ||
-      header(base) != all.substr(0, line + 1)) {
-    // A header that was cut off: no record behind it can have been acknowledged.
-    const std::string_view begin = "betwixt-journal 1 ";
-    const std::size_t n = std::min(begin.size(), all.size());
-    foreign_ = line != std::string::npos || all.compare(0, n, begin.substr(0, n)) != 0;
-    return;
+  while (!rest.empty()) {
+    const std::uint64_t before = text.end.end;
+    if (!read_record(rest, text)) break;
+    rest.remove_prefix(text.end.end - before);
   }
-  base_ = base;
-  std::size_t at = line + 1;
-  sum_ = fnv({all.data(), at});
-  while (at < all.size() && read_record(all, at)) continue;
-  end_ = at;
+  return 0;
 }
 
-// Returns false if there is no complete record at `at`.
-bool Journal::read_record(const std::string& all, std::size_t& at) {
-  const std::string_view rest = std::string_view(all).substr(at);
-  const std::size_t stop = rest.find('\n');
-  const std::string line(
-      rest.substr(0, std::min(stop, longest_head)));  // not more: sscanf looks for the end of its text
-  char kind = 0;
-  std::uint64_t size = 0, sum = 0, expected = sum_;
-  const bool said =
-      stop < longest_head && std::sscanf(line.c_str(), "%c %" SCNu64 " %" SCNx64, &kind, &size, &sum) == 3;
-  const std::size_t left = said ? rest.size() - stop - 1 : 0;
-  const bool known = kind == 'c' || kind == 'u' || kind == 'r' || kind == 's' || kind == 'k';
-  if (said && known && size < left) {
-    const std::string_view text = rest.substr(stop + 1, size);
-    const std::string whole = record(static_cast<Did>(kind), text, expected);
-    if (rest.starts_with(whole)) {
-      records_.push_back({static_cast<Did>(kind), std::string(text)});
-      sum_ = expected;
-      at += whole.size();
-      return true;
-    }
-  }
-  torn_ = rest.size();
-  damaged_ = stop != std::string::npos && (!said || size < left);
-  return false;
-}
-
-// Writes the new journal under another name, then renames it.
-Status Journal::begin(const Fingerprint& base, std::span<const Record> records) {
+Result<std::unique_ptr<Journal>> Journal::beside(const std::string& path, const Fingerprint& base,
+                                                 std::span<const Record> records) {
   std::string all = header(base);
   std::uint64_t sum = fnv(all);
   for (const Record& r : records) all += record(r.what, r.text, sum);
-  const std::string beside = path_ + next_name;
-  ::unlink(beside.c_str());  // left by a process that was killed
-  OpenFile file(::open(beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+  const std::string name = path + next_name;
+  ::unlink(name.c_str());  // left by a process that was killed
+  OpenFile file(::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   int reason = file ? 0 : errno;
   if (reason == 0 && ::flock(file.fd(), LOCK_EX | LOCK_NB) != 0) reason = errno;
   if (reason == 0) reason = write_all(file.fd(), all, 0);
   if (reason == 0 && ::fdatasync(file.fd()) != 0) reason = errno;
-  if (reason == 0 && ::rename(beside.c_str(), path_.c_str()) != 0) reason = errno;
   if (reason != 0) {
-    if (file) ::unlink(beside.c_str());
-    return machine(path_, "written", reason);
+    if (file) ::unlink(name.c_str());
+    return machine(path, "written", reason);
   }
+  std::unique_ptr<Journal> made(new Journal(path, file.release()));
+  made->text_.base = base, made->text_.end = {all.size(), sum};
+  return made;
+}
+
+Status Journal::replace() {
+  if (::rename((path_ + next_name).c_str(), path_.c_str()) != 0) return machine(path_, "written");
   sync_folder_of(path_);
-  ::close(std::exchange(file_, file.release()));
-  base_ = base, sum_ = sum, end_ = all.size(), torn_ = 0;
-  foreign_ = damaged_ = dirty_ = false;
-  records_.clear();
+  return Nothing{};
+}
+
+void Journal::drop_beside(const std::string& path) { ::unlink((path + next_name).c_str()); }
+
+Status Journal::begin(const Fingerprint& base, std::span<const Record> records) {
+  auto next = beside(path_, base, records);
+  if (!next) return next.error();
+  if (Status s = (*next)->replace(); !s) return drop_beside(path_), s;
+  std::swap(file_, (*next)->file_);
+  text_ = std::move((*next)->text_), dirty_ = false;
   return Nothing{};
 }
 
 Status Journal::begin_with(const Fingerprint& base, std::vector<Record> records) {
   if (Status s = begin(base, records); !s) return s;
-  records_ = std::move(records);
+  text_.records = std::move(records);
   return Nothing{};
 }
 
@@ -176,23 +214,29 @@ bool Journal::in_place() const {
          ours.st_ino == there.st_ino;
 }
 
-Status Journal::write(Did what, std::string_view text) {
-  if (!in_place())
-    return fail(ErrorCode::machine,
-                fmt::format("the journal '{}' was moved or removed, so nothing more is kept", path_),
-                "put it back, or save: that begins a new one");
-  if (torn_ > 0) {
-    if (::ftruncate(file_, static_cast<off_t>(end_)) != 0) return machine(path_, "mended");
-    torn_ = 0;
+Error Journal::lost() const {
+  return fail(ErrorCode::machine,
+              fmt::format("the journal '{}' was moved or removed, so no more commands can be saved", path_),
+              "put it back, or save, which begins a new journal");
+}
+
+Status Journal::write(Did what, std::string_view text) { return in_place() ? put(what, text) : Status(lost()); }
+
+Status Journal::put(Did what, std::string_view text) {
+  JournalPlace& at = text_.end;
+  if (text_.torn > 0) {
+    if (::ftruncate(file_, static_cast<off_t>(at.end)) != 0) return machine(path_, "mended");
+    text_.torn = 0;
   }
-  std::uint64_t sum = sum_;
-  const std::string bytes = record(what, text, sum);
-  if (const int reason = write_all(file_, bytes, static_cast<off_t>(end_))) {
-    torn_ = bytes.size();  // perhaps: the next record overwrites those bytes
-    if (::ftruncate(file_, static_cast<off_t>(end_)) == 0) torn_ = 0;
+  JournalPlace next = at;
+  const std::string bytes = record(what, text, next.sum);
+  next.end += bytes.size();
+  if (const int reason = write_all(file_, bytes, static_cast<off_t>(at.end))) {
+    text_.torn = bytes.size();  // perhaps: the next record overwrites those bytes
+    if (::ftruncate(file_, static_cast<off_t>(at.end)) == 0) text_.torn = 0;
     return machine(path_, "written", reason);
   }
-  sum_ = sum, end_ += bytes.size(), dirty_ = true;
+  at = next, dirty_ = true;
   return Nothing{};
 }
 
@@ -202,13 +246,19 @@ Status Journal::sync() {
   return Nothing{};
 }
 
+void Journal::back_to(const JournalPlace& place) {
+  if (place.end == text_.end.end) return;
+  text_.torn = text_.end.end - place.end, text_.end = place;
+  if (::ftruncate(file_, static_cast<off_t>(place.end)) == 0) text_.torn = 0;
+}
+
 Status Journal::append(Did what, std::string_view text) {
-  const std::uint64_t sum = sum_, end = end_;
+  const JournalPlace before = text_.end;
   if (Status s = write(what, text); !s) return s;
   const Status safe = sync();
   if (safe) return safe;
-  torn_ = end_ - end, sum_ = sum, end_ = end, dirty_ = false;
-  if (::ftruncate(file_, static_cast<off_t>(end_)) == 0) torn_ = 0, ::fdatasync(file_);
+  back_to(before), dirty_ = false;
+  if (text_.torn == 0) ::fdatasync(file_);
   return safe;
 }
 
@@ -229,17 +279,17 @@ void Journal::remove() { ::unlink(path_.c_str()); }
 
 Result<std::optional<std::string>> read_script(const std::string& path) {
   FileContents in = read_contents(path, {.largest = UINT64_MAX});
-  if (in.hindrance == Hindrance::none) return std::optional<std::string>(std::move(in.text));
-  if (in.hindrance == Hindrance::missing && in.reason == ENOENT) return std::optional<std::string>();
+  if (in.problem == ReadProblem::none) return std::optional<std::string>(std::move(in.text));
+  if (in.problem == ReadProblem::missing && in.reason == ENOENT) return std::optional<std::string>();
   if (in.reason != 0)
     return fail(ErrorCode::file, fmt::format("'{}' cannot be read: {}", path, std::strerror(in.reason)));
-  return fail(ErrorCode::file, fmt::format("'{}' is no script: only a file can be opened and saved", path));
+  return fail(ErrorCode::file, fmt::format("'{}' is not a script: only a regular file can be opened and saved", path));
 }
 
 Status write_script(const std::string& path, std::string_view text) {
   struct stat old {};
   if (::stat(path.c_str(), &old) == 0 && !S_ISREG(old.st_mode))
-    return fail(ErrorCode::file, fmt::format("'{}' is no file", path));
+    return fail(ErrorCode::file, fmt::format("'{}' is not a regular file", path));
   if (const int reason = put_file(path, text, {.like_old = true, .on_disk = true}))
     return machine(path, "written", reason);
   return Nothing{};

@@ -31,6 +31,24 @@ struct Record {
   std::string text;  // save: the fingerprint of the file; checkpoint: that, and the number of commands in it
 };
 
+// A place between two records of a journal, and the checksum of all bytes before it.
+struct JournalPlace {
+  std::uint64_t end = 0, sum = 0;
+};
+
+// The records in the bytes of a journal.
+struct JournalText {
+  std::optional<Fingerprint> base;  // the text before the records; nullopt if the journal is empty
+  std::vector<Record> records;
+  JournalPlace end;      // of the last complete record
+  std::size_t torn = 0;  // bytes of an incomplete record at the end
+  bool foreign = false;  // the file is no journal
+  bool damaged = false;  // the incomplete record was not just cut off
+};
+// Reads the records of the file behind `text.end`. Another thread may append records meanwhile. Returns 0 or
+// the errno of a failure.
+int read_more(int file, JournalText& text);
+
 // The number of standing commands, and of those that are not saved in the file.
 struct Tally {
   std::size_t at = 0, all = 0, saved = 0, gone = 0;  // gone: saved commands that were undone and replaced
@@ -64,14 +82,19 @@ class Journal {
 
   // The contents when it was opened.
   const std::optional<Fingerprint>& base() const {
-    return base_;
+    return text_.base;
   }  // the text before the records; nullopt if there was no journal
-  const std::vector<Record>& records() const { return records_; }
-  void forget() { records_ = {}; }
-  bool foreign() const { return foreign_; }   // the file is no journal
-  std::size_t torn() const { return torn_; }  // bytes of an incomplete record at the end
-  bool damaged() const { return damaged_; }   // the incomplete record was not just cut off
+  const std::vector<Record>& records() const { return text_.records; }
+  void forget() { text_.records = {}; }
+  bool foreign() const { return text_.foreign; }   // the file is no journal
+  std::size_t torn() const { return text_.torn; }  // bytes of an incomplete record at the end
+  bool damaged() const { return text_.damaged; }   // the incomplete record was not just cut off
 
+  // Writes a journal to the disk beside its place. replace() puts it in its place; any thread may call that.
+  static Result<std::unique_ptr<Journal>> beside(const std::string& path, const Fingerprint& base,
+                                                 std::span<const Record> records);
+  Status replace();
+  static void drop_beside(const std::string& path);  // removes one that was not put in its place
   // Replaces the journal by another. On failure the old one is unchanged.
   Status begin(const Fingerprint& base, std::span<const Record> records = {});
   // Like begin(), and records() returns the records afterwards.
@@ -82,25 +105,23 @@ class Journal {
   // After a failure of sync() it is unknown which records are there.
   Status write(Did what, std::string_view text);
   Status sync();
-  std::uint64_t size() const { return end_; }
+  Status put(Did what, std::string_view text);  // like write(), wherever the file is now
+  std::uint64_t size() const { return text_.end.end; }
+  JournalPlace place() const { return text_.end; }
+  void back_to(const JournalPlace&);  // removes the records behind the place, which have not been flushed
+  int read_more(JournalText& text) const { return betwixt::read_more(file_, text); }
   bool in_place() const;  // its path still names this file
+  Error lost() const;     // the error if it does not
   // Copies the journal to a free file name. Returns that name.
   Result<std::string> keep_aside() const;
   void remove();
 
  private:
   Journal(std::string path, int file) : path_(std::move(path)), file_(file) {}
-  void read();
-  bool read_record(const std::string& all, std::size_t& at);
-
   const std::string path_;
   int file_;
-  std::uint64_t sum_ = 0;  // the checksum of all bytes up to end_
-  std::uint64_t end_ = 0;  // of the last complete record
-  std::optional<Fingerprint> base_;
-  std::vector<Record> records_;
-  std::size_t torn_ = 0;
-  bool foreign_ = false, damaged_ = false, dirty_ = false;
+  JournalText text_;
+  bool dirty_ = false;
 };
 
 // Returns nullopt if the file does not exist. Errors: file, machine.

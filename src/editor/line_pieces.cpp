@@ -12,71 +12,30 @@
 #include "commands/list_rows.h"
 #include "commands/verbs.h"
 #include "editor/help.h"
-#include "language/line_words.h"
 #include "scene/colors.h"
+#include "syntax/tokens.h"
 #include "track/filter.h"
 #include "track/twerpers.h"
 
 namespace betwixt {
 namespace {
 
-constexpr std::string_view ends_of_words = " \t\r,()=\"@";
-
-bool digit(char c) { return c >= '0' && c <= '9'; }
-bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool begins_comment(std::string_view line, std::size_t i) {
-  return line[i] == '#' && (i + 1 == line.size() || blank(line[i + 1]));
-}
-std::size_t end_of_word(std::string_view line, std::size_t i) {
-  for (int braces = 0; i < line.size(); ++i) {
-    braces += line[i] == '{' ? 1 : line[i] == '}' ? -1 : 0;
-    if (braces <= 0 && ends_of_words.find(line[i]) != std::string_view::npos) break;
-  }
-  return i;
-}
-// Returns the end of the string that begins at `i`. Sets `open` if it continues on the next line.
-std::size_t end_of_text(std::string_view line, std::size_t i, bool& open) {
-  if (line.substr(i, 3) == "\"\"\"") {
-    const std::size_t close = line.find("\"\"\"", i + 3);
-    open = close == std::string_view::npos;
-    return open ? line.size() : close + 3;
-  }
-  for (++i; i < line.size() && line[i] != '"'; ++i)
-    if (line[i] == '\\') ++i;
-  return std::min(i + 1, line.size());
-}
-
 // Calls f(at, length) for each comment, string and word of a line; updates the state to that of the line's end.
 template <class F>
 void each_part(std::string_view line, LineState& state, F&& f) {
-  std::size_t i = 0;
-  if (state.text) {
-    const std::size_t close = line.find("\"\"\"");
-    state.text = close == std::string_view::npos;
-    i = state.text ? line.size() : close + 3;
-    f(std::size_t{0}, i, Meaning::text);
+  Lexer lexer(line, state);
+  while (const auto t = lexer.next()) {
+    if (t->kind == TokenKind::comment) f(t->at, t->size, Meaning::comment);
+    if (t->kind == TokenKind::text) f(t->at, t->size, Meaning::text);
+    if (t->kind == TokenKind::word) f(t->at, t->size, Meaning::name);
   }
-  while (i < line.size()) {
-    const char c = line[i];
-    if (begins_comment(line, i)) return f(i, line.size() - i, Meaning::comment);
-    if (c == '"') {
-      const std::size_t end = end_of_text(line, i, state.text);
-      f(i, end - i, Meaning::text);
-      i = end;
-      continue;
-    }
-    if (c == '(') ++state.brackets;
-    if (c == ')' && state.brackets > 0) --state.brackets;
-    const std::size_t end = end_of_word(line, i);
-    if (end > i) f(i, end - i, Meaning::name);
-    i = std::max(end, i + 1);
-  }
+  state = lexer.state();
 }
 
 bool is_option(std::string_view w) { return std::ranges::binary_search(option_words(), w); }
 bool is_function(std::string_view w, const Scene& s) {
   const auto called = [&](const FunctionSpec& f) { return f.name == w; };
-  return std::ranges::any_of(built_in_functions(), called) || std::ranges::any_of(*s.defined, called);
+  return std::ranges::any_of(built_in_functions(), called) || s.defined->find(w);
 }
 bool is_twerper(std::string_view w, const Scene& s) {
   const NamedProcedure* own = find_procedure(s, w);
@@ -86,7 +45,7 @@ bool is_time(std::string_view w) {
   if (w.find(':') != std::string_view::npos) return true;
   const std::size_t unit = w.find_last_not_of("fstm") + 1;
   const std::string_view u = w.substr(unit);
-  return unit > 0 && (digit(w[unit - 1]) || w[unit - 1] == '.') && (u == "f" || u == "s" || u == "t" || u == "ms");
+  return unit > 0 && (is_digit(w[unit - 1]) || w[unit - 1] == '.') && (u == "f" || u == "s" || u == "t" || u == "ms");
 }
 
 // The position of a word in its line, and the words before it.
@@ -111,14 +70,16 @@ struct Reading {
     }
     if (place == 0 && std::ranges::any_of(list_rows(), [&](const ListRow& r) { return r.word == w; }))
       return Meaning::verb;
-    if (verb == "create" && place == 2 && find_kind(w)) return Meaning::kind;
-    if (verb == "define" && place == 1) return Meaning::function;
-    if (verb == "filter" && place == 2 && find_filter(w)) return Meaning::twerper;
+    const Verb* const known = find_verb(verb);
+    const std::string_view here = known && place > 0 ? words_at(known->words, place - 1) : std::string_view();
+    if (has_word(here, "KIND") && find_kind(w)) return Meaning::kind;
+    if (known && known->flags & Verb::makes_function && place == 1) return Meaning::function;
+    if (has_word(here, "FILTER") && find_filter(w)) return Meaning::twerper;
     if (row && find_verb(w)) return Meaning::verb;  // as in `attach to hand`
     if (is_option(w)) return Meaning::option;
     if (is_twerper(w, scene)) return Meaning::twerper;
     if (named_color(w)) return Meaning::color;
-    return Meaning::name;
+    return has_word(here, w) ? Meaning::option : Meaning::name;
   }
 };
 
@@ -129,15 +90,11 @@ const std::vector<std::string_view>& option_words() {
     std::vector<std::string_view> words{"to",    "on",   "by",      "from", "until",  "into",  "times",
                                         "shift", "like", "through", "in",   "before", "after", "next-to"};
     for (const HelpEntry& e : help_entries())
-      if (e.group == HelpGroup::option) words.push_back(e.word);
+      if (e.group == HelpGroup::option && !find_twerper(e.word)) words.push_back(e.word);
     std::ranges::sort(words);
     return words;
   }();
   return all;
-}
-
-void pass_line(std::string_view line, LineState& state) {
-  each_part(line, state, [](std::size_t, std::size_t, Meaning) {});
 }
 
 std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document& d) {
@@ -156,17 +113,17 @@ std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, cons
       return put(at, length, r.number(w));
     }
     if (std::exchange(r.layer_due, false)) return put(at, length, Meaning::name);
-    if (r.place == 0 && !r.row && (w == "at" || w == "on")) {
-      (w == "at" ? r.time_due : r.layer_due) = true;
+    const Verb* const verb = r.place == 0 && !r.row ? find_verb(w) : nullptr;
+    if (verb && verb->flags & Verb::prefix) {
+      (verb->flags & Verb::timed ? r.layer_due : r.time_due) = true;
       return put(at, length, Meaning::verb);
     }
-    const std::size_t dot =
-        w.find_last_of("]}") == std::string_view::npos ? w.find('.') : w.find('.', w.find_last_of("]}"));
+    const std::size_t dot = first_dot(w);
     if (dot != std::string_view::npos && dot > 0) {  // it is a target
       put(at, dot, Meaning::name), put(at + dot + 1, length - dot - 1, Meaning::function);
     } else {
       const Meaning meant = r.word(w, key);
-      if (meant != Meaning::name || letter(w[0]) || w[0] == '*' || w[0] == '{') put(at, length, meant);
+      if (meant != Meaning::name || is_letter(w[0]) || w[0] == '*' || w[0] == '{') put(at, length, meant);
     }
     if (r.place == 0) r.verb = w;
     ++r.place;
@@ -175,14 +132,14 @@ std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, cons
 }
 
 std::optional<NumberAt> number_at(std::string_view line, std::size_t place) {
-  const auto part = [&](std::size_t i) { return i < line.size() && (digit(line[i]) || line[i] == '.'); };
+  const auto part = [&](std::size_t i) { return i < line.size() && (is_digit(line[i]) || line[i] == '.'); };
   const auto inside = [&](std::size_t i) {
     return part(i) && !(line[i] == '.' && (line.substr(i, 2) == ".." || (i > 0 && line[i - 1] == '.')));
   };
   if (place > line.size()) return std::nullopt;
   std::size_t from = place;
   // From a unit, step back to its number.
-  while (from > 0 && !inside(from) && from < line.size() && letter(line[from]) && letter(line[from - 1])) --from;
+  while (from > 0 && !inside(from) && from < line.size() && is_letter(line[from]) && is_letter(line[from - 1])) --from;
   if (from < line.size() && line[from] == '-' && inside(from + 1)) ++from;
   if (from > 0 && !inside(from)) --from;
   if (!inside(from)) return std::nullopt;
@@ -190,12 +147,12 @@ std::optional<NumberAt> number_at(std::string_view line, std::size_t place) {
   while (from > 0 && inside(from - 1)) --from;
   while (inside(to)) ++to;
   const char before = from > 0 ? line[from - 1] : ' ';
-  if (letter(before) || before == '_' || before == '/' || before == '#' || before == '{')
-    return std::nullopt;  // it is part of a name
+  if (is_letter(before) || before == '_' || before == '/' || before == '#' || before == '{')
+    return std::nullopt;  // a name
   if (before == '-') {
     const char further = from > 1 ? line[from - 2] : ' ';
-    if (letter(further) || further == '_') return std::nullopt;
-    if (!digit(further) && further != ')') --from;  // otherwise the minus is a subtraction
+    if (is_letter(further) || further == '_') return std::nullopt;
+    if (!is_digit(further) && further != ')') --from;  // else it is taken away from something
   }
   if (line.substr(from, to - from).find_first_of("0123456789") == std::string_view::npos) return std::nullopt;
   return NumberAt{from, to - from};

@@ -12,16 +12,9 @@
 #include <vector>
 
 #include "betwixt/document.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
-
-// The lexical state at the end of a line, which the next line continues.
-struct LineState {
-  int brackets = 0;   // open
-  bool text = false;  // a """ is open
-  bool goes_on() const { return text || brackets > 0; }
-  friend bool operator==(const LineState&, const LineState&) = default;
-};
 
 enum class Meaning : std::uint8_t { comment, text, verb, kind, function, twerper, option, time, number, color, name };
 
@@ -34,8 +27,6 @@ struct LinePiece {
 // Returns the tokens of one line that have a meaning, in order. `state`: that of the line above; updated to that of
 // this line.
 std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document&);
-// Updates the state only.
-void pass_line(std::string_view line, LineState& state);
 
 // Returns the words that are options in any line: to, by, keep-world …
 const std::vector<std::string_view>& option_words();

@@ -46,7 +46,7 @@ std::string code_of(const Value* v) {
 // Tracks of values with events, without layers and velocities.
 std::vector<TrackView> own_tracks(const Document& d, const Target& t) {
   std::vector<TrackView> all = tracks(d, t);
-  std::erase_if(all, [](const TrackView& v) { return v.events == 0 || v.target.velocity || v.target.layer; });
+  std::erase_if(all, [](const TrackView& v) { return v.event_count == 0 || v.target.velocity || v.target.layer; });
   return all;
 }
 
@@ -123,9 +123,9 @@ std::string way_of_new_event(const Document& d, const Target& t, Time at) {
   const Type whole = spec_of(d.scene(), t.function).type;
   std::string_view unsaid = name_of(row_of(t.component < 0 ? whole : component_track_type(whole)).twerper);
   for (const TrackView& v : tracks(d, t)) {
-    if (v.target.layer != t.layer || v.events == 0) continue;
+    if (v.target.layer != t.layer || v.event_count == 0) continue;
     if (!v.twerper.empty()) return {};  // the whole track has one twerper
-    unsaid = v.unsaid;
+    unsaid = v.default_twerper;
     std::optional<EventView> before;
     each_event(d, v.target, at, at, [&](const EventView& e) { before = e; });
     if (before) return {};  // the event exists and keeps its twerper
@@ -145,10 +145,10 @@ std::string line_of_event(const Document& d, const Target& t, Time at, const std
   each_event(d, t, at, at, [&](const EventView& e) {
     behind.clear();
     if (e.what != EventView::What::value || !e.value) return;
-    const std::string row = write_event(d, t, at), cut = e.before ? written(*e.before) + " cut " : "";
+    const std::string row = write_event(d, t, at), cut = e.cut_from ? written(*e.cut_from) + " cut " : "";
     const std::string start = cut + written(*e.value);
     // If both values of the event were equal, keep them equal.
-    before = e.before && *e.before == *e.value ? value + " cut " : cut;
+    before = e.cut_from && *e.cut_from == *e.value ? value + " cut " : cut;
     if (row.starts_with(start)) behind = row.substr(start.size());
   });
   return "at " + format_time(at, d) + " " + d.name(t) + " " + before + value + behind;

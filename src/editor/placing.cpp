@@ -9,17 +9,10 @@
 
 #include "base/names.h"
 #include "commands/verbs.h"
-#include "language/line_words.h"
+#include "syntax/script_text.h"
 
 namespace betwixt {
 namespace {
-
-// Returns the start of each line; empty for an empty text.
-std::vector<std::size_t> line_starts(std::string_view text) {
-  std::vector<std::size_t> all;
-  for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) all.push_back(at);
-  return all;
-}
 
 // Reduces the edit to the part that differs.
 void shorten(TextEdit& e) {
@@ -38,28 +31,12 @@ std::optional<TextEdits> instead_of_setting(const std::string& text, const std::
   const Verb* const known = find_verb(verb);
   if (!known || !(known->flags & Verb::once)) return std::nullopt;
   std::optional<TextEdits> last;
-  for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) {
-    const std::string_view there(text.data() + at, std::min(text.find('\n', at), text.size()) - at);
-    if (indented(there) || first_word(there) != verb) continue;
-    std::size_t end = there.find(" #");
-    while (end != std::string_view::npos && end + 2 < there.size() && !blank(there[end + 2]))
-      end = there.find(" #", end + 1);
-    std::string_view said = there.substr(0, end);
-    while (!said.empty() && blank(said.back())) said.remove_suffix(1);
-    last = TextEdits{{at, std::string(said), line}};
+  for (const std::size_t at : line_starts(text)) {
+    const std::string_view there = line_at(text, at);
+    if (!indented(there) && first_word(there) == verb)
+      last = TextEdits{{at, std::string(without_comment(there)), line}};
   }
   return last;
-}
-
-bool in_remark(const std::string& text, std::size_t at) {
-  const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
-  const std::size_t line = before == std::string::npos ? 0 : before + 1;
-  bool quoted = false;
-  for (std::size_t i = line; i < at; ++i) {
-    if (text[i] == '"') quoted = !quoted;
-    if (text[i] == '#' && !quoted && blank(text[i + 1])) return true;
-  }
-  return false;
 }
 
 // rename OLD NEW: replaces the name in the text.
@@ -67,11 +44,17 @@ std::optional<TextEdits> renamed(const std::string& text, const std::string& lin
   const std::vector<std::string> words = line_words(line);
   if (words.size() != 3 || words[0] != "rename" || is_pattern(words[1])) return std::nullopt;
   const auto of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+  const ScriptText lines(text);
+  const auto in_comment = [&](std::size_t at) {
+    const std::size_t number = lines.line_of(at);
+    const auto token = lines.token_at(number, at - lines.start(number));
+    return token && token->kind == TokenKind::comment;
+  };
   TextEdits all;
   for (std::size_t at = text.rfind(words[1]); at != std::string::npos;
        at = at == 0 ? std::string::npos : text.rfind(words[1], at - 1)) {
     const std::size_t end = at + words[1].size();
-    if (in_remark(text, at)) continue;
+    if (in_comment(at)) continue;
     const bool begins = at == 0 || !(of_name(text[at - 1]) || text[at - 1] == '/');
     if (begins && (end == text.size() || !of_name(text[end]))) all.push_back({at, words[1], words[2]});
   }

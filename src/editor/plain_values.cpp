@@ -113,7 +113,7 @@ Result<std::string> values_at(const Document& d, std::vector<std::string> patter
       wide = std::max({wide, d.name(t).size(), is_world(t) ? place(t).size() : 0});
     }
   }
-  if (targets.empty()) return std::string("nothing has such a name\n");
+  if (targets.empty()) return std::string("nothing has this name\n");
   const Program program = Program::compile(d);
   std::string said;
   for (const auto& [text, t] : times) {

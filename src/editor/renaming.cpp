@@ -15,14 +15,13 @@ namespace betwixt {
 namespace {
 
 bool is_taken(const Scene& s, const NameAt& of, const std::string& name) {
-  const auto called = [&](const auto& one) { return one.name == name; };
   switch (of.kind) {
     case NameKind::thing:
       return s.names.find(name) || s.aliases->contains(name) || s.lists->contains(name);
     case NameKind::let:
       return s.lets->contains(name);
     case NameKind::function:
-      return std::ranges::any_of(*s.defined, called);
+      return s.defined->find(name).has_value();
     case NameKind::procedure:
       return find_procedure(s, name) != nullptr;
   }
@@ -83,36 +82,38 @@ std::string with_others(std::string text, std::span<const Span> places, std::str
 
 Result<NameAt> to_rename(const TextNames& names, std::size_t text, std::size_t place) {
   const auto found = names.at(text, place);
-  if (!found) return fail(ErrorCode::name, "no name of this film stands here");
+  if (!found) return fail(ErrorCode::name, "there is no name here that can be renamed");
   if (found->pattern)
-    return fail(ErrorCode::name, fmt::format("'{}' is a pattern: what it names has names of its own", found->name));
+    return fail(ErrorCode::name, fmt::format("'{}' is a pattern; rename one of its objects instead", found->name));
   const std::vector<TextSpan> made = names.made(*found);
   const auto is_made = [&](const MadeName& m) { return !made.empty() && m.word == made[0]; };
   const auto by = std::ranges::find_if(names.all(), is_made);
   if (by == names.all().end())
-    return fail(ErrorCode::name, fmt::format("no line of these texts makes '{}'", found->name));
+    return fail(ErrorCode::name, fmt::format("no line of these files creates '{}'", found->name));
   const std::vector<TextSpan> uses = names.uses(*found);
   if (by->many || std::ranges::find(uses, made[0]) == uses.end())
-    return fail(ErrorCode::name,
-                fmt::format("'{}' is made together with others, by a pattern or from something else", found->name));
+    return fail(
+        ErrorCode::name,
+        fmt::format("a pattern or another line creates '{}' together with other objects, so it cannot be renamed alone",
+                    found->name));
   return *found;
 }
 
 Result<std::vector<TextSpan>> renaming(std::span<const FilmText> texts, const TextNames& names, const Loaded& film,
                                        const NameAt& name, const std::string& to, const LoadTexts& load) {
-  if (!can_be_name(name.kind, to)) return fail(ErrorCode::syntax, fmt::format("'{}' can be no name here", to));
+  if (!can_be_name(name.kind, to)) return fail(ErrorCode::syntax, fmt::format("'{}' cannot be a name here", to));
   if (to == name.name) return std::vector<TextSpan>();
   const Scene& scene = film.document.scene();
-  if (is_taken(scene, name, to)) return fail(ErrorCode::name, fmt::format("there is a '{}' already", to));
+  if (is_taken(scene, name, to)) return fail(ErrorCode::name, fmt::format("'{}' already exists", to));
   std::vector<TextSpan> places = names.uses(name);
   const std::vector<std::string> said = with_name(texts, places, to);
   const Loaded then = load(said);
   std::vector<FilmText> then_texts;
-  for (const std::string& text : said) then_texts.push_back({texts[then_texts.size()].path, TextLines(text)});
+  for (const std::string& text : said) then_texts.push_back({texts[then_texts.size()].path, ScriptText(text)});
   NameAt renamed = name;
   renamed.name = to;
   if (TextNames(then_texts, then.document).uses(renamed).size() != places.size())
-    return fail(ErrorCode::name, fmt::format("something speaks of '{}' already, though nothing is called so", to));
+    return fail(ErrorCode::name, fmt::format("'{}' is already used in a line, although nothing has this name", to));
   const bool alias = scene.aliases->contains(name.name);
   const bool stands = scene.names.find(name.name) || scene.lists->contains(name.name);
   const bool same =
@@ -123,8 +124,8 @@ Result<std::vector<TextSpan>> renaming(std::span<const FilmText> texts, const Te
   return fail(
       ErrorCode::name,
       has_errors(film.diagnostics)
-          ? fmt::format("whether '{}' can be called '{}' cannot be told while the film has errors", name.name, to)
-          : fmt::format("the film would not be the same: a pattern or code speaks of '{}' in another way", name.name));
+          ? fmt::format("'{}' cannot be renamed to '{}' while the script has errors", name.name, to)
+          : fmt::format("renaming would change the film: a pattern or code refers to '{}' in another way", name.name));
 }
 
 }  // namespace betwixt

@@ -9,10 +9,11 @@
 #include "base/names.h"
 #include "betwixt/language.h"
 #include "betwixt/track.h"
+#include "commands/line_head.h"
 #include "commands/verbs.h"
 #include "language/cursor.h"
-#include "language/line_words.h"
 #include "scene/document.h"
+#include "syntax/script_text.h"
 
 namespace betwixt {
 namespace {
@@ -26,8 +27,10 @@ struct Row {
 std::optional<Row> read_row(std::string_view line, const Document& d) {
   if (line.empty() || line.back() != '\n' || !indented(line)) return std::nullopt;
   line.remove_suffix(1);
-  if (line.find_first_of("\n\"=$") != std::string_view::npos) return std::nullopt;
-  if (std::ranges::count(line, '(') != std::ranges::count(line, ')')) return std::nullopt;
+  LineState open;
+  for (const Token& t : tokens_of(line, open))
+    if (t.kind == TokenKind::feed || t.kind == TokenKind::text || line[t.at] == '=') return std::nullopt;
+  if (open.goes_on()) return std::nullopt;
   Cursor c(line);
   c.rate = d.rate(), c.ticks = d.ticks();
   c.space();
@@ -43,7 +46,7 @@ class Looking {
 
   std::optional<std::vector<std::string>> commands() {
     const auto was = read_row(edit_.removed, document_), is = read_row(edit_.inserted, document_);
-    if (!was || !is || text_.find("\"\"\"") != std::string_view::npos || !find_sheet()) return std::nullopt;
+    if (!was || !is || may_hold_block(text_) || !find_sheet()) return std::nullopt;
     was_ = was->time, is_ = is->time;
     if (!alone_in_sheet() || !alone_in_text()) return std::nullopt;
     const std::string name(opener_);
@@ -61,23 +64,19 @@ class Looking {
     return again && *again == t;
   }
 
-  std::string_view line_at(std::size_t at) const {
-    return text_.substr(at, std::min(text_.find('\n', at), text_.size() - 1) + 1 - at);
-  }
-
   // Finds the line above the rows; it must be a single track.
   bool find_sheet() {
     for (std::size_t at = edit_.at; at > 0;) {
       const std::size_t before = at < 2 ? std::string_view::npos : text_.rfind('\n', at - 2);
       at = before == std::string_view::npos ? 0 : before + 1;
-      const std::string_view line = line_at(at);
-      if (indented(line) || line == "\n" || line[0] == '#') continue;
+      const std::string_view line = line_at(text_, at);
+      if (below_opener(line)) continue;
       sheet_ = at;
       break;
     }
-    Cursor c(line_at(sheet_));
+    Cursor c(line_at(text_, sheet_));
     opener_ = c.word();
-    if (!c.at_line_end() || is_pattern(opener_) || opener_.find('.') == std::string_view::npos) return false;
+    if (!c.at_line_end() || is_pattern(opener_) || first_dot(opener_) == std::string_view::npos) return false;
     const auto targets = find_targets(opener_, document_);
     if (!targets || targets->size() != 1) return false;
     target_ = (*targets)[0];
@@ -87,9 +86,9 @@ class Looking {
 
   bool alone_in_sheet() {
     if (!reads_back(was_) || !reads_back(is_)) return false;
-    for (std::size_t at = sheet_ + line_at(sheet_).size(); at < text_.size(); at += line_at(at).size()) {
-      const std::string_view line = line_at(at);
-      if (!indented(line) && line != "\n" && line[0] != '#') break;
+    for (std::size_t at = sheet_ + line_at(text_, sheet_).size(); at < text_.size(); at += line_at(text_, at).size()) {
+      const std::string_view line = line_at(text_, at);
+      if (!below_opener(line)) break;
       if (at == edit_.at) continue;
       Cursor c(line);
       if (c.at_line_end()) continue;
@@ -102,36 +101,20 @@ class Looking {
   // Returns true if the effect of every other line is known and none affects this track.
   bool alone_in_text() {
     for (std::size_t at = 0; at < text_.size();) {
-      const char c = text_[at];
-      if (blank(c) || c == '\n' || c == '#' || at == sheet_) {
-        const std::size_t end = text_.find('\n', at);
-        at = end == std::string_view::npos ? text_.size() : end + 1;
-        continue;
-      }
-      const std::string_view line = line_at(at);
-      if (!has_nothing_to_do(line, at)) return false;
+      const std::string_view line = line_at(text_, at);
+      if (at != sheet_ && !below_opener(line) && !has_nothing_to_do(line, at)) return false;
       at += line.size();
     }
     return true;
   }
 
   bool has_nothing_to_do(std::string_view line, std::size_t at) {
-    Cursor c(line);
-    c.rate = document_.rate(), c.ticks = document_.ticks();
-    std::string_view word = c.next_word();
-    if (word == "rate" || word == "ticks") return at < sheet_;
-    if (word == "create") {
-      c.next_word();
-      return c.next_word() != "like";
-    }
-    if (word == "at") {
-      Time ignored;
-      if (!c.time(ignored)) return false;
-      word = c.next_word();
-    }
-    if (const Verb* verb = find_verb(word); verb && (verb->flags & Verb::aside))
-      return word != "set" || speaks_of_others(c.next_word());
-    return speaks_of_others(word);
+    const LineHead head = line_head(line);
+    if (!head.layer.empty() || (!head.time.empty() && !parse_time(head.time, document_))) return false;
+    if (head.word == "rate" || head.word == "ticks") return at < sheet_;
+    if (head.word == "create") return first_word(head.rest) != "like";
+    if (head.verb && head.verb->flags & Verb::aside) return head.word != "set" || speaks_of_others(head.name);
+    return speaks_of_others(head.word);
   }
   // Returns true for NAME.FUNCTION of another single object, or for another function of the same one.
   bool speaks_of_others(std::string_view word) const {

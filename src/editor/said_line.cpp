@@ -3,8 +3,7 @@
 #include "editor/said_line.h"
 
 #include "commands/verbs.h"
-#include "language/line_words.h"
-#include "language/lines.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 SaidLine look_at(std::string_view text, std::size_t most) {

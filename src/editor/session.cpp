@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "base/diagnostic.h"
-#include "base/likewise.h"
+#include "base/message_groups.h"
 #include "base/names.h"
-#include "commands/command.h"
+#include "commands/line_head.h"
 #include "commands/reader.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
@@ -16,12 +16,10 @@ namespace betwixt {
 namespace {
 
 // Returns true if the refused line would have opened a sheet.
-bool meant_a_sheet(const std::vector<std::string>& words) {
-  if (words.empty()) return false;
-  const auto target = [&](std::size_t i) { return first_dot(words[i]) != std::string_view::npos; };
-  const std::size_t verb = words[0] == "at" ? 2 : 0;
-  const bool list = words.size() > verb && (words[verb] == "make" || words[verb] == "edit");
-  return words.size() == 1 || target(0) || (words.size() == 3 && words[0] == "on" && target(2)) || list;
+bool meant_a_sheet(std::string_view line) {
+  const LineHead head = line_head(line);
+  if (head.word.empty() || !head.time.empty() || head.verb) return head.verb && head.verb->flags & Verb::opens_sheet;
+  return head.name.empty() || first_dot(head.word) != std::string_view::npos;
 }
 
 // Returns true if the diagnostic is about the entered line itself, and not about a file that it uses.
@@ -43,11 +41,17 @@ std::string_view trimmed(std::string_view s, bool both) {
 std::string Session::State::text() const { return in_place ? placed.text : as_script(editor.base(), editor.steps()); }
 
 // Returns the index of the answer; nullopt if there is no answer.
-std::optional<std::size_t> Session::State::choose(const std::string& question,
-                                                  const std::vector<std::string_view>& choices,
-                                                  const Asking& ask) const {
-  for (std::string q = question; ask;) {
-    const auto answer = ask(q);
+std::string to_string(const Session::Question& q) {
+  std::string out = fmt::format("{}{}: ", q.above, q.text);
+  for (std::size_t i = 0; i < q.choices.size(); ++i)
+    out += (i == 0 ? "" : i + 1 < q.choices.size() ? ", " : " or ") + q.choices[i];
+  return out + "? ";
+}
+
+std::optional<std::size_t> Session::State::choose(Question question, const Asking& ask) const {
+  const std::vector<std::string>& choices = question.choices;
+  while (ask) {
+    const auto answer = ask(question);
     if (!answer) break;
     if (*answer == called_off) {  // the last choice is the one that changes nothing, unless it is "show"
       if (choices.back() == "show") break;
@@ -61,13 +65,13 @@ std::optional<std::size_t> Session::State::choose(const std::string& question,
       if (choices[i] == word) return i;
     const auto begins = [&](std::string_view c) { return !word.empty() && c.starts_with(word); };
     if (std::count_if(choices.begin(), choices.end(), begins) == 1) return found;
-    q = fmt::format("please answer {} or {}: ", fmt::join(choices.begin(), choices.end() - 1, ", "), choices.back());
+    question.above.clear(), question.text = "please answer";
   }
   return std::nullopt;
 }
 
 Session::Answer Session::State::only_looks() const {
-  return refused(fmt::format("another shell has {} open: this one may only look", called()));
+  return refused(fmt::format("another shell has {} open, so this one is read-only", called()));
 }
 
 // Returns the number of the text's first line among all entered lines.
@@ -91,11 +95,11 @@ Diagnostics Session::State::hinted(Diagnostics all, std::string_view line) const
   for (Diagnostic& d : all) {
     for (const std::string_view name : with_those_above(name_missed(d.what)))
       if (const auto made = failed.find(name); made != failed.end())
-        d.what.hint = fmt::format("line {}, which should have made it, was refused", made->second);
-    if (d.what.hint.empty() && d.what.message.starts_with("there is no command")) {
+        set_hint(d.what, fmt::format("line {}, which should have created it, has an error", made->second));
+    if (unknown_command(d.what, line)) {
       std::vector<std::string_view> known;
       for (const Word& w : words()) known.push_back(w.word);
-      d.what.hint = did_you_mean(first_word(line), known);
+      set_hint(d.what, did_you_mean(first_word(line), known));
     }
   }
   return all;
@@ -103,17 +107,18 @@ Diagnostics Session::State::hinted(Diagnostics all, std::string_view line) const
 
 // Asks what to do with a value that has no meaning at its place (policy ask). Returns true to translate it, false to
 // ignore the line; nullopt if there is no one to ask or no translation.
-std::optional<bool> Session::State::asked_about(const Deed& refused, std::string_view line) const {
+std::optional<bool> Session::State::asked_about(const CommandResult& refused, std::string_view line) const {
   const auto meaningless = [](const Diagnostic& d) {
     return d.severity == Severity::error && d.what.code == ErrorCode::type;
   };
-  if (!doors.ask_about_line || document().scene().policy != Policy::ask) return std::nullopt;
+  if (!callbacks.ask_about_line || document().scene().policy != Policy::ask) return std::nullopt;
   if (!std::any_of(refused.said.begin(), refused.said.end(), meaningless)) return std::nullopt;
-  const Deed other = editor.carry_out(editor.now(), line, {}, true);
+  const CommandResult other = editor.carry_out(editor.now(), line, {}, true);
   if (!other.done || other.line == trimmed(line)) return std::nullopt;
-  const std::string question =
-      fmt::format("{}translate it to '{}', or ignore the line? ", told(refused.said, line), trimmed(other.line));
-  const auto chosen = choose(question, {"translate", "ignore"}, doors.ask_about_line);
+  const auto chosen = choose({told(refused.said, line),
+                              fmt::format("it can be translated to '{}'", trimmed(other.line)),
+                              {"translate", "ignore"}},
+                             callbacks.ask_about_line);
   return chosen == std::size_t{0};
 }
 
@@ -121,27 +126,27 @@ Session::Answer Session::State::command(std::string_view line) {
   if (looks_only) return only_looks();
   const bool row = indented(line) && sheet_open();
   if (indented(line) && sheet_refused)
-    return refused("this row has no sheet: the line that should open it was refused");
+    return refused("this row has no sheet, because the line that should open it has an error");
   if (!row) line = trimmed(line);  // the file must not take it for a row
   const SaidLine said = look_at(line);
-  if (said.several) return refused("one line at a time, please");
-  Deed deed = editor.carry_out(editor.now(), line);
-  if (const auto meant = deed.done ? std::nullopt : asked_about(deed, line)) {
+  if (said.several) return refused("enter one line at a time");
+  CommandResult result = editor.carry_out(editor.now(), line);
+  if (const auto meant = result.done ? std::nullopt : asked_about(result, line)) {
     if (!*meant) return {false, false, false, "ignored\n"};
-    deed = editor.carry_out(editor.now(), line, {}, true);
+    result = editor.carry_out(editor.now(), line, {}, true);
   }
-  Answer answer{deed.done, false, !deed.done, told(deed.said, line), hinted(deed.said, line)};
-  if (!deed.done) {
-    if (!row) sheet_refused = meant_a_sheet(said.words);
+  Answer answer{result.done, false, !result.done, told(result.said, line), hinted(result.said, line)};
+  if (!result.done) {
+    if (!row) sheet_refused = meant_a_sheet(line);
     for (std::string& name : names_missed(document().scene(), line)) failed[std::move(name)] = lines;
     return answer;
   }
-  if (Status s = take(std::move(deed.after), {{std::move(deed.line)}, in_place ? deed.sheet : ""}); !s)
+  if (Status s = take(std::move(result.after), {{std::move(result.line)}, in_place ? result.sheet : ""}); !s)
     return refused(s.error());
   tally.command(), sheet_refused = false;
   if (!failed.empty())
     for (const std::string& name : names_made(line)) failed.erase(name);
-  if (deed.touched > 1 && !row && !quiet) answer.said += fmt::format("{} objects\n", deed.touched);
+  if (result.touched > 1 && !row && !quiet) answer.said += fmt::format("{} objects\n", result.touched);
   answer.said += tried(said.words, line);
   return answer;
 }
@@ -158,16 +163,16 @@ Session::Answer Session::State::together(const std::vector<std::string>& said) {
   Answer answer;
   int before = 0;  // lines of earlier commands
   for (const std::string& line : said) {
-    Deed deed = editor.carry_out(at, line);
-    answer.said += told(deed.said, line);
-    for (Diagnostic& d : hinted(deed.said, line)) {
+    CommandResult result = editor.carry_out(at, line);
+    answer.said += told(result.said, line);
+    for (Diagnostic& d : hinted(result.said, line)) {
       if (is_of_line(d)) d.what.place.line += before;
       answer.why.push_back(std::move(d));
     }
-    if (!deed.done) return {false, false, true, answer.said, answer.why};
+    if (!result.done) return {false, false, true, answer.said, answer.why};
     before += 1 + static_cast<int>(std::count(line.begin(), line.end(), '\n'));
-    at = std::move(deed.after);
-    step.lines.push_back(std::move(deed.line));
+    at = std::move(result.after);
+    step.lines.push_back(std::move(result.line));
   }
   if (Status s = take(std::move(at), std::move(step)); !s) return refused(s.error());
   tally.command(), sheet_refused = false;
@@ -178,17 +183,17 @@ Session::Answer Session::State::together(const std::vector<std::string>& said) {
 Result<Document> Session::State::ahead(const std::vector<std::string>& said) const {
   Point at = editor.now();
   for (const std::string& line : said) {
-    Deed deed = editor.carry_out(at, line);
-    for (const Diagnostic& d : deed.said)
+    CommandResult result = editor.carry_out(at, line);
+    for (const Diagnostic& d : result.said)
       if (d.severity == Severity::error) return d.what;
-    at = std::move(deed.after);
+    at = std::move(result.after);
   }
   return at.document;
 }
 
 // Evaluates the film at its ends and at the line's times, and reports errors of code that are new, each once.
 std::string Session::State::tried(const Words& words, std::string_view line) {
-  if (line.find('"') == std::string_view::npos && document().scene().procedures->empty()) return {};
+  if (!may_hold_text(line) && document().scene().procedures->empty()) return {};
   const auto [first, last] = document().range();
   const int first_line = line_of(line);
   std::vector<Time> times{first, last};
@@ -197,7 +202,7 @@ std::string Session::State::tried(const Words& words, std::string_view line) {
       if (const Result<Time> t = parse_time(w, document())) times.push_back(*t);
   program = Program::compile(document(), program);
   Diagnostics all;
-  Likewise alike;
+  MessageGroups alike;
   for (const Time t : times) {
     const Frame made = program.frame(t);
     for (const std::string& p : made.problems) {
@@ -219,7 +224,7 @@ std::string Session::State::tried(const Words& words, std::string_view line) {
 Session::Answer Session::State::undo(const Words&) {
   if (looks_only) return only_looks();
   if (editor.steps().empty())
-    return refused("there is nothing to undo", editor.base().empty() ? "" : "this is the script as it was opened");
+    return refused("there is nothing to undo", editor.base().empty() ? "" : "the script is as you opened it");
   if (Status s = go_back(); !s) return refused(s.error());
   tally.undo(), sheet_refused = false;
   return done(fmt::format("undone: {}\n", trimmed(editor.undone().front().lines[0])));
@@ -229,13 +234,13 @@ Session::Answer Session::State::redo(const Words&) {
   if (looks_only) return only_looks();
   if (Status s = go_again(); !s) return refused(s.error());
   tally.redo(), sheet_refused = false;
-  return done(fmt::format("done again: {}\n", trimmed(editor.steps().back().lines[0])));
+  return done(fmt::format("redone: {}\n", trimmed(editor.steps().back().lines[0])));
 }
 
 Session::Answer Session::State::enter(std::string_view line) {
   lines += 1 + static_cast<int>(std::count(line.begin(), line.end(), '\n'));
   line = trimmed(line, false);
-  if (ended) return refused("the session is over");
+  if (ended) return refused("the session has ended");
   if (trimmed(line).empty()) return {};
   std::string shifted;  // at the prompt, a row need not be indented
   if (sheet_open() && starts_like_time(line[0])) line = shifted = "  " + std::string(line);
@@ -244,14 +249,14 @@ Session::Answer Session::State::enter(std::string_view line) {
   const Words all = line_words(trimmed(line));
   const Word* word = all.empty() ? nullptr : find_word(all[0]);
   // These words set how `play` draws, whatever the script says. Without a player they are commands of the script.
-  const bool of_picture = word && word->run == &State::picture && doors.picture;
+  const bool of_picture = word && word->run == &State::picture && callbacks.set_play_option;
   if (!word || (all.size() > 1 && is_verb(all[0]) && !of_picture)) return command(line);
-  if (all.size() > word->most + 1) return refused(fmt::format("'{}' is one word too many", all[word->most + 1]));
+  if (all.size() > word->most + 1) return refused(fmt::format("'{}' is not expected here", all[word->most + 1]));
   return (this->*word->run)(all);
 }
 
-Session::Session(Doors doors, const LoadOptions& options)
-    : state_(std::make_unique<State>(std::move(doors), options)) {}
+Session::Session(Callbacks callbacks, const LoadOptions& options)
+    : state_(std::make_unique<State>(std::move(callbacks), options)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
@@ -261,7 +266,7 @@ void Session::begin(std::string text, const std::string& file) { state_->begin(s
 Session::Answer Session::enter(std::string_view line) { return state_->enter(line); }
 Session::Answer Session::enter_together(const std::vector<std::string>& lines) { return state_->together(lines); }
 Result<Document> Session::look_ahead(const std::vector<std::string>& lines) const { return state_->ahead(lines); }
-void Session::keep_in_place() { state_->go_in_place(); }
+void Session::edit_in_place() { state_->go_in_place(); }
 const Diagnostics& Session::diagnostics() const { return state_->of_text; }
 void Session::keep_quiet() { state_->quiet = true; }
 bool Session::needs_more(std::string_view line) { return goes_on(line); }

@@ -27,8 +27,8 @@ void Session::State::close(bool keep) {
 Status Session::State::write_down(Did what, std::string_view text) {
   const Status s = journal ? journal->append(what, text) : Status(Nothing{});
   if (s) return s;
-  return fail(s.error().code, "nothing is done, as the journal cannot keep it: " + s.error().message,
-              s.error().hint.empty() ? "make room, then say it again" : s.error().hint);
+  return fail(s.error().code, "the command was not run, because the journal cannot be written: " + s.error().message,
+              s.error().hint.empty() ? "free some disk space, then repeat the command" : s.error().hint);
 }
 
 // From here on, the journal gets each step before it is taken.
@@ -68,7 +68,7 @@ Result<std::unique_ptr<Journal>> Session::State::journal_beside(const std::strin
   if (!opened && opened.error().code == ErrorCode::name)
     return fail(ErrorCode::name, fmt::format("'{}' is open in another shell", name));
   if (!opened) {
-    said += fmt::format("no journal can be kept here: {}\n", opened.error().message);
+    said += fmt::format("no journal can be written here: {}\n", opened.error().message);
     return std::unique_ptr<Journal>();
   }
   Journal& next = **opened;
@@ -83,15 +83,15 @@ Result<std::unique_ptr<Journal>> Session::State::journal_beside(const std::strin
 Session::Answer Session::State::save(const std::string& to) {
   if (looks_only) return only_looks();
   const std::string name = to.empty() ? file : to;
-  if (name.empty()) return refused("this film has no name yet", "usage: save FILE, as in save film.bx");
+  if (name.empty()) return refused("this film has no file name yet", "usage: save FILE, as in save film.bx");
   const bool own = !file.empty() && same_file(name, file);
   const auto there = read_script(name);
   if (!there) return refused(there.error());
   std::string question;
-  if (*there && !own) question = fmt::format("File '{}' exists: overwrite? (yes/no) ", name);
+  if (*there && !own) question = fmt::format("File '{}' already exists; overwrite it", name);
   if (*there && own && known != fingerprint(**there))
-    question = fmt::format("File '{}' has been changed by someone else: overwrite? (yes/no) ", name);
-  if (!question.empty() && choose(question, {"yes", "no"}) != std::size_t{0})
+    question = fmt::format("File '{}' was changed by another program; overwrite it", name);
+  if (!question.empty() && choose({{}, question, {"yes", "no"}}) != std::size_t{0})
     return {false, false, false, "not saved\n"};
 
   std::string said;
@@ -113,18 +113,19 @@ Session::Answer Session::State::save(const std::string& to) {
   }
   if (!own && next && !begin(*next, print)) {
     next->remove(), next.reset();
-    said += "no journal can be kept here\n";
+    said += "no journal can be written here\n";
   }
   if (!own) close(false), journal = std::move(next), file = name, editor.rename(name);
   if (own && (in_place || lost) && journal && !journal->begin(print))
-    said += "no journal can be kept here\n", close(false);
+    said += "no journal can be written here\n", close(false);
   if (in_place) journal_knows = journal_undid = 0, editor.rename(name), read_text_again();
   known = print;
   tally.save();
   if (!(load_text(all, file, options).document == document()))
-    said += "warning: what was saved loads as another film; a file that it uses has changed or is not beside it\n";
+    said +=
+        "warning: the saved script loads as a different film, because a file that it uses is missing or has changed\n";
   for (const std::string& path : plugins_for(all))
-    said += fmt::format("words of a plug-in are in it: it is shown by betwixt play --load {} {}\n", path, name);
+    said += fmt::format("it uses a plug-in; to show it: betwixt play --load {} {}\n", path, name);
   return done(said + fmt::format("saved '{}'\n", name));
 }
 
@@ -143,14 +144,13 @@ bool Session::State::begin(Journal& j, const Fingerprint& saved) const {
 Session::State::Leave Session::State::leave(std::string& said, bool ends) {
   const std::size_t n = tally.unsaved();
   if (n == 0 || looks_only) return Leave::go;
-  const auto answer =
-      choose(fmt::format("{} {} not saved: save, discard or stay? ", counted(n, "command"), n == 1 ? "is" : "are"),
-             {"save", "discard", "stay"});
+  const auto answer = choose(
+      {{}, fmt::format("{} {} not saved", counted(n, "command"), n == 1 ? "is" : "are"), {"save", "discard", "stay"}});
   if (!answer && ends) {
     said += fmt::format("{} {} not saved", counted(n, "command"), n == 1 ? "is" : "are");
     said += journal ? fmt::format("; the journal keeps {}: betwixt shell {}{}--recover\n", n == 1 ? "it" : "them", file,
                                   file.empty() ? "" : " ")
-                    : " and lost: no journal could be kept\n";
+                    : " and lost, because no journal could be written\n";
     return Leave::keep;
   }
   if (!answer || *answer == 2) return Leave::stay;
@@ -170,10 +170,10 @@ Session::Answer Session::State::quit(const Words&) {
 }
 
 Session::Answer Session::State::reopen(const Words& w) {
-  if (w.size() < 2) return refused("which file?", "usage: open FILE");
+  if (w.size() < 2) return refused("a file name is missing here", "usage: open FILE");
   const auto there = read_script(w[1]);  // read it before asking questions
   if (!there) return refused(there.error());
-  if (!*there) return refused(fmt::format("there is no file '{}'", w[1]), "a new film begins with: betwixt shell FILE");
+  if (!*there) return refused(fmt::format("there is no file '{}'", w[1]), "to begin a new film: betwixt shell FILE");
   std::string said;
   if (leave(said, false) == Leave::stay) return {false, false, false, said + "not opened\n"};
   Answer answer = open(w[1], Earlier::ask);

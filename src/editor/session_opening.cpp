@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "editor/crash_recovery.h"
 #include "editor/describe.h"
 #include "editor/history.h"
 #include "editor/session_state.h"
-#include "editor/trial.h"
 
 namespace betwixt {
 
@@ -48,9 +48,9 @@ Session::Answer Session::State::open(const std::string& name, Earlier earlier) {
   start(o, o.text);
   looks_only = opened.error().code == ErrorCode::name;
   if (looks_only)
-    o.said += fmt::format("another shell has {} open: this one may only look\n", called());
+    o.said += fmt::format("another shell has {} open, so this one is read-only\n", called());
   else
-    o.said += fmt::format("no journal can be kept here, so a crash would lose what is not saved: {}\n",
+    o.said += fmt::format("no journal can be written here, so a crash would lose unsaved commands: {}\n",
                           opened.error().message);
   return done(o.said);
 }
@@ -97,7 +97,7 @@ Session::Answer Session::State::after_earlier(Opening o, Earlier earlier) {
   const bool all_saved =
       !under && !found.empty() && found.back().what == Did::save && found.back().text == to_string(present);
   if (Status s = all_saved ? Status(Nothing{}) : put_aside(o, under.has_value()); !s) return refused(s.error());
-  if (under && journal->torn() > 0) o.said += "the last record of the journal was torn and is left out\n";
+  if (under && journal->torn() > 0) o.said += "the last record of the journal is incomplete and is left out\n";
   if (under && then.unsaved() > 0) {
     const auto recover = wanted(then, earlier);
     if (!recover)
@@ -110,20 +110,22 @@ Session::Answer Session::State::after_earlier(Opening o, Earlier earlier) {
   start(o, o.text);
   if (Status s = journal->begin(present); !s) {
     o.said +=
-        fmt::format("no journal can be kept here, so a crash would lose what is not saved: {}\n", s.error().message);
+        fmt::format("no journal can be written here, so a crash would lose unsaved commands: {}\n", s.error().message);
     close(false);
   }
-  if (!o.name.empty() && !o.print) o.said += fmt::format("'{}' is not there yet: a new film\n", o.name);
+  if (!o.name.empty() && !o.print) o.said += fmt::format("'{}' does not exist yet: this is a new film\n", o.name);
   return done(o.said);
 }
 
 // Asks whether to recover. Returns nullopt without an answer.
 std::optional<bool> Session::State::wanted(const Tally& then, Earlier earlier) const {
   if (earlier != Earlier::ask) return earlier == Earlier::recover;
-  const std::string question = fmt::format("{} of an earlier session {} not saved: recover, discard or show? ",
-                                           counted(then.unsaved(), "command"), then.unsaved() == 1 ? "was" : "were");
-  for (std::string asked = question;; asked = recorded() + question) {
-    const auto answer = choose(asked, {"recover", "discard", "show"});
+  Question question{{},
+                    fmt::format("{} of an earlier session {} not saved", counted(then.unsaved(), "command"),
+                                then.unsaved() == 1 ? "was" : "were"),
+                    {"recover", "discard", "show"}};
+  for (;; question.above = recorded()) {
+    const auto answer = choose(question);
     if (!answer) return std::nullopt;
     if (*answer < 2) return *answer == 0;
   }
@@ -152,7 +154,7 @@ Session::State::Replayed Session::State::carry_out(std::span<const Record> recor
     const auto killer = killers.find(i);
     bool keep = killer == killers.end();
     if (r.what == Did::command) {
-      std::string why = keep ? again(r.text) : fmt::format("it ends the program ({})", killer->second);
+      std::string why = keep ? again(r.text) : fmt::format("it crashes the program ({})", killer->second);
       keep = why.empty();
       failed.resize(standing++), failed.emplace_back();
       ++number;
@@ -179,9 +181,9 @@ std::string Session::State::again(const std::string& command) {
     return answer.done ? "" : why_refused(answer.why);
   }
   Step step = unpacked(command);
-  Deed deed = editor.carry_out(step);
-  if (!deed.done) return why_refused(deed.said);
-  const Status taken = take(std::move(deed.after), std::move(step));
+  CommandResult result = editor.carry_out(step);
+  if (!result.done) return why_refused(result.said);
+  const Status taken = take(std::move(result.after), std::move(step));
   return taken ? "" : taken.error().message;
 }
 

@@ -21,7 +21,7 @@
 #include "editor/journal.h"
 #include "editor/placing.h"
 #include "editor/set_aside.h"
-#include "language/line_words.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 
@@ -32,6 +32,7 @@ struct Session::State {
     std::string_view word, usage, sentence, example;
     std::size_t most;  // the largest number of arguments
     Answer (State::*run)(const Words&);
+    std::string_view words = {};  // that can follow, as in Verb::words
   };
   static std::span<const Word> words();
   static const Word* find_word(std::string_view);
@@ -42,10 +43,12 @@ struct Session::State {
   static Answer answer_of(const Result<std::string>& said) { return said ? done(*said) : refused(said.error()); }
   static Answer answer_of(const Status& s) { return s ? done("") : refused(s.error()); }
 
-  State(Doors with, const LoadOptions& load) : doors(std::move(with)), options(load), editor(load) { keep_journal(); }
+  State(Callbacks with, const LoadOptions& load) : callbacks(std::move(with)), options(load), editor(load) {
+    keep_journal();
+  }
   ~State() { close(tally.unsaved() > 0); }
 
-  Doors doors;
+  Callbacks callbacks;
   LoadOptions options;
   Editor editor;
   std::string file;
@@ -83,13 +86,10 @@ struct Session::State {
   Answer only_looks() const;
   Answer undo(const Words& = {});
   Answer redo(const Words& = {});
-  using Asking = decltype(Doors::ask);
-  std::optional<bool> asked_about(const Deed& refused, std::string_view line) const;
-  std::optional<std::size_t> choose(const std::string& question, const std::vector<std::string_view>& choices) const {
-    return choose(question, choices, doors.ask);
-  }
-  std::optional<std::size_t> choose(const std::string& question, const std::vector<std::string_view>& choices,
-                                    const Asking& ask) const;
+  using Asking = decltype(Callbacks::ask);
+  std::optional<bool> asked_about(const CommandResult& refused, std::string_view line) const;
+  std::optional<std::size_t> choose(Question question) const { return choose(std::move(question), callbacks.ask); }
+  std::optional<std::size_t> choose(Question question, const Asking& ask) const;
 
   // session_files.cpp: files and journals
   enum class Leave { stay, go, keep };

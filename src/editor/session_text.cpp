@@ -46,8 +46,8 @@ Status Session::State::take(Point then, Step step) {
     put_into(text, edits);
     const auto wrong = std::ranges::find(of_text, Severity::error, &Diagnostic::severity);
     if (!(editor.read(text, said).document == then.document))
-      return fail(ErrorCode::syntax, "the script has an error that keeps this line from being understood",
-                  fmt::format("mend it first: line {}, {}", wrong->what.place.line, wrong->what.message));
+      return fail(ErrorCode::syntax, "an error in the script above hides this line",
+                  fmt::format("correct it first: line {}, {}", wrong->what.place.line, wrong->what.message));
     said.clear();
   }
   if (Status s = editor.take(std::move(then), std::move(step)); !s) return s;
@@ -88,7 +88,7 @@ Result<TextEdit> Session::State::rewriting(std::string_view line) const {
   std::string others;
   c.space();
   if (lines.first < 0 || lines.last < 0 || !c.text(others) || !c.at_line_end())
-    return fail(ErrorCode::syntax, "rewrite takes lines and what stands there then",
+    return fail(ErrorCode::syntax, "rewrite needs the lines and their new text",
                 "usage: rewrite FIRST..LAST \"…\", as in rewrite 2..2 \"create ball sphere\"");
   return replace_lines(in_place ? placed.text : text(), lines, others);
 }
@@ -101,9 +101,9 @@ Point Session::State::after(const std::string& text, const TextEdit& edit, Diagn
       at.script.left.reset();
       bool plain = true;
       for (const std::string& line : *commands) {
-        Deed deed = editor.carry_out(at, line);
-        plain = plain && deed.done && deed.said.empty();
-        if (plain) at = std::move(deed.after);
+        CommandResult result = editor.carry_out(at, line);
+        plain = plain && result.done && result.said.empty();
+        if (plain) at = std::move(result.after);
       }
       if (plain) return at;
     }

@@ -26,40 +26,40 @@ using Answer = Session::Answer;
 
 std::span<const Session::State::Word> Session::State::words() {
   static constexpr Word all[] = {
-      {"help", "help [WORD]", "Explains a word; without one, lists all words.", "help copy", 1, &State::help},
+      {"help", "help [WORD]", "Explains a word; without one, lists all words.", "help copy", 1, &State::help, "WORD"},
       {"list", "list [PATTERN]", "Lists the objects, their kinds and how many events they have.", "list wheel*", 1,
-       &State::list},
+       &State::list, "OBJECT"},
       {"describe", "describe NAME|TARGET",
        "Prints an object with its functions and its parent; of a target, its events.", "describe ball", 1,
-       &State::describe},
-      {"undo", "undo", "Takes back the last command, without limit.", "undo", 0, &State::undo},
-      {"redo", "redo", "Repeats the command that was taken back.", "redo", 0, &State::redo},
+       &State::describe, "OBJECT QUERY"},
+      {"undo", "undo", "Undoes the last command, without limit.", "undo", 0, &State::undo, "NUMBER"},
+      {"redo", "redo", "Repeats the last undone command.", "redo", 0, &State::redo, "NUMBER"},
       {"notes", "notes", "Without a word, lists the notes and their times.", "notes", 0, &State::notes},
       {"plot", "plot TARGET [-> FILE.svg]", "Draws values against time, in an SVG file.",
-       "plot ball.position -> ball.svg", any_number, &State::plot},
+       "plot ball.position -> ball.svg", any_number, &State::plot, "QUERY…"},
       {"play", "play [A..B], or play A to the end", "Plays the film, or a part of it, in the terminal; q returns.",
-       "play 1f..24f", 1, &State::play},
-      {"eval", "eval TARGET… [at T[,T…]]",
+       "play 1f..24f", 1, &State::play, "NUMBER"},
+      {"eval", "eval TARGET… [at TIME[,TIME…]]",
        "Prints values at times; of an object, all values that differ from the default.", "eval ball.position at 13f",
-       any_number, &State::eval},
-      {"style", "style [NAME]", "How play draws from now on: shaded, wireframe, hidden-line or traced.",
-       "style wireframe", 1, &State::picture},
-      {"samples", "samples [1|4|9|16]", "The number of samples a pixel for play from now on; more is smoother.",
+       any_number, &State::eval, "OBJECT QUERY…"},
+      {"style", "style [NAME]", "The style of play from now on: shaded, wireframe, hidden-line or traced.",
+       "style wireframe", 1, &State::picture, "STYLE"},
+      {"samples", "samples [1|4|9|16]", "The number of samples per pixel for play from now on; more is smoother.",
        "samples 4", 1, &State::picture},
       {"size", "size [WxH]", "The size in pixels for play from now on.", "size 640x360", 1, &State::picture},
-      {"stop", "stop", "Ends the playing.", "stop", 0, &State::stop},
+      {"stop", "stop", "Stops the film.", "stop", 0, &State::stop},
       {"rewrite", "rewrite FIRST..LAST \"…\"",
        "Changes lines of the script's text; after that, commands change the text in place, not below it.",
-       "rewrite 2..2 \"create ball sphere\"", any_number, &State::rewrite_word},
-      {"save", "save [FILE]", "Writes the author's text unchanged, and the commands since then below it.",
-       "save film.bx", 1, &State::save_word},
+       "rewrite 2..2 \"create ball sphere\"", any_number, &State::rewrite_word, "NUMBER…"},
+      {"save", "save [FILE]", "Writes your text unchanged, and the commands since then below it.", "save film.bx", 1,
+       &State::save_word, "FILE"},
       {"open", "open FILE", "Opens another script; asks first if something is not saved.", "open bounce.bx", 1,
-       &State::reopen},
+       &State::reopen, "FILE"},
       {"load", "load FILE", "Loads a plug-in; its words are then used like all others.", "load ./swirl.so", 1,
-       &State::load},
+       &State::load, "FILE"},
       {"quit", "quit", "Ends the session; asks first if something is not saved. exit and Ctrl-D are the same.", "quit",
-       0, &State::quit},
-      {"exit", "exit", "The same as quit.", "exit", 0, &State::quit},
+       0, &State::quit, "NUMBER"},
+      {"exit", "exit", "The same as quit.", "exit", 0, &State::quit, "NUMBER"},
   };
   return all;
 }
@@ -84,8 +84,8 @@ Answer Session::State::notes(const Words&) { return done(list_notes(document()))
 Answer Session::State::stop(const Words&) { return refused("nothing is playing", "while a film plays, q stops it"); }
 
 Answer Session::State::picture(const Words& w) {
-  if (!doors.picture) return refused("nothing can be played here");
-  return answer_of(doors.picture(w[0], argument(w)));
+  if (!callbacks.set_play_option) return refused("films cannot be played here");
+  return answer_of(callbacks.set_play_option(w[0], argument(w)));
 }
 
 // TARGET … [at] T[,T…]
@@ -108,21 +108,21 @@ Answer Session::State::eval(const Words& w) {
 }
 
 Answer Session::State::play(const Words& w) {
-  if (!doors.play) return refused("nothing can be played here");
-  return answer_of(doors.play(document(), argument(w)));
+  if (!callbacks.play) return refused("films cannot be played here");
+  return answer_of(callbacks.play(document(), argument(w)));
 }
 
 Answer Session::State::load(const Words& w) {
-  if (w.size() < 2) return refused("which plug-in?", "usage: load FILE");
-  if (!doors.load) return refused("plug-ins cannot be loaded here");
-  return answer_of(doors.load(w[1]));
+  if (w.size() < 2) return refused("a file name is missing here", "usage: load FILE");
+  if (!callbacks.load_plugin) return refused("plug-ins cannot be loaded here");
+  return answer_of(callbacks.load_plugin(w[1]));
 }
 
 Answer Session::State::plot(const Words& w) {
   const bool named = w.size() >= 3 && w[w.size() - 2] == "->";
   if (w.size() != (named ? 4 : 2))
-    return refused("plot draws one target or pattern", "usage: plot TARGET [-> FILE.svg]");
-  if (!doors.plot) return refused("nothing can be drawn here");
+    return refused("plot needs one target or pattern", "usage: plot TARGET [-> FILE.svg]");
+  if (!callbacks.plot) return refused("plots cannot be drawn here");
   std::string to = named ? w.back() : "";
   if (to.empty()) {
     std::string name = w[1];
@@ -132,9 +132,9 @@ Answer Session::State::plot(const Words& w) {
   }
   std::error_code ignored;
   if (fs::exists(to, ignored) && std::find(drawn.begin(), drawn.end(), to) == drawn.end() &&
-      choose(fmt::format("File '{}' exists: overwrite? (yes/no) ", to), {"yes", "no"}) != std::size_t{0})
-    return {false, false, false, "nothing is drawn\n"};
-  if (Status s = doors.plot(document(), w[1], to); !s) return refused(s.error());
+      choose({{}, fmt::format("File '{}' already exists; overwrite it", to), {"yes", "no"}}) != std::size_t{0})
+    return {false, false, false, "not drawn\n"};
+  if (Status s = callbacks.plot(document(), w[1], to); !s) return refused(s.error());
   drawn.push_back(to);
   return done(fmt::format("drawn in '{}'\n", to));
 }

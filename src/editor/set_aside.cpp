@@ -9,22 +9,16 @@
 #include <map>
 
 #include "editor/journal.h"
-#include "language/line_words.h"
-#include "language/lines.h"
+#include "syntax/texts.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
 
 constexpr std::size_t longest_shown = 200;  // bytes of a command in a message
 
-std::string as_remark(std::string_view text) {
-  std::string out = "# ";
-  for (const char c : text) (out += c) += c == '\n' ? "# " : "";
-  return out + "\n";
-}
-
 std::string as_text(const SetAside& c) {
-  return as_remark(fmt::format("Set aside, {}: {}", c.where, c.why)) + as_script("", {&c.step, 1});
+  return as_comment(fmt::format("Set aside, {}: {}", c.where, c.why)) + as_script("", {&c.step, 1});
 }
 
 }  // namespace
@@ -89,9 +83,9 @@ std::optional<Mended> without_errors(std::string_view text, const std::string& n
 std::string set_aside_message(const std::string& script, std::span<const SetAside> commands) {
   const SetAside& first = commands.front();
   const std::string line = first.step.lines[0];
-  return fmt::format("{} of the history cannot be carried out any more; {} in '{}' now: {}{}: {}",
+  return fmt::format("{} of the history failed and {} moved to '{}': {}{}: {}",
                      commands.size() == 1 ? "a command" : fmt::format("{} commands", commands.size()),
-                     commands.size() == 1 ? "it is" : "they are", set_aside_path(script), line.substr(0, longest_shown),
+                     commands.size() == 1 ? "was" : "were", set_aside_path(script), line.substr(0, longest_shown),
                      commands.size() == 1 ? "" : " (the first)", first.why);
 }
 

@@ -6,8 +6,8 @@
 
 #include "base/names.h"
 #include "language/cursor.h"
-#include "language/line_words.h"
 #include "scene/document.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
@@ -50,11 +50,10 @@ bool in_quotes(std::string_view line, std::size_t from, std::size_t place) {
 
 // Returns true if the word is a value word of the function (or key) before it: shines=sun.
 bool is_value_word(std::string_view line, std::size_t word_at, std::string_view word) {
-  std::size_t end = word_at;
-  while (end > 0 && (blank(line[end - 1]) || line[end - 1] == '=')) --end;
-  if (end == word_at) return false;
-  const Span before = run_around(line.substr(0, end), end, of_function);
-  const std::string_view name = part(line, before);
+  auto token = token_before(line, word_at);
+  if (token && token->kind == TokenKind::sign) token = token_before(line, token->at);
+  if (!token || token->kind != TokenKind::word) return false;
+  const std::string_view name = part(line, run_around(line.substr(0, token->end()), token->end(), of_function));
   const auto has = [&](const FunctionSpec& f) {
     for (std::string_view rest = f.words; f.name == name && !rest.empty();) {
       const std::size_t bar = std::min(rest.find('|'), rest.size());
@@ -72,49 +71,23 @@ char before(std::string_view line, std::size_t place) {
   return place > 0 ? line[place - 1] : '\n';
 }
 
-// Returns the kind of name that a verb defines; nullopt if none.
-std::optional<NameKind> made_by_verb(std::string_view verb) {
-  if (verb == "create" || verb == "layer" || verb == "alias" || verb == "animate" || verb == "make")
-    return NameKind::thing;
-  if (verb == "let") return NameKind::let;
-  if (verb == "define") return NameKind::function;
-  if (verb == "procedure") return NameKind::procedure;
-  return std::nullopt;
-}
-
 // Returns true if the string that begins at a place is code: of a procedure, or after the sign of a computed value.
-bool begins_code(const TextLines& lines, std::size_t line, std::size_t place) {
-  const std::string_view there = lines.line(line).substr(0, place);
-  if (first_word(lines.line(lines.first_of(line))) == "procedure") return true;
-  std::size_t end = there.size();
-  while (end > 0 && blank(there[end - 1])) --end;
-  return end > 1 && there[end - 1] == '=' && blank(there[end - 2]);
+bool begins_code(const ScriptText& lines, std::size_t line, std::size_t place) {
+  const LineHead head = line_head(lines.line(lines.first_of(line)));
+  if (head.verb && head.verb->flags & Verb::makes_procedure) return true;
+  const std::string_view there = lines.line(line);
+  const auto token = token_before(there, place);
+  return token && there[token->at] == '=' && token->at > 0 && blank(there[token->at - 1]);
 }
 
 }  // namespace
-
-std::optional<Making> making(std::string_view line) {
-  if (indented(line)) return std::nullopt;
-  Cursor c(line);
-  std::string_view verb = c.next_word();
-  while (verb == "at" || verb == "on") {
-    c.next_word();
-    verb = c.next_word();
-  }
-  const auto kind = made_by_verb(verb);
-  if (!kind) return std::nullopt;
-  std::string_view word = c.next_word();
-  if (verb == "let" && word == "again") word = c.next_word();
-  if (word.empty()) return std::nullopt;
-  return Making{verb, word, *kind};
-}
 
 TextNames::TextNames(std::span<const FilmText> texts, const Document& film) : texts_(texts), film_(film) {
   for (std::size_t i = 0; i < texts.size(); ++i) find_made(i);
 }
 
 void TextNames::find_made(std::size_t text) {
-  const TextLines& lines = texts_[text].lines;
+  const ScriptText& lines = texts_[text].lines;
   for (std::size_t i = 0; i < lines.count(); ++i) {
     const std::string_view line = lines.line(i);
     if (line.empty() || !of_word(line[0]) || lines.state_above(i).goes_on()) continue;
@@ -130,11 +103,10 @@ void TextNames::find_made(std::size_t text) {
 
 bool TextNames::known(const std::string& name, NameKind kind) const {
   const Scene& s = film_.scene();
-  const auto called = [&](const auto& one) { return one.name == name; };
   if (kind == NameKind::thing && (s.names.find(name) || s.aliases->contains(name) || s.lists->contains(name)))
     return true;
   if (kind == NameKind::let && s.lets->contains(name)) return true;
-  if (kind == NameKind::function && std::ranges::any_of(*s.defined, called)) return true;
+  if (kind == NameKind::function && s.defined->find(name)) return true;
   if (kind == NameKind::procedure && find_procedure(s, name)) return true;
   const auto found = by_name_.find(name);
   return found != by_name_.end() &&
@@ -171,13 +143,13 @@ std::optional<NameAt> TextNames::word_at(std::string_view line, std::size_t from
 
 // Strings that are code name objects in quotes, functions after a dot, and everything else by bare words. In other
 // strings, such as motions, only objects after @ are names.
-std::optional<NameAt> TextNames::in_text(const TextLines& lines, std::size_t at, const LinePiece& piece,
+std::optional<NameAt> TextNames::in_text(const ScriptText& lines, std::size_t at, const LinePiece& piece,
                                          std::size_t place) const {
   const std::string_view line = lines.line(at);
   std::size_t opened = at, opens = piece.at;
   if (piece.at == 0 && lines.state_above(at).text) {
     while (opened > 0 && lines.state_above(opened).text) --opened;
-    opens = lines.line(opened).rfind("\"\"\"");
+    opens = lines.tokens(opened).back().at;
   }
   const auto found = [&](Span s, NameKind kind) -> std::optional<NameAt> {
     std::string name(part(line, s));
@@ -187,11 +159,11 @@ std::optional<NameAt> TextNames::in_text(const TextLines& lines, std::size_t at,
   const Span path = path_around(line, place);
   const char left = path.at > 0 ? line[path.at - 1] : '\n';
   if (before(line, path.at) == '@') return found(path, NameKind::thing);
-  if (opens == std::string_view::npos || !begins_code(lines, opened, opens)) return std::nullopt;
+  if (!begins_code(lines, opened, opens)) return std::nullopt;
   if ((left == '"' && path.at != piece.at + 1) || left == '\'') return found(path, NameKind::thing);
   const Span word = run_around(line, place, of_function);
   if (word.at > 0 && line[word.at - 1] == '.') return found(word, NameKind::function);
-  const std::size_t code = opened == at ? opens + (line.substr(opens).starts_with("\"\"\"") ? 3 : 1) : 0;
+  const std::size_t code = opened == at ? opens + quotes_of(line.substr(opens)) : 0;
   if (in_quotes(line, code, path.at)) return std::nullopt;
   const Span bare = run_around(line, place, of_word);
   if (auto let = found(bare, NameKind::let)) return let;
@@ -199,7 +171,7 @@ std::optional<NameAt> TextNames::in_text(const TextLines& lines, std::size_t at,
 }
 
 std::optional<NameAt> TextNames::at(std::size_t text, std::size_t place) const {
-  const TextLines& lines = texts_[text].lines;
+  const ScriptText& lines = texts_[text].lines;
   const std::size_t number = lines.line_of(place), from = lines.start(number);
   const std::string_view line = lines.line(number);
   const std::size_t in_line = place - from;

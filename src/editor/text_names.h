@@ -12,18 +12,16 @@
 #include <vector>
 
 #include "betwixt/document.h"
-#include "editor/text_lines.h"
+#include "commands/line_head.h"
+#include "editor/line_pieces.h"
+#include "syntax/script_text.h"
 
 namespace betwixt {
-
-// thing: an object, a layer, an environment, a display list or an alias. let: a value defined by `let`. function and
-// procedure: the author's own.
-enum class NameKind : std::uint8_t { thing, let, function, procedure };
 
 // A text of a film: the script, or one that it uses.
 struct FilmText {
   std::string path;
-  TextLines lines;
+  ScriptText lines;
 };
 // A span of one of the texts.
 struct TextSpan {
@@ -66,7 +64,7 @@ class TextNames {
   bool known(const std::string& name, NameKind) const;
   std::optional<NameAt> word_at(std::string_view line, std::size_t from, std::size_t place, const LinePiece&,
                                 std::optional<NameKind> must) const;
-  std::optional<NameAt> in_text(const TextLines&, std::size_t line, const LinePiece&, std::size_t place) const;
+  std::optional<NameAt> in_text(const ScriptText&, std::size_t line, const LinePiece&, std::size_t place) const;
   void find_made(std::size_t text);
 
   std::span<const FilmText> texts_;
@@ -74,12 +72,5 @@ class TextNames {
   std::vector<MadeName> made_;
   std::unordered_map<std::string, std::vector<std::size_t>> by_name_;
 };
-
-// The verb of a line and the name that it defines.
-struct Making {
-  std::string_view verb, word;
-  NameKind kind = NameKind::thing;
-};
-std::optional<Making> making(std::string_view line);
 
 }  // namespace betwixt

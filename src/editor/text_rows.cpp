@@ -7,10 +7,9 @@
 
 #include "base/names.h"
 #include "betwixt/language.h"
-#include "commands/command.h"
+#include "commands/line_head.h"
 #include "language/cursor.h"
-#include "language/line_words.h"
-#include "language/lines.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
@@ -41,58 +40,38 @@ class Finder {
     return c;
   }
 
+  Span span(std::string_view part) const { return {place(part.data()), part.size()}; }
   // The text up to a comment or the end of the line.
-  Span rest_of(Cursor& c) const {
-    c.space();
-    const char *from = c.at, *to = c.at;
-    bool quoted = false;
-    for (const char* p = from; p < c.end; ++p) {
-      if (*p == '\\' && quoted) {
-        ++p;
-        continue;
-      }
-      if (*p == '"') quoted = !quoted;
-      const bool remark = *p == '#' && !quoted && (p + 1 == c.end || blank(p[1]) || p[1] == '\n');
-      if (remark) break;
-      if (!blank(*p) && *p != '\n') to = p + 1;
-    }
-    return {place(from), static_cast<std::size_t>(to - from)};
-  }
+  Span rest_of(std::string_view rest) const { return span(without_comment(without_indent(rest))); }
 
   void read(Span line, std::string_view text) {
     if (indented(text)) {
       if (open_) add_row(found_.sheets.back(), line, cursor(text));
-      return;
+    } else if (!empty_line(text)) {
+      open_ = false;
+      command(line, text);
     }
-    Cursor c = cursor(text);
-    if (c.at_line_end()) return;
-    open_ = false;
-    command(line, c);
   }
 
-  void command(Span line, Cursor c) {
+  void command(Span line, std::string_view text) {
+    const LineHead head = line_head(text);
+    ObjectId layer;
+    if (!head.layer.empty() && !(layer = document_.find(head.layer))) return;
     RowText row;
     row.line = line;
-    bool timed = false;
-    ObjectId layer;
-    std::string_view word = c.next_word();
-    for (; word == "at" || word == "on"; word = c.next_word()) {
-      if (word == "on") {
-        layer = document_.find(c.next_word());
-        if (!layer) return;
-        continue;
-      }
-      c.space();
-      const char* const from = c.at;
-      if (!c.time(row.when)) return;
-      row.time = {place(from), static_cast<std::size_t>(c.at - from)}, timed = true;
+    const bool timed = !head.time.empty();
+    if (timed) {
+      Cursor c = cursor(head.time);
+      if (!c.time(row.when) || !c.at_line_end()) return;
+      row.time = span(head.time);
     }
-    if (word == "set" && !timed) return set_line(c, layer);
-    if (word == "create") return create_line(c);
-    if (first_dot(word) == std::string_view::npos) return;
-    std::vector<Target> targets = targets_of(word, layer);
+    if (head.word == "set" && !timed) return set_line(head, layer);
+    const std::string_view behind = between(head.name.data(), text.data() + text.size());
+    if (head.word == "create") return create_line(Cursor(behind));
+    if (first_dot(head.word) == std::string_view::npos) return;
+    std::vector<Target> targets = targets_of(head.word, layer);
     if (targets.empty()) return;
-    row.rest = rest_of(c);
+    row.rest = rest_of(behind);
     if (!timed && row.rest.size > 0) return;
     open_ = !timed;
     found_.sheets.push_back({std::move(targets), line, {}, timed});
@@ -112,18 +91,17 @@ class Finder {
     }
     if (row.relative) row.when = sheet.rows.back().when + row.when;
     row.time = {place(from), static_cast<std::size_t>(c.at - from)};
-    row.rest = rest_of(c);
+    row.rest = rest_of(between(c.at, c.end));
     sheet.rows.push_back(row);
   }
 
-  void set_line(Cursor& c, ObjectId layer) {
-    const std::vector<Target> targets = targets_of(c.next_word(), layer);
-    const Span value = rest_of(c);
-    if (targets.size() == 1) found_.values.push_back({targets[0], value});
+  void set_line(const LineHead& head, ObjectId layer) {
+    const std::vector<Target> targets = targets_of(head.name, layer);
+    if (targets.size() == 1) found_.values.push_back({targets[0], rest_of(head.rest)});
   }
 
   // create NAME KIND key=value …
-  void create_line(Cursor& c) {
+  void create_line(Cursor c) {
     const ObjectId id = document_.find(c.next_word());
     if (!id || !objects_.contains(id.index)) return;
     for (const Target& t : targets_) {
@@ -139,24 +117,14 @@ class Finder {
         }
         ++p.at;
         const char* const from = p.at;
-        pass_value(p);
-        if (word == key) found_.values.push_back({t, {place(from), static_cast<std::size_t>(p.at - from)}});
+        std::string_view rest = between(from, p.end);
+        const std::string_view value = blank(p.peek()) ? rest.substr(0, 0) : take_piece(rest);
+        p.at = from + value.size();
+        if (word == key) found_.values.push_back({t, {place(from), value.size()}});
         p.space();
       }
     }
   }
-  static void pass_value(Cursor& c) {
-    int depth = 0;
-    bool quoted = false;
-    for (; c.at < c.end; ++c.at) {
-      if (*c.at == '"') quoted = !quoted;
-      if (quoted) continue;
-      if (*c.at == '(') ++depth;
-      if (*c.at == ')') --depth;
-      if (depth <= 0 && (blank(*c.at) || *c.at == '\n')) return;
-    }
-  }
-
   // Returns the targets of a word if it names one of the objects in question.
   std::vector<Target> targets_of(std::string_view word, ObjectId layer) {
     const std::size_t dot = first_dot(word);

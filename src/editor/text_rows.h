@@ -9,14 +9,10 @@
 #include <vector>
 
 #include "betwixt/document.h"
+#include "syntax/script_text.h"
 
 namespace betwixt {
 
-// A part of a text.
-struct Span {
-  std::size_t at = 0, size = 0;
-  std::size_t end() const { return at + size; }
-};
 // A row or an `at` line, which makes one event on each target.
 struct RowText {
   Span line;  // with its line ending

@@ -10,6 +10,8 @@
 #include <unordered_map>
 
 #include "base/files.h"
+#include "exchange/unpacking.h"
+#include "scene/memory.h"
 #include "scene/topology.h"
 
 namespace betwixt {
@@ -131,7 +133,7 @@ Status Assembly::add(Mesh piece, const Mat4& to_scene, MeshPart look) {
 Status Assembly::add(Mesh piece, const Mat4& to_scene, MeshPart look, Rig rig) {
   const std::size_t count = piece.positions.size();
   if (!rig.joints.empty() && (rig.joints.size() != count || rig.weights.size() != count))
-    return error("not all of its vertices have joints");
+    return error("some of its vertices have no joints");
   for (const Rig::Target& t : rig.targets)
     if ((!t.positions.empty() && t.positions.size() != count) || (!t.normals.empty() && t.normals.size() != count))
       return error("a morph target has another number of vertices than its mesh");
@@ -146,10 +148,10 @@ Status Assembly::append(Mesh piece, const Mat4& to_scene, MeshPart look, Rig* ri
     return error("it has more than 50 million triangles");
   for (const auto* indices : {&piece.triangles, &piece.edges})
     for (const auto i : *indices)
-      if (i >= count) return error(fmt::format("a triangle wants vertex {}, but there are only {}", i, count));
+      if (i >= count) return error(fmt::format("a triangle uses vertex {}, but there are only {}", i, count));
   for (auto& p : piece.positions) {
     p = narrow(transform_point(to_scene, widen(p)));
-    if (!in_reach(p)) return error("it has a vertex that is infinitely far away, or not a number");
+    if (!in_reach(p)) return error("the position of a vertex is not finite");
   }
   if (determinant(to_scene) < 0)
     for (std::size_t i = 0; i < piece.triangles.size(); i += 3)
@@ -178,6 +180,8 @@ Status Assembly::append(Mesh piece, const Mat4& to_scene, MeshPart look, Rig* ri
     piece.edges = crease_edges(piece);
   else
     join_edges(piece);
+
+  if (const Status fits = unpack(bytes_of(piece) + (rig ? bytes_of(*rig) : 0), path_); !fits) return fits;
 
   const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
   const bool uvs = !mesh_.uvs.empty() || !piece.uvs.empty();
@@ -220,10 +224,10 @@ void Assembly::take(Rig rig) {
 }
 
 Result<std::shared_ptr<const Mesh>> Assembly::finish() && {
-  if (mesh_.triangles.empty()) return error("it holds no triangles");
+  if (mesh_.triangles.empty()) return error("it has no triangles");
   if (rig_) {
     const std::size_t count = mesh_.positions.size();
-    if (!rig_->joints.empty() && rig_->joints.size() != count) return error("not all of its vertices have joints");
+    if (!rig_->joints.empty() && rig_->joints.size() != count) return error("some of its vertices have no joints");
     for (Rig::Target& t : rig_->targets)
       for (auto* all : {&t.positions, &t.normals})
         if (!all->empty()) all->resize(count);
@@ -233,21 +237,21 @@ Result<std::shared_ptr<const Mesh>> Assembly::finish() && {
   return std::make_shared<const Mesh>(std::move(mesh_));
 }
 
-Result<std::shared_ptr<const Mesh>> parse_mesh(const std::string& path, Shelf& shelf) {
+Result<std::shared_ptr<const Mesh>> parse_mesh(const std::string& path, FileSource& files) {
   const std::string kind = ending(path);
-  if (kind == "gltf" || kind == "glb") return load_gltf(path, shelf);
-  if (kind == "ply") return load_ply(path, shelf);
+  if (kind == "gltf" || kind == "glb") return load_gltf(path, files);
+  if (kind == "ply") return load_ply(path, files);
   {
-    const auto bytes = shelf.read(path);  // a missing file is reported before a wrong ending
+    const auto bytes = files.read(path);  // a missing file is reported before a wrong ending
     if (!bytes) return bytes.error();
     // In a browser, a file converted to glTF keeps its own name.
-    if (bytes->starts_with("glTF")) return load_gltf(path, shelf);
+    if (bytes->starts_with("glTF")) return load_gltf(path, files);
   }
   // The formats for which assimp is most robust against broken files.
   for (const char* known : {"obj", "stl", "dae", "fbx", "3ds"})
-    if (kind == known) return load_by_assimp(path, shelf);
-  return fail(ErrorCode::file, fmt::format("{} is not a kind of mesh that can be read", path),
-              "glTF (.gltf .glb), .obj .ply .stl .dae .fbx .3ds can be");
+    if (kind == known) return load_by_assimp(path, files);
+  return fail(ErrorCode::file, fmt::format("the format of the mesh {} is not supported", path),
+              "supported: glTF (.gltf .glb), .obj .ply .stl .dae .fbx .3ds");
 }
 
 }  // namespace betwixt

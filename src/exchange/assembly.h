@@ -26,7 +26,7 @@ class Assembly {
 
   // Adds a mesh in its own space: positions and triangles; one normal and one uv for each position, or none; edges to
   // draw, or none. Only the color and texture of `look` are used. A piece with a `rig` keeps its vertices; all pieces
-  // must then have a rig with the same number of targets. Errors: file.
+  // must then have a rig with the same number of targets. Errors: file, range (unpacking.h).
   Status add(Mesh piece, const Mat4& to_scene, MeshPart look);
   Status add(Mesh piece, const Mat4& to_scene, MeshPart look, Rig rig);
   Result<std::shared_ptr<const Mesh>> finish() &&;
@@ -44,8 +44,8 @@ class Assembly {
   std::size_t rig_size_ = 0;  // the vertices that it covers
 };
 
-Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, Shelf&);
-Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path, Shelf&);
-Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, Shelf&);
+Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, FileSource&);
+Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path, FileSource&);
+Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, FileSource&);
 
 }  // namespace betwixt

@@ -46,21 +46,21 @@ class Stream : public Assimp::IOStream {
   size_t at_ = 0;
 };
 
-// Read-only access to a shelf.
+// Read-only access to a files.
 class Files : public Assimp::IOSystem {
  public:
-  explicit Files(Shelf& shelf) : shelf_(shelf) {}
-  bool Exists(const char* path) const override { return shelf_.has(path); }
+  explicit Files(FileSource& files) : files_(files) {}
+  bool Exists(const char* path) const override { return files_.has(path); }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
     if (std::strpbrk(mode, "wa+") != nullptr) return nullptr;
-    auto bytes = shelf_.read(path);
+    auto bytes = files_.read(path);
     return bytes ? new Stream(std::move(*bytes)) : nullptr;
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
  private:
-  Shelf& shelf_;
+  FileSource& files_;
 };
 
 // Returns the sides of polygons in the file; empty if none has more than three corners.
@@ -99,21 +99,22 @@ bool has_proper_indices(std::string_view text) {
 
 }  // namespace
 
-AssimpModel::AssimpModel(std::string path, Shelf& shelf, std::string as)
-    : path_(std::move(path)), as_(std::move(as)), shelf_(shelf) {
-  importer_.SetIOHandler(new Files(shelf));  // the importer owns it
+AssimpModel::AssimpModel(std::string path, FileSource& files, std::string as)
+    : path_(std::move(path)), as_(std::move(as)), files_(files) {
+  importer_.SetIOHandler(new Files(files));  // the importer owns it
 }
 
-Result<std::unique_ptr<AssimpModel>> AssimpModel::open(const std::string& path, Shelf& shelf, const std::string& as) {
-  const auto text = shelf.read(path);  // for our own message if the file is missing
+Result<std::unique_ptr<AssimpModel>> AssimpModel::open(const std::string& path, FileSource& files,
+                                                       const std::string& as) {
+  const auto text = files.read(path);  // for our own message if the file is missing
   if (!text) return text.error();
   if (text->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   if (ending(path) == "dae" && !has_proper_indices(*text))
-    return Assembly(path, as).error("it is cut off, or its lists of indices hold something else than numbers");
+    return Assembly(path, as).error("it is incomplete, or an index list contains something other than numbers");
   // The importer frees embedded pictures of a damaged text FBX twice, so such files are read without pictures.
   const bool textures = text->starts_with("Kaydara FBX Binary") || text->find("Content:") == std::string::npos;
   try {
-    auto out = std::make_unique<AssimpModel>(path, shelf, as);
+    auto out = std::make_unique<AssimpModel>(path, files, as);
     if (const Status s = out->read(textures, as == "scene"); !s) return s.error();
     return out;
   } catch (const std::exception& e) {
@@ -130,7 +131,7 @@ Status AssimpModel::read(bool textures, bool bare) {
   }
   const aiScene* scene = importer_.ReadFile(path_, 0);
   if (scene == nullptr) return error(importer_.GetErrorString());
-  if (scene->mRootNode == nullptr || (scene->mNumMeshes == 0 && !bare)) return error("it holds no triangles");
+  if (scene->mRootNode == nullptr || (scene->mNumMeshes == 0 && !bare)) return error("it has no triangles");
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
     // The next step would crash on such a face.
     if (has_empty_face(*scene->mMeshes[i])) return error("it has a face without corners");
@@ -204,8 +205,8 @@ std::shared_ptr<const Picture> AssimpModel::texture(const aiString& name) {
   std::replace(relative.begin(), relative.end(), '\\', '/');
   const auto folder = std::filesystem::path(path_).parent_path();
   for (const auto& at : {folder / relative, folder / std::filesystem::path(relative).filename()}) {
-    if (!shelf_.has(at.string())) continue;
-    if (auto picture = parse_picture(at.string(), shelf_)) known->second = *picture;
+    if (!files_.has(at.string())) continue;
+    if (auto picture = parse_picture(at.string(), files_)) known->second = *picture;
     break;
   }
   return known->second;

@@ -19,8 +19,8 @@ namespace betwixt {
 class AssimpModel {
  public:
   // `as`: the expected kind of file, for errors. A scene need not have meshes. Errors: file.
-  static Result<std::unique_ptr<AssimpModel>> open(const std::string& path, Shelf&, const std::string& as);
-  AssimpModel(std::string path, Shelf&, std::string as);
+  static Result<std::unique_ptr<AssimpModel>> open(const std::string& path, FileSource&, const std::string& as);
+  AssimpModel(std::string path, FileSource&, std::string as);
 
   const aiScene& scene() const { return *scene_; }
   Error error(const std::string& what) const { return Assembly(path_, as_).error(what); }
@@ -36,7 +36,7 @@ class AssimpModel {
   std::shared_ptr<const Picture> texture(const aiString& name);
 
   std::string path_, as_;
-  Shelf& shelf_;
+  FileSource& files_;
   Assimp::Importer importer_;
   const aiScene* scene_ = nullptr;
   std::vector<std::vector<std::uint32_t>> edges_;  // by mesh

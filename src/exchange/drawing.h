@@ -10,7 +10,7 @@
 
 #include "betwixt/result.h"
 #include "betwixt/value.h"
-#include "exchange/shelf.h"
+#include "exchange/file_source.h"
 
 namespace betwixt {
 
@@ -40,7 +40,7 @@ struct DrawingFile {
 Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read,
                                                         bool any_size = false);
 // Reads it in this process, without protection.
-Result<std::shared_ptr<const DrawingFile>> parse_drawing(const std::string& path, Shelf&);
+Result<std::shared_ptr<const DrawingFile>> parse_drawing(const std::string& path, FileSource&);
 Result<std::shared_ptr<const DrawingFile>> read_svg(const std::string& text, const std::string& path);
 
 }  // namespace betwixt

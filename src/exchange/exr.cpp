@@ -62,7 +62,7 @@ half half_of(float x) { return std::isnan(x) ? 0.0F : std::clamp(x, -65504.0F, 6
 
 }  // namespace
 
-Status write_exr(const std::string& path, const DeepPicture& picture, bool overwrite) {
+Status write_exr(const std::string& path, const LinearPicture& picture, bool overwrite) {
   if (Status s = check_picture(picture.width, picture.height, picture.rgba.size()); !s) return s;
   std::vector<Imf::Rgba> pixels(picture.rgba.size() / 4);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -85,7 +85,7 @@ Status write_exr(const std::string& path, const DeepPicture& picture, bool overw
   }
 }
 
-Result<DeepPicture> decode_exr(std::string_view bytes, const std::string& name) {
+Result<LinearPicture> decode_exr(std::string_view bytes, const std::string& name) {
   try {
     Read in(bytes, name);
     Imf::RgbaInputFile file(in, 0);
@@ -97,7 +97,7 @@ Result<DeepPicture> decode_exr(std::string_view bytes, const std::string& name) 
     std::vector<Imf::Rgba> pixels(static_cast<std::size_t>(width * height));
     file.setFrameBuffer(pixels.data() - box.min.x - box.min.y * width, 1, static_cast<std::size_t>(width));
     file.readPixels(box.min.y, box.max.y);
-    DeepPicture out{static_cast<int>(width), static_cast<int>(height), {}};
+    LinearPicture out{static_cast<int>(width), static_cast<int>(height), {}};
     out.rgba.reserve(4 * pixels.size());
     for (const Imf::Rgba& p : pixels) out.rgba.insert(out.rgba.end(), {p.r, p.g, p.b, p.a});
     return out;

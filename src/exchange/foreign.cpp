@@ -20,29 +20,29 @@ Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path
   using Wanted = std::shared_ptr<const T>;
   auto read = parse_apart(task, path, may_read, any_size);
   if (!read) {
-    MachineShelf shelf(may_read);
-    read = parse_here(task, path, shelf, any_size);
+    LocalFiles files(may_read);
+    read = parse_here(task, path, files, any_size);
   }
   if (auto* wanted = std::get_if<Wanted>(&*read)) return std::move(*wanted);
   if (auto* error = std::get_if<Error>(&*read)) return std::move(*error);
-  return fail(ErrorCode::file, fmt::format("{} is something else than it was read as", path));
+  return fail(ErrorCode::file, fmt::format("the content of {} does not match its format", path));
 }
 
 }  // namespace
 
 Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read, bool any_size) {
-  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
+  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("reading {} is not allowed", path));
   return parsed<Mesh>(ParserTask::mesh, path, may_read, any_size);
 }
 
 Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read, bool any_size) {
-  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
+  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("reading {} is not allowed", path));
   return parsed<SceneFile>(ParserTask::scene, path, may_read, any_size);
 }
 
 Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path, const MayRead& may_read,
                                                         bool any_size) {
-  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("{} may not be read", path));
+  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("reading {} is not allowed", path));
   return parsed<DrawingFile>(ParserTask::drawing, path, may_read, any_size);
 }
 
@@ -51,5 +51,12 @@ Result<std::shared_ptr<const Picture>> load_picture(const std::string& path, boo
   return parsed<Picture>(ParserTask::picture, path, nothing_else, any_size);
 }
 Result<std::shared_ptr<const Picture>> read_picture(const std::string& path) { return load_picture(path, true); }
+
+Result<LinearPicture> read_linear_picture(const std::string& path) {
+  const MayRead nothing_else = [&](const std::string& p) { return p == path; };
+  const auto read = parsed<LinearPicture>(ParserTask::linear_picture, path, nothing_else, true);
+  if (!read) return read.error();
+  return **read;
+}
 
 }  // namespace betwixt

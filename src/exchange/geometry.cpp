@@ -3,12 +3,11 @@
 #include "exchange/geometry.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <mutex>
 #include <tuple>
-#include <unordered_map>
 
+#include "exchange/held_meshes.h"
 #include "exchange/outlines.h"
 #include "exchange/shapes.h"
 #include "exchange/simplify.h"
@@ -20,10 +19,6 @@
 namespace betwixt {
 namespace {
 
-std::size_t mixed(std::size_t h, std::size_t with) { return (h ^ with) * 0x9e3779b97f4a7c15ULL + (h >> 29); }
-std::size_t mixed(std::size_t h, double with) { return mixed(h, std::hash<double>{}(with)); }
-std::size_t mixed(std::size_t h, Vec3 with) { return mixed(mixed(mixed(h, with.x), with.y), with.z); }
-
 // The input of a mesh.
 struct Key {
   Shape shape;
@@ -32,47 +27,8 @@ struct Key {
 };
 struct KeyHash {
   std::size_t operator()(const Key& k) const {
-    const Shape& s = k.shape;
-    std::size_t h =
-        mixed(static_cast<std::size_t>(s.kind), static_cast<std::size_t>(2 * k.detail.around + k.detail.even));
-    h = mixed(h, std::hash<const Mesh*>{}(s.mesh.get()));
-    h = mixed(h, std::hash<const Outline*>{}(s.formula.get()));
-    h = mixed(h, s.size);
-    for (const auto measure : shape_measures) h = mixed(h, s.*measure);
-    h = mixed(mixed(h, s.stroke), static_cast<std::size_t>(s.filled));
-    for (const auto* points : {&s.points, &s.holes})
-      for (const Vec3 p : **points) h = mixed(h, p);
-    return mixed(mixed(mixed(h, std::hash<std::string>{}(*s.text)), std::hash<std::string>{}(*s.font)),
-                 std::size_t{s.letters.typed});
+    return mixed(hash_of(k.shape), static_cast<std::size_t>(2 * k.detail.around + k.detail.even));
   }
-};
-
-// A cache of meshes that someone holds. Removes expired entries whenever its size has doubled.
-class Held {
- public:
-  template <class Make>
-  std::shared_ptr<const Mesh> get(const Key& key, Make make) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (const auto i = meshes_.find(key); i != meshes_.end())
-        if (auto mesh = i->second.lock()) return mesh;
-    }
-    auto made = std::make_shared<const Mesh>(make());  // outside the lock, because it may take long
-    const std::lock_guard lock(mutex_);
-    auto& place = meshes_[key];
-    if (auto mesh = place.lock()) return mesh;  // another thread was faster
-    place = made;
-    if (meshes_.size() > limit_) {
-      std::erase_if(meshes_, [](const auto& m) { return m.second.expired(); });
-      limit_ = std::max<std::size_t>(64, 2 * meshes_.size());
-    }
-    return made;
-  }
-
- private:
-  std::mutex mutex_;
-  std::unordered_map<Key, std::weak_ptr<const Mesh>, KeyHash> meshes_;
-  std::size_t limit_ = 64;
 };
 
 // Returns an invertible scale: a flat shape gets an invisible thickness, so that its normals have a direction.
@@ -161,7 +117,7 @@ Geometry geometry_of(const Item& item, int around) {
 
 Geometry realise(const Shape& shape, const Detail& detail) {
   static const auto empty = std::make_shared<const Mesh>();
-  static Held held;
+  static HeldMeshes<Key, KeyHash> held;
   const KindRow& row = row_of(shape.kind);
   if (row.fill == Fill::nothing) return {empty, {}};
   if (row.fill == Fill::file) return {shape.mesh ? simplified(shape.mesh, detail) : empty, {}};

@@ -21,10 +21,10 @@ constexpr std::size_t most_elements = 50'000'000;
 
 // ---- callbacks of the parser
 
-bool file_exists(const std::string& path, void* shelf) { return static_cast<Shelf*>(shelf)->has(path); }
+bool file_exists(const std::string& path, void* files) { return static_cast<FileSource*>(files)->has(path); }
 std::string same_path(const std::string& path, void*) { return path; }
-bool read_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* shelf) {
-  auto bytes = static_cast<Shelf*>(shelf)->read(path);
+bool read_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* files) {
+  auto bytes = static_cast<FileSource*>(files)->read(path);
   if (!bytes)
     *error = bytes.error().message;
   else
@@ -72,13 +72,13 @@ std::string first_line(std::string text) {
 
 }  // namespace
 
-Result<std::unique_ptr<GltfModel>> GltfModel::open(const std::string& path, Shelf& shelf, const std::string& as) {
-  const auto bytes = shelf.read(path);
+Result<std::unique_ptr<GltfModel>> GltfModel::open(const std::string& path, FileSource& files, const std::string& as) {
+  const auto bytes = files.read(path);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   auto out = std::make_unique<GltfModel>(path, as);
   gltf::TinyGLTF parser;
-  parser.SetFsCallbacks({file_exists, same_path, read_file, write_nothing, &shelf});
+  parser.SetFsCallbacks({file_exists, same_path, read_file, write_nothing, &files});
   parser.SetImageLoader(keep_encoded, nullptr);
   std::string error, warning;
   const std::string folder = (std::filesystem::path(".") / path).parent_path().string();
@@ -90,7 +90,7 @@ Result<std::unique_ptr<GltfModel>> GltfModel::open(const std::string& path, Shel
         binary ? parser.LoadBinaryFromMemory(&out->model_, &error, &warning, as_bytes(*bytes).data(), length, folder)
                : parser.LoadASCIIFromString(&out->model_, &error, &warning, bytes->data(), length, folder);
     if (!read && bytes->find("KHR_draco_mesh_compression") != std::string::npos)  // the parser would not report it
-      return out->error("it is compressed by Draco, which is not known here");
+      return out->error("it uses Draco compression, which is not supported");
     if (out->model_.asset.version.starts_with("1")) return out->of_another_version(out->model_.asset.version);
     if (!read) return out->error(first_line(error));
   } catch (const std::exception& e) {
@@ -101,7 +101,7 @@ Result<std::unique_ptr<GltfModel>> GltfModel::open(const std::string& path, Shel
 }
 
 Error GltfModel::of_another_version(const std::string& version) const {
-  return error(fmt::format("it is glTF {}, and only glTF 2 can be read", version));
+  return error(fmt::format("it is glTF {}; only glTF 2 is supported", version));
 }
 
 Status GltfModel::known() const {
@@ -109,7 +109,7 @@ Status GltfModel::known() const {
   for (const auto& needed : model_.extensionsRequired)
     if (needed.rfind("KHR_materials_", 0) != 0 && needed != "KHR_texture_transform" &&
         needed != "KHR_lights_punctual" && needed != "KHR_mesh_quantization")
-      return error(fmt::format("it needs the extension {}, which is not known here", needed));
+      return error(fmt::format("it needs the extension {}, which is not supported", needed));
   return Nothing{};
 }
 
@@ -151,7 +151,8 @@ Status GltfModel::each_node(const std::function<Status(int, int)>& use) const {
     open.pop_back();
     const gltf::Node* n = gltf_at(model_.nodes, i);
     if (n == nullptr) return error(fmt::format("there is no node {}", i));
-    if (visited[static_cast<std::size_t>(i)]) return error(fmt::format("node {} hangs on itself or on two others", i));
+    if (visited[static_cast<std::size_t>(i)])
+      return error(fmt::format("node {} is below itself or has two parents", i));
     visited[static_cast<std::size_t>(i)] = true;
     if (const Status s = use(i, parent); !s) return s;
     for (auto c = n->children.rbegin(); c != n->children.rend(); ++c) open.emplace_back(*c, i);
@@ -176,7 +177,7 @@ Result<Mesh> GltfModel::triangles(const gltf::Primitive& primitive, const std::s
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const double n = numbers->values[i];
       if (!(n >= 0 && n < static_cast<double>(piece.positions.size())))
-        return error(fmt::format("a triangle wants vertex {}, but there are only {}", n, piece.positions.size()));
+        return error(fmt::format("a triangle uses vertex {}, but there are only {}", n, piece.positions.size()));
       indices[i] = static_cast<std::uint32_t>(n);
     }
   }
@@ -204,7 +205,7 @@ Result<GltfModel::Elements> GltfModel::elements(int view_index, std::size_t offs
   const bool inside = view->byteOffset <= have && view->byteLength <= have - view->byteOffset &&
                       offset <= view->byteLength && count <= most_elements && stride <= 65536 &&
                       (count == 0 || (count - 1) * stride + size <= view->byteLength - offset);
-  if (!inside) return error(fmt::format("buffer view {} ends before its data does", view_index));
+  if (!inside) return error(fmt::format("buffer view {} is shorter than its data", view_index));
   return Elements{buffer->data.data() + view->byteOffset + offset, stride};
 }
 
@@ -240,7 +241,7 @@ Status GltfModel::replace(const gltf::Accessor& a, std::size_t part, GltfNumbers
   const int index_bytes = gltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(sparse.indices.componentType));
   if (sparse.count < 0 || index_bytes < 1 || index_bytes > 4 || sparse.indices.byteOffset < 0 ||
       sparse.values.byteOffset < 0)
-    return error("a sparse accessor makes no sense");
+    return error("a sparse accessor is not valid");
   const auto count = static_cast<std::size_t>(sparse.count), size = part * out.width;
   const auto step = static_cast<std::size_t>(index_bytes);
   const auto where =
@@ -251,7 +252,7 @@ Status GltfModel::replace(const gltf::Accessor& a, std::size_t part, GltfNumbers
   if (!what) return what.error();
   for (std::size_t e = 0; e < count; ++e) {
     const double i = number(where->first + e * step, sparse.indices.componentType, false);
-    if (!(i >= 0 && i < static_cast<double>(out.count()))) return error("a sparse accessor makes no sense");
+    if (!(i >= 0 && i < static_cast<double>(out.count()))) return error("a sparse accessor is not valid");
     for (std::size_t k = 0; k < out.width; ++k)
       out.values[static_cast<std::size_t>(i) * out.width + k] =
           number(what->first + e * size + k * part, a.componentType, a.normalized);
@@ -271,10 +272,10 @@ Status GltfModel::look(int i, MeshPart& look, std::string& uv_set) {
   uv_set = fmt::format("TEXCOORD_{}", base.baseColorTexture.texCoord);
   const gltf::Texture* texture = gltf_at(model_.textures, base.baseColorTexture.index);
   const gltf::Image* image = texture == nullptr ? nullptr : gltf_at(model_.images, texture->source);
-  if (image == nullptr) return error(fmt::format("material {} has a texture that is not there", i));
+  if (image == nullptr) return error(fmt::format("material {} has a texture that does not exist", i));
   auto& known = pictures_[texture->source];
   if (!known && image->bufferView < 0 && image->image.empty() && !image->uri.empty())
-    return fail(ErrorCode::file, fmt::format("there is no picture {}, which {} asks for", image->uri, path_));
+    return fail(ErrorCode::file, fmt::format("there is no picture {}, which {} needs", image->uri, path_));
   if (!known) {
     std::span<const std::uint8_t> bytes = image->image;
     if (const auto* view = gltf_at(model_.bufferViews, image->bufferView)) {
@@ -284,7 +285,7 @@ Status GltfModel::look(int i, MeshPart& look, std::string& uv_set) {
     }
     auto picture = decode_picture(bytes, image->uri.empty() ? fmt::format("picture {} in {}", texture->source, path_)
                                                             : fmt::format("{} of {}", image->uri, path_));
-    if (!picture) return fail(ErrorCode::file, picture.error().message, picture.error().hint);
+    if (!picture) return picture.error();
     known = *picture;
   }
   look.texture = known;

@@ -31,7 +31,7 @@ const T* gltf_at(const std::vector<T>& all, int i) {
 class GltfModel {
  public:
   // Reads the file. `as`: the expected kind of file, for errors. Errors: file.
-  static Result<std::unique_ptr<GltfModel>> open(const std::string& path, Shelf&, const std::string& as);
+  static Result<std::unique_ptr<GltfModel>> open(const std::string& path, FileSource&, const std::string& as);
   GltfModel(std::string path, std::string as) : path_(std::move(path)), as_(std::move(as)) {}
 
   const tinygltf::Model& model() const { return model_; }

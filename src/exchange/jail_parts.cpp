@@ -40,7 +40,11 @@ void set_ceiling(int what, std::uint64_t most) {
 #ifdef SYS_landlock_create_ruleset
 namespace {
 constexpr std::uint64_t reading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_EXECUTE;
-}
+constexpr std::uint64_t changing = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE |
+                                   LANDLOCK_ACCESS_FS_READ_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |
+                                   LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_REMOVE_FILE |
+                                   LANDLOCK_ACCESS_FS_REMOVE_DIR;
+}  // namespace
 
 Folders::Folders() {
   landlock_ruleset_attr all{};
@@ -50,17 +54,19 @@ Folders::Folders() {
 Folders::~Folders() {
   if (rules_ >= 0) ::close(rules_);
 }
-void Folders::may_read(const std::string& path) const {
+void Folders::allow(const std::string& path, std::uint64_t for_files, std::uint64_t for_folders) const {
   const int there = rules_ < 0 ? -1 : ::open(path.c_str(), O_PATH | O_CLOEXEC);
   if (there < 0) return;
   struct stat about {};
   const bool folder = ::fstat(there, &about) == 0 && S_ISDIR(about.st_mode);
   landlock_path_beneath_attr rule{};
-  rule.allowed_access = reading | (folder ? std::uint64_t{LANDLOCK_ACCESS_FS_READ_DIR} : 0);
+  rule.allowed_access = folder ? for_folders : for_files;
   rule.parent_fd = there;
   ::syscall(SYS_landlock_add_rule, rules_, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
   ::close(there);
 }
+void Folders::may_read(const std::string& path) const { allow(path, reading, reading | LANDLOCK_ACCESS_FS_READ_DIR); }
+void Folders::may_change(const std::string& folder) const { allow(folder, 0, changing); }
 void Folders::close_others() const {
   if (rules_ >= 0) ::syscall(SYS_landlock_restrict_self, rules_, 0);
 }
@@ -68,6 +74,7 @@ void Folders::close_others() const {
 Folders::Folders() = default;
 Folders::~Folders() = default;
 void Folders::may_read(const std::string&) const {}
+void Folders::may_change(const std::string&) const {}
 void Folders::close_others() const {}
 #endif
 

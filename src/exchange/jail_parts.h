@@ -26,12 +26,15 @@ class Folders {
   ~Folders();
   Folders(const Folders&) = delete;
   Folders& operator=(const Folders&) = delete;
-  // Allows reading and running a file, or a folder and everything below it. Ignores a missing path.
+  // Both ignore a missing path. may_read(): allows reading and running a file, or a folder and everything below it.
   void may_read(const std::string& path) const;
+  // Allows reading, writing, making and removing files and folders below a folder.
+  void may_change(const std::string& folder) const;
   // Applies the rules to this process, and to all that it starts.
   void close_others() const;
 
  private:
+  void allow(const std::string& path, std::uint64_t for_files, std::uint64_t for_folders) const;
   int rules_ = -1;
 };
 

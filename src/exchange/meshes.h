@@ -9,7 +9,7 @@
 
 #include "betwixt/mesh.h"
 #include "betwixt/result.h"
-#include "exchange/shelf.h"
+#include "exchange/file_source.h"
 
 namespace betwixt {
 
@@ -17,6 +17,6 @@ namespace betwixt {
 // units. Errors: file.
 Result<std::shared_ptr<const Mesh>> load_mesh(const std::string& path, const MayRead& may_read, bool any_size = false);
 // Reads it in this process, without protection.
-Result<std::shared_ptr<const Mesh>> parse_mesh(const std::string& path, Shelf&);
+Result<std::shared_ptr<const Mesh>> parse_mesh(const std::string& path, FileSource&);
 
 }  // namespace betwixt

@@ -5,8 +5,8 @@
 namespace betwixt {
 
 // Reads all nodes as one mesh.
-Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, Shelf& shelf) {
-  auto opened = AssimpModel::open(path, shelf, "mesh");
+Result<std::shared_ptr<const Mesh>> load_by_assimp(const std::string& path, FileSource& files) {
+  auto opened = AssimpModel::open(path, files, "mesh");
   if (!opened) return opened.error();
   AssimpModel& file = **opened;
   const aiScene& scene = file.scene();

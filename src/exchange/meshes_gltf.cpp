@@ -7,8 +7,8 @@
 namespace betwixt {
 
 // Reads the whole scene as one mesh.
-Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, Shelf& shelf) {
-  auto opened = GltfModel::open(path, shelf, "mesh");
+Result<std::shared_ptr<const Mesh>> load_gltf(const std::string& path, FileSource& files) {
+  auto opened = GltfModel::open(path, files, "mesh");
   if (!opened) return opened.error();
   GltfModel& file = **opened;
   Assembly assembly(path, "mesh", Assembly::Normals::flat);

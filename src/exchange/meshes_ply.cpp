@@ -60,7 +60,7 @@ class Ply {
                                                  : skip(element);
         if (!ok)
           return assembly_.error(
-              fmt::format("{} {} of {} is cut off or makes no sense", element.name, i + 1, element.count));
+              fmt::format("{} {} of {} is incomplete or not valid", element.name, i + 1, element.count));
       }
     if (!polygons_) piece_.edges.clear();
     if (const Status s = assembly_.add(std::move(piece_), {}, {}); !s) return s.error();
@@ -92,8 +92,7 @@ class Ply {
       // All other lines are comments.
       const bool known = words[0] == "format" || words[0] == "element" || words[0] == "property";
       if (known && !take(words, header))
-        return assembly_.error(
-            fmt::format("its header has an odd line that begins with \"{}\"", words[0].substr(0, 40)));
+        return assembly_.error(fmt::format("its header has a line that is not valid: \"{}\"", words[0].substr(0, 40)));
     }
     return assembly_.error("its header has no end");
   }
@@ -216,8 +215,8 @@ class Ply {
 
 }  // namespace
 
-Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path, Shelf& shelf) {
-  const auto bytes = shelf.read(path);
+Result<std::shared_ptr<const Mesh>> load_ply(const std::string& path, FileSource& files) {
+  const auto bytes = files.read(path);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return fail(ErrorCode::file, fmt::format("{} is empty", path));
   return Ply(*bytes, path).read();

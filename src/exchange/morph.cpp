@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "exchange/geometry.h"
+#include "exchange/held_meshes.h"
 #include "exchange/outline_morph.h"
 #include "scene/kinds.h"
 #include "scene/shape_blend.h"
@@ -28,6 +29,16 @@ Shape between(const Shape& a, const Shape& b, double s) {
 
 // ---- meshes: vertex by vertex
 
+// The input of a blend.
+struct BlendKey {
+  Shape from, to;
+  double blend = 0;
+  friend bool operator==(const BlendKey&, const BlendKey&) = default;
+};
+struct BlendHash {
+  std::size_t operator()(const BlendKey& k) const { return mixed(mixed(hash_of(k.from), hash_of(k.to)), k.blend); }
+};
+
 // Returns the geometry's share in object space.
 MeshShare share(const Geometry& g, double weight) {
   return {g.mesh.get(), weight, {g.local(0, 0), g.local(1, 1), g.local(2, 2)}};
@@ -37,10 +48,10 @@ MeshShare share(const Geometry& g, double weight) {
 std::string obstacle(const Shape& a, const Shape& b, const Mesh& from, const Mesh& to) {
   if (from.positions.size() != to.positions.size())
     return a.kind == b.kind && row_of(a.kind).fill != Fill::file
-               ? fmt::format("{} points against {}", a.points->size(), b.points->size())
-               : fmt::format("{} vertices against {}", from.positions.size(), to.positions.size());
+               ? fmt::format("{} points and {} points", a.points->size(), b.points->size())
+               : fmt::format("{} vertices and {} vertices", from.positions.size(), to.positions.size());
   if (from.triangles != to.triangles)
-    return a.kind == b.kind ? "as many vertices, but other triangles between them"
+    return a.kind == b.kind ? "the same number of vertices, but different triangles"
                             : fmt::format("{} and {} have nothing in common", a_kind(a.kind), a_kind(b.kind));
   return {};
 }
@@ -48,16 +59,17 @@ std::string obstacle(const Shape& a, const Shape& b, const Mesh& from, const Mes
 }  // namespace
 
 Geometry realise_blend(const Shape& a, const Shape& b, double s, const Detail& detail) {
+  static HeldMeshes<BlendKey, BlendHash> held;
   if (s == 0 || a == b || !std::isfinite(s)) return realise(a, detail);
   if (s == 1) return realise(b, detail);
   if (same_but_measures(a, b)) return realise(between(a, b, s), detail);
   if (has_outline(a) && has_outline(b)) {
     if (s <= 0 || s >= 1) return realise(s < 1 ? a : b, detail);
-    return {std::make_shared<const Mesh>(outline_between(a, b, s)), {}};
+    return {held.get({a, b, s}, [&] { return outline_between(a, b, s); }), {}};
   }
   const Geometry from = realise(a), to = realise(b);  // at full detail, with all vertices
   if (!obstacle(a, b, *from.mesh, *to.mesh).empty()) return realise(s < 1 ? a : b, detail);
-  return {std::make_shared<const Mesh>(sum_of(std::array{share(from, 1 - s), share(to, s)})), {}};
+  return {held.get({a, b, s}, [&] { return sum_of(std::array{share(from, 1 - s), share(to, s)}); }), {}};
 }
 
 bool can_blend(const Shape& a, const Shape& b, std::string* why) {

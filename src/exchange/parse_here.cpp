@@ -20,19 +20,21 @@ Parsed parsed(Result<T> result) {
 
 }  // namespace
 
-Parsed parse_here(ParserTask task, const std::string& path, Shelf& files, bool any_size) {
+Parsed parse_here(ParserTask task, const std::string& path, FileSource& files, bool any_size) {
   Unpacking unpacking(any_size);
-  CountedShelf shelf(files, unpacking);
+  CountedFiles counted(files, unpacking);
   try {
     switch (task) {
       case ParserTask::mesh:
-        return parsed(parse_mesh(path, shelf));
+        return parsed(parse_mesh(path, counted));
       case ParserTask::picture:
-        return parsed(parse_picture(path, shelf));
+        return parsed(parse_picture(path, counted));
+      case ParserTask::linear_picture:
+        return parsed(parse_linear_picture(path, counted));
       case ParserTask::drawing:
-        return parsed(parse_drawing(path, shelf));
+        return parsed(parse_drawing(path, counted));
       default:
-        return parsed(parse_scene(path, shelf));
+        return parsed(parse_scene(path, counted));
     }
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::file, fmt::format("{} takes too much memory to be read", path));

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 #include "exchange/jail_parts.h"
@@ -184,9 +185,51 @@ void may_run(const Folders& folders, const std::string& program) {
   }
 }
 
+// The settings and formats of TeX that are not below /usr.
+constexpr const char* of_tex[] = {"/etc/texmf", "/var/lib/texmf"};
+
+// Allows the trees of TeX. A TeX Live outside the system's folders has them above the folder of its programs.
+void may_read_tex(const Folders& folders, const std::string& program) {
+  for (const char* path : of_tex) folders.may_read(path);
+  std::error_code ignored;
+  for (auto up = std::filesystem::canonical(program, ignored).parent_path(); up != up.root_path();
+       up = up.parent_path())
+    if (std::filesystem::exists(up / "texmf-dist", ignored))
+      for (const char* tree : {"texmf.cnf", "texmf-dist", "texmf-var", "texmf-config", "../texmf-local"})
+        folders.may_read(up / tree);
+}
+
 bool give_up_rights() {
   ::prctl(PR_SET_DUMPABLE, 0);
   return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
+}
+
+// Leaves the rights that another author's program needs. `more` allows further files.
+void give_up_for_program(const std::string& program, const ParserCeilings& most, std::uint64_t largest_file,
+                         const std::function<void(const Folders&)>& more) {
+  set_ceiling(RLIMIT_CORE, 0);
+  set_ceiling(RLIMIT_CPU, most.seconds);
+  set_ceiling(RLIMIT_FSIZE, largest_file);  // does not affect pipes
+  set_ceiling(RLIMIT_NOFILE, 64);
+  if (!give_up_rights()) return;
+  {
+    const Folders folders;
+    for (const char* path : of_all_programs) folders.may_read(path);
+    may_run(folders, program);
+    more(folders);
+    folders.close_others();
+  }
+  CallFilter calls;
+  calls.refuse(refused_calls, EPERM);
+  calls.refuse_unless_first_is(SYS_tgkill, static_cast<std::uint32_t>(::getpid()));
+  calls.refuse_unless_first_is(SYS_prlimit64, 0);
+  calls.refuse_without_bit(SYS_clone, CLONE_THREAD);
+#ifdef SYS_clone3
+  constexpr int in_memory[] = {SYS_clone3};  // its flags cannot be inspected; the C library then uses clone
+  calls.refuse(in_memory, ENOSYS);
+#endif
+  calls.begin(true);
+  set_ceiling(RLIMIT_AS, most.memory);  // last, because this process may use more than the program after exec
 }
 
 }  // namespace
@@ -208,29 +251,15 @@ void give_up_all_but_reading(const ParserCeilings& most) {
 }
 
 void give_up_all_but_one_file(const std::string& file, const std::string& program, const ParserCeilings& most) {
-  set_ceiling(RLIMIT_CORE, 0);
-  set_ceiling(RLIMIT_CPU, most.seconds);
-  set_ceiling(RLIMIT_FSIZE, 0);  // does not affect pipes
-  set_ceiling(RLIMIT_NOFILE, 64);
-  if (!give_up_rights()) return;
-  {
-    const Folders folders;
-    for (const char* path : of_all_programs) folders.may_read(path);
-    may_run(folders, program);
-    folders.may_read(file);
-    folders.close_others();
-  }
-  CallFilter calls;
-  calls.refuse(refused_calls, EPERM);
-  calls.refuse_unless_first_is(SYS_tgkill, static_cast<std::uint32_t>(::getpid()));
-  calls.refuse_unless_first_is(SYS_prlimit64, 0);
-  calls.refuse_without_bit(SYS_clone, CLONE_THREAD);
-#ifdef SYS_clone3
-  constexpr int in_memory[] = {SYS_clone3};  // its flags cannot be inspected; the C library then uses clone
-  calls.refuse(in_memory, ENOSYS);
-#endif
-  calls.begin(true);
-  set_ceiling(RLIMIT_AS, most.memory);  // last, because this process may use more than the program after exec
+  give_up_for_program(program, most, 0, [&](const Folders& folders) { folders.may_read(file); });
+}
+
+void give_up_all_but_one_folder(const std::string& folder, const std::string& program, const ParserCeilings& most) {
+  constexpr std::uint64_t largest_file = std::uint64_t{64} << 20;
+  give_up_for_program(program, most, largest_file, [&](const Folders& folders) {
+    may_read_tex(folders, program);
+    folders.may_change(folder);
+  });
 }
 
 }  // namespace betwixt

@@ -15,9 +15,11 @@ namespace betwixt {
 // request fails.
 void give_up_all_but_reading(const ParserCeilings&);
 
-// Prepares this process for becoming another author's program. That program may read `file` and the machine's programs
-// and libraries. It may write only to files that are already open, and may start threads but no processes. It has no
-// network. The caller enforces `most.wall`.
+// Both prepare this process for becoming another author's program. That program may read the machine's programs and
+// libraries, and may start threads but no processes. It has no network. The caller enforces `most.wall`.
+// one_file: it may read `file`, and write only to files that are already open.
 void give_up_all_but_one_file(const std::string& file, const std::string& program, const ParserCeilings& most);
+// one_folder: it may read, write, make and remove files below `folder`, and read the files of TeX.
+void give_up_all_but_one_folder(const std::string& folder, const std::string& program, const ParserCeilings& most);
 
 }  // namespace betwixt

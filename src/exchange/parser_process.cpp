@@ -117,7 +117,7 @@ Waiting& waiting() {
 class Conversation {
  public:
   Conversation(int job, const std::string& path, const MayRead& may_read)
-      : job_(job), path_(path), may_read_(may_read), shelf_(may_read) {}
+      : job_(job), path_(path), may_read_(may_read), files_(may_read) {}
 
   // Returns the error, if there was one.
   Status listen(const ParserCeilings& most) {
@@ -134,19 +134,19 @@ class Conversation {
       else if (++asked; !answer(*message))
         break;
     }
-    if (!working) return fail(ErrorCode::machine, fmt::format("no process can be had to read {}", path_));
+    if (!working) return fail(ErrorCode::machine, fmt::format("cannot start a process to read {}", path_));
     if (const auto seconds = std::min(most.seconds, most.wall); gone() >= static_cast<double>(seconds))
-      return fail(ErrorCode::file, fmt::format("{} takes more than {} s to be read", path_, seconds));
-    return fail(ErrorCode::file, fmt::format("{} is damaged: what reads such files fell over it", path_));
+      return fail(ErrorCode::file, fmt::format("reading {} takes more than {} s", path_, seconds));
+    return fail(ErrorCode::file, fmt::format("{} is damaged: the program that reads it crashed", path_));
   }
 
  private:
   bool answer(const ParserMessage& question) {
     const std::string path = question.text.substr(1);
     if (path.find('\0') != std::string::npos) return false;
-    if (question.text[0] == asks_has) return say(job_, {shelf_.has(path) ? &answers_yes : &answers_no, 1});
+    if (question.text[0] == asks_has) return say(job_, {files_.has(path) ? &answers_yes : &answers_no, 1});
     if (question.text[0] != asks_read) return false;
-    if (!may_read_(path)) return refuse(fail(ErrorCode::file, fmt::format("{} may not be read", path)));
+    if (!may_read_(path)) return refuse(fail(ErrorCode::file, fmt::format("reading {} is not allowed", path)));
     const auto file = open_whole(path);
     if (!file) return refuse(file.error());
     const int fd = file->fd();
@@ -159,11 +159,11 @@ class Conversation {
   const int job_;
   const std::string& path_;
   const MayRead& may_read_;
-  MachineShelf shelf_;
+  LocalFiles files_;
 };
 
 Error machine_error(const std::string& path, int reason) {
-  return fail(ErrorCode::machine, fmt::format("cannot have {} read: {}", path, std::strerror(reason)));
+  return fail(ErrorCode::machine, fmt::format("cannot read {}: {}", path, std::strerror(reason)));
 }
 
 }  // namespace
@@ -199,8 +199,8 @@ std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, cons
   line.hang_up(1);
   if (const Status done = Conversation(line.ends[0], path, may_read).listen(request.most); !done) return done.error();
   Parsed parsed;
-  if (const int why = take_over(memory.fd(), parsed); why == EBADMSG)
-    return fail(ErrorCode::file, fmt::format("{} is damaged: what reads such files was led astray by it", path));
+  if (const int why = read_parsed(memory.fd(), parsed); why == EBADMSG)
+    return fail(ErrorCode::file, fmt::format("{} is damaged: the program that reads it gave a wrong answer", path));
   else if (why != 0)
     return machine_error(path, why);
   return parsed;

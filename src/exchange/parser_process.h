@@ -11,9 +11,9 @@
 #include <optional>
 #include <string>
 
-#include "exchange/handed_over.h"
+#include "exchange/file_source.h"
 #include "exchange/parser_messages.h"
-#include "exchange/shelf.h"
+#include "exchange/wire_format.h"
 
 namespace betwixt {
 
@@ -26,7 +26,7 @@ std::optional<Parsed> parse_apart(ParserTask, const std::string& path, const May
                                   std::optional<ParserCeilings> = {});
 
 // Reads it in this process, without protection.
-Parsed parse_here(ParserTask, const std::string& path, Shelf&, bool any_size = false);
+Parsed parse_here(ParserTask, const std::string& path, FileSource&, bool any_size = false);
 
 // Returns the program's path: $BETWIXT_PARSER; beside the running program; in libexec/betwixt beside its folder or the
 // library's; or beside a folder of $PATH. Returns "" if it is in none of these.

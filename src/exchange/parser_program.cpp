@@ -5,6 +5,8 @@
 // the author's own program, so that it can fork at any time, and quickly.
 //   betwixt-parser VERSION                                            waits for work on file 3
 //   betwixt-parser VERSION run MEMORY SECONDS FILE PROGRAM WORD…      becomes a program that can read that file only
+//   betwixt-parser VERSION work MEMORY SECONDS FOLDER PROGRAM WORD…   becomes a program that can change that folder
+//   only
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -24,7 +26,7 @@ namespace betwixt {
 namespace {
 
 // Requests missing files from the program.
-class AskingShelf final : public Shelf {
+class AskingShelf final : public FileSource {
  public:
   AskingShelf(int job, std::string path, int file) : job_(job), path_(std::move(path)), file_(file) {}
   bool has(const std::string& path) override {
@@ -64,8 +66,9 @@ void work(const ParserMessage& message) {
   const int job = message.files[0].fd(), memory = message.files[1].fd();
   if (!say(job, {&says_begun, 1})) return;
   give_up_all_but_reading(request.most);
-  AskingShelf shelf(job, path, message.files[2].fd());
-  if (hand_over(parse_here(request.task, path, shelf, request.any_size != 0), memory) == 0) say(job, {&says_done, 1});
+  AskingShelf files(job, path, message.files[2].fd());
+  if (write_parsed(parse_here(request.task, path, files, request.any_size != 0), memory) == 0)
+    say(job, {&says_done, 1});
 }
 
 int wait_for_work() {
@@ -80,10 +83,10 @@ int wait_for_work() {
 }
 
 // Returns only if the program cannot be started. Closes all files except standard input, output and error.
-int run_in_jail(char** words) {
-  const std::string file = words[2], program = words[3];
+int run_in_jail(decltype(give_up_all_but_one_file)& give_up, char** words) {
+  const std::string path = words[2], program = words[3];
   ::close_range(parser_control, ~0U, 0);
-  give_up_all_but_one_file(file, program, {std::strtoull(words[0], nullptr, 10), std::strtoull(words[1], nullptr, 10)});
+  give_up(path, program, {std::strtoull(words[0], nullptr, 10), std::strtoull(words[1], nullptr, 10)});
   ::execv(program.c_str(), words + 3);
   fmt::print(stderr, "{} cannot be started: {}\n", program, std::strerror(errno));
   return parser_started_nothing;
@@ -95,7 +98,9 @@ int run_in_jail(char** words) {
 int main(int count, char** words) {
   using namespace betwixt;
   if (count < 2 || std::strcmp(words[1], parser_version) != 0) return parser_of_another_version;
-  if (count > 6 && std::strcmp(words[2], parser_runs) == 0) return run_in_jail(words + 3);
+  if (count > 6 && std::strcmp(words[2], parser_runs) == 0) return run_in_jail(give_up_all_but_one_file, words + 3);
+  if (count > 6 && std::strcmp(words[2], parser_works_in) == 0)
+    return run_in_jail(give_up_all_but_one_folder, words + 3);
   if (count != 2) return parser_of_another_version;
   ::close_range(parser_control + 1, ~0U, 0);
   // Detaches from parent and terminal: a user of the library need not know of this process, and Ctrl-C does not stop

@@ -19,8 +19,8 @@ namespace betwixt {
 Status check_size(const std::string& name, std::int64_t width, std::int64_t height) {
   constexpr std::int64_t most_pixels_a_side = 16384;
   if (width >= 1 && height >= 1 && width <= most_pixels_a_side && height <= most_pixels_a_side) return Nothing{};
-  return fail(ErrorCode::range, fmt::format("{} has {} by {} pixels; 1 to {} a side can be read", name, width, height,
-                                            most_pixels_a_side));
+  return fail(ErrorCode::range, fmt::format("{} has {} by {} pixels; each side must have from 1 to {}", name, width,
+                                            height, most_pixels_a_side));
 }
 
 namespace {
@@ -102,12 +102,12 @@ Decoded decode_picture(std::span<const std::uint8_t> bytes, const std::string& n
   if (bytes.empty()) return fail(ErrorCode::file, fmt::format("{} is empty", name));
   if (begins(bytes, "\x89PNG")) return decode_png(bytes, name);
   if (begins(bytes, "\xff\xd8") || begins(bytes, "BM") || ending(name) == "tga") return decode_other(bytes, name);
-  return fail(ErrorCode::file, fmt::format("{} is not a picture that can be read", name),
-              "PNG, JPEG, TGA and BMP can be");
+  return fail(ErrorCode::file, fmt::format("the picture format of {} is not supported", name),
+              "supported: PNG, JPEG, TGA and BMP");
 }
 
-Decoded parse_picture(const std::string& path, Shelf& shelf) {
-  const auto bytes = shelf.read(path);
+Decoded parse_picture(const std::string& path, FileSource& files) {
+  const auto bytes = files.read(path);
   if (!bytes) return bytes.error();
   return decode_picture(as_bytes(*bytes), path);
 }
@@ -156,20 +156,26 @@ Status write_png(const std::string& path, const Picture& picture, bool overwrite
   return write(path, to_png(picture), overwrite);
 }
 
-Status write_png(const std::string& path, const DeepPicture& picture, bool overwrite) {
+Status write_png(const std::string& path, const LinearPicture& picture, bool overwrite) {
   const std::vector<std::uint16_t> shown = to_shown_16(picture);
   return write(path, to_png(picture.width, picture.height, 16, std::as_bytes(std::span(shown))), overwrite);
 }
 
-Result<DeepPicture> read_deep_picture(const std::string& path) {
-  const auto bytes = read_whole(path);
+Result<std::shared_ptr<const LinearPicture>> parse_linear_picture(const std::string& path, FileSource& files) {
+  const auto bytes = files.read(path);
   if (!bytes) return bytes.error();
-  if (begins(as_bytes(*bytes), exr_begins)) return decode_exr(*bytes, path);
+  const auto shared = [](LinearPicture picture) { return std::make_shared<const LinearPicture>(std::move(picture)); };
+  if (begins(as_bytes(*bytes), exr_begins)) {
+    auto read = decode_exr(*bytes, path);
+    if (!read) return read.error();
+    return shared(*std::move(read));
+  }
   if (!begins(as_bytes(*bytes), "\x89PNG"))
-    return fail(ErrorCode::file, fmt::format("{} is not a picture that can be read", path), "PNG and OpenEXR can be");
+    return fail(ErrorCode::file, fmt::format("the picture format of {} is not supported", path),
+                "supported: PNG and OpenEXR");
   auto raw = read_png<std::uint16_t>(as_bytes(*bytes), path);
   if (!raw) return raw.error();
-  return to_light(raw->width, raw->height, raw->rgba);
+  return shared(to_light(raw->width, raw->height, raw->rgba));
 }
 
 }  // namespace betwixt

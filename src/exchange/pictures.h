@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-#include "betwixt/deep_picture.h"
+#include "betwixt/linear_picture.h"
 #include "betwixt/result.h"
-#include "exchange/shelf.h"
+#include "exchange/file_source.h"
 
 namespace betwixt {
 
@@ -21,11 +21,13 @@ Result<std::shared_ptr<const Picture>> decode_picture(std::span<const std::uint8
 // Reads a picture of a script. Errors: those of read_picture; range (unpacking.h; not with `any_size`).
 Result<std::shared_ptr<const Picture>> load_picture(const std::string& path, bool any_size);
 // Like read_picture().
-Result<std::shared_ptr<const Picture>> parse_picture(const std::string& path, Shelf&);
+Result<std::shared_ptr<const Picture>> parse_picture(const std::string& path, FileSource&);
+// Like read_linear_picture().
+Result<std::shared_ptr<const LinearPicture>> parse_linear_picture(const std::string& path, FileSource&);
 
 inline constexpr std::string_view exr_begins = "\x76\x2f\x31\x01";
-// Like read_deep_picture().
-Result<DeepPicture> decode_exr(std::string_view bytes, const std::string& name);
+// Like parse_linear_picture().
+Result<LinearPicture> decode_exr(std::string_view bytes, const std::string& name);
 
 // check_size(): whether the picture can be read. check_picture(): whether these are all channels of a picture that can
 // be written. Errors: range.

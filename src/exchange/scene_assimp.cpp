@@ -13,6 +13,7 @@
 #include "exchange/assimp_model.h"
 #include "exchange/scene_file.h"
 #include "exchange/scene_names.h"
+#include "exchange/unpacking.h"
 
 namespace betwixt {
 namespace {
@@ -28,7 +29,7 @@ class AssimpScene {
     for (const auto& step : {&AssimpScene::nodes, &AssimpScene::meshes, &AssimpScene::animations})
       if (const Status s = (this->*step)(); !s) return s.error();
     cameras(), lights();
-    if (!sound(out_)) return file_.error("its numbers make no sense");
+    if (!sound(out_)) return file_.error("it has numbers that are not valid");
     return std::make_shared<const SceneFile>(std::move(out_));
   }
 
@@ -49,7 +50,7 @@ class AssimpScene {
       made.name = names_.give(node->mName.C_Str(), node->mNumMeshes > 0 ? "mesh" : "node");
       const Mat4 own = AssimpModel::matrix(node->mTransformation);
       if (!put_transform(parent < 0 ? file_.upright() * own : own, made))
-        leave_out("a node is skewed; it stands straight here");
+        leave_out("shear is not supported: a sheared node is drawn without it");
       out_.nodes.push_back(std::move(made));
       nodes_.push_back(node);
       known_.try_emplace(node->mName.C_Str(), number);
@@ -97,21 +98,21 @@ class AssimpScene {
     for (const unsigned m : parts)
       for (unsigned b = 0; b < scene_.mMeshes[m]->mNumBones; ++b) {
         const aiBone& bone = *scene_.mMeshes[m]->mBones[b];
-        if (!known_.contains(bone.mName.C_Str())) return file_.error("a vertex follows a joint that is not there");
+        if (!known_.contains(bone.mName.C_Str())) return file_.error("a vertex uses a joint that does not exist");
         binds.push_back(AssimpModel::matrix(bone.mOffsetMatrix));
-        if (!finite(binds.back())) return file_.error("a skin has a number that is none");
+        if (!finite(binds.back())) return file_.error("a skin has a number that is not finite");
       }
     if (binds.size() > most_joints)
-      return file_.error(fmt::format("a skin has {} joints, where there can be {}", binds.size(), most_joints));
+      return file_.error(fmt::format("a skin has {} joints; the limit is {}", binds.size(), most_joints));
     Assembly all(file_.path(), "scene");
     bool any = false;
     std::size_t first = 0;
     for (const unsigned m : parts) {
       const aiMesh& from = *scene_.mMeshes[m];
       Mesh piece = file_.piece(m);
-      if (from.mNumAnimMeshes > 0) leave_out("morph targets are left out: they come through from glTF alone");
-      if (from.HasVertexColors(0)) leave_out("colours of single vertices are left out");
-      if (piece.triangles.empty()) leave_out("points and lines are left out, and so are meshes without triangles");
+      if (from.mNumAnimMeshes > 0) leave_out("morph targets are left out: only those of glTF are supported");
+      if (from.HasVertexColors(0)) leave_out("vertex colours are left out");
+      if (piece.triangles.empty()) leave_out("points, lines and meshes without triangles are left out");
       MeshPart look = file_.look(from.mMaterialIndex);
       if (!any && from.mMaterialIndex < scene_.mNumMaterials) surface_of(*scene_.mMaterials[from.mMaterialIndex], out);
       any = any || !piece.triangles.empty();
@@ -144,7 +145,8 @@ class AssimpScene {
     Rig rig;
     for (auto& some : all) {
       std::sort(some.begin(), some.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-      if (some.size() > 4) leave_out("vertices follow no more than four joints"), some.resize(4);
+      if (some.size() > 4)
+        leave_out("each vertex uses its four strongest joints; the others are left out"), some.resize(4);
       if (some.empty()) some.emplace_back(1.0F, std::uint16_t{0});
       float sum = 0;
       for (const auto& [weight, joint] : some) sum += weight;
@@ -187,19 +189,20 @@ class AssimpScene {
     for (unsigned i = 0; i < scene_.mNumLights; ++i) {
       const aiLight& l = *scene_.mLights[i];
       if (l.mType == aiLightSource_AMBIENT) {
-        leave_out("light from everywhere is left out: the command ambient says it");
+        leave_out("ambient light is left out: set it by the command ambient");
         continue;
       }
       SceneNode node;
       const bool sun = l.mType == aiLightSource_DIRECTIONAL;
       if (!stand(l.mName.C_Str(), "light", vec(l.mPosition), sun ? vec(l.mDirection) : Vec3{0, 0, -1}, node)) continue;
-      if (l.mType == aiLightSource_SPOT) leave_out("a spotlight shines in all directions");
+      if (l.mType == aiLightSource_SPOT)
+        leave_out("spotlights are not supported: a spotlight shines in all directions");
       SceneLight made;
       made.sun = sun;
       const Vec3 color{l.mColorDiffuse.r, l.mColorDiffuse.g, l.mColorDiffuse.b};
       const double most = std::max({color.x, color.y, color.z});
       if (most > 0 && finite(color)) made.color = 1 / most * color;
-      if (!sun) leave_out("how bright lamps are, and how far they reach, is Betwixt's own");
+      if (!sun) leave_out("the intensity and the range of lamps are left out: they have Betwixt's defaults");
       node.light = static_cast<std::int32_t>(out_.lights.size());
       out_.lights.push_back(made);
       out_.nodes.push_back(std::move(node));
@@ -219,12 +222,17 @@ class AssimpScene {
         const aiNodeAnim& channel = *from.mChannels[c];
         const auto node = known_.find(channel.mNodeName.C_Str());
         if (node == known_.end()) continue;
+        const std::uint64_t more = std::uint64_t{4} * channel.mNumPositionKeys +
+                                   std::uint64_t{5} * channel.mNumRotationKeys +
+                                   std::uint64_t{4} * channel.mNumScalingKeys;
+        if (const Status fits = unpack(more * sizeof(double), file_.path()); !fits) return fits;
+        if ((numbers += more) > most_scene_numbers)
+          return file_.error("its animation has more than 100 million numbers");
         const SceneNode& rest = out_.nodes[static_cast<std::size_t>(node->second)];
         const auto add = [&](SceneTrack::Path path, auto* keys, unsigned count, auto&& put, auto&& stays) {
           SceneTrack t;
           t.node = static_cast<std::uint32_t>(node->second), t.path = path;
           for (unsigned k = 0; k < count; ++k) t.times.push_back(keys[k].mTime / rate), put(keys[k].mValue, t.values);
-          numbers += t.times.size() + t.values.size();
           if (count > 1 || (count == 1 && !stays(keys[0].mValue))) clip.tracks.push_back(std::move(t));
         };
         const auto three = [](const aiVector3D& v, std::vector<double>& to) { to.insert(to.end(), {v.x, v.y, v.z}); };
@@ -238,9 +246,8 @@ class AssimpScene {
         });
         add(SceneTrack::scale, channel.mScalingKeys, channel.mNumScalingKeys, three,
             [&](const aiVector3D& v) { return same(vec(v), rest.scale); });
-        if (numbers > most_scene_numbers) return file_.error("it has more than 100 million numbers of animation");
       }
-      if (ending(file_.path()) != "bvh") leave_out("between its keys all goes straight, whatever curves the file has");
+      if (ending(file_.path()) != "bvh") leave_out("the curves between keys are left out: all interpolation is linear");
       out_.clips.push_back(std::move(clip));
     }
     return Nothing{};
@@ -257,8 +264,8 @@ class AssimpScene {
 
 }  // namespace
 
-Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string& path, Shelf& shelf) {
-  auto file = AssimpModel::open(path, shelf, "scene");
+Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string& path, FileSource& files) {
+  auto file = AssimpModel::open(path, files, "scene");
   if (!file) return file.error();
   return AssimpScene(**file).read();
 }

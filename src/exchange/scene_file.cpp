@@ -103,15 +103,15 @@ bool sound(const SceneFile& s) {
   return true;
 }
 
-Result<std::shared_ptr<const SceneFile>> parse_scene(const std::string& path, Shelf& shelf) {
+Result<std::shared_ptr<const SceneFile>> parse_scene(const std::string& path, FileSource& files) {
   const std::string kind = ending(path);
-  if (kind == "gltf" || kind == "glb") return load_gltf_scene(path, shelf);
+  if (kind == "gltf" || kind == "glb") return load_gltf_scene(path, files);
   for (const char* known : {"bvh", "dae", "fbx"})
-    if (kind == known) return load_scene_by_assimp(path, shelf);
-  const auto bytes = shelf.read(path);  // a missing file is reported before a wrong ending
+    if (kind == known) return load_scene_by_assimp(path, files);
+  const auto bytes = files.read(path);  // a missing file is reported before a wrong ending
   if (!bytes) return bytes.error();
-  return fail(ErrorCode::file, fmt::format("{} is not a kind of scene that can be read", path),
-              "glTF (.gltf .glb), .bvh .dae .fbx and drawings (.svg) can be");
+  return fail(ErrorCode::file, fmt::format("the format of the scene {} is not supported", path),
+              "supported: glTF (.gltf .glb), .bvh .dae .fbx and drawings (.svg)");
 }
 
 }  // namespace betwixt

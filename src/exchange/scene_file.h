@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "betwixt/shape.h"
-#include "exchange/shelf.h"
+#include "exchange/file_source.h"
 #include "scene/rig.h"
 
 namespace betwixt {
@@ -78,9 +78,9 @@ inline constexpr std::size_t most_joints = 1000, most_nodes = 100'000, most_scen
 Result<std::shared_ptr<const SceneFile>> load_scene(const std::string& path, const MayRead& may_read,
                                                     bool any_size = false);
 // Reads it in this process, without protection.
-Result<std::shared_ptr<const SceneFile>> parse_scene(const std::string& path, Shelf&);
-Result<std::shared_ptr<const SceneFile>> load_gltf_scene(const std::string& path, Shelf&);
-Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string& path, Shelf&);
+Result<std::shared_ptr<const SceneFile>> parse_scene(const std::string& path, FileSource&);
+Result<std::shared_ptr<const SceneFile>> load_gltf_scene(const std::string& path, FileSource&);
+Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string& path, FileSource&);
 
 // Returns the mesh's scene from a path such as truck.glb#Wheels: the part before the mark, or the whole path without
 // one.

@@ -11,6 +11,7 @@
 #include "exchange/gltf_model.h"
 #include "exchange/scene_file.h"
 #include "exchange/scene_names.h"
+#include "exchange/unpacking.h"
 #include "scene/functions.h"
 #include "scene/kinds.h"
 
@@ -28,13 +29,12 @@ class GltfScene {
       if (const Status s = (this->*step)(); !s) return s.error();
     const auto& used = model_.extensionsUsed;
     if (std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end())
-      leave_out("colours, opacity and lenses that change (KHR_animation_pointer) stay as they are at the beginning");
+      leave_out("animated colours, opacity and lenses (KHR_animation_pointer) keep their first values");
     if (const auto* shown = gltf_at(model_.scenes, std::max(model_.defaultScene, 0));
         shown && shown->extras.Has("cuts"))
-      leave_out("cuts from camera to camera are left out: look through CAMERA");
-    if (model_.scenes.size() > 1)
-      leave_out("of several scenes only the first one, or the one that the file shows, is here");
-    if (!sound(out_)) return file_.error("its numbers make no sense");
+      leave_out("cuts between cameras are left out: write them as look through CAMERA");
+    if (model_.scenes.size() > 1) leave_out("only the default scene of the file is read; the others are left out");
+    if (!sound(out_)) return file_.error("it has numbers that are not valid");
     return std::make_shared<const SceneFile>(std::move(out_));
   }
 
@@ -62,7 +62,8 @@ class GltfScene {
 
   void place(const gltf::Node& n, SceneNode& to) {
     if (n.matrix.size() == 16) {
-      if (!put_transform(GltfModel::transform(n), to)) leave_out("a node is skewed; it stands straight here");
+      if (!put_transform(GltfModel::transform(n), to))
+        leave_out("shear is not supported: a sheared node is drawn without it");
       return;
     }
     const auto vector = [](const std::vector<double>& v) { return Vec3{v[0], v[1], v[2]}; };
@@ -110,7 +111,7 @@ class GltfScene {
     if (rig && !rig->inverse_bind.empty())
       for (const int joint : model_.skins[static_cast<std::size_t>(n.skin)].joints) {
         if (gltf_at(model_.nodes, joint) == nullptr || number_[static_cast<std::size_t>(joint)] < 0)
-          return file_.error(fmt::format("joint {} of a skin is no node of the scene", joint));
+          return file_.error(fmt::format("joint {} of a skin is not a node of the scene", joint));
         to.joints.push_back(static_cast<std::uint32_t>(number_[static_cast<std::size_t>(joint)]));
       }
     if (rig) to.weights = n.weights.empty() ? mesh->weights : n.weights;
@@ -133,7 +134,7 @@ class GltfScene {
       auto piece = file_.triangles(p, uv_set);
       if (!piece) return piece.error();
       if (piece->triangles.empty()) {
-        leave_out("points and lines are left out, and so are meshes without triangles");
+        leave_out("points, lines and meshes without triangles are left out");
         continue;
       }
       SceneMesh surface;
@@ -142,10 +143,13 @@ class GltfScene {
         out.material = surface.material, out.shininess = surface.shininess, out.transparency = surface.transparency;
       if (out.material != surface.material || out.shininess != surface.shininess ||
           out.transparency != surface.transparency)
-        leave_out("of a mesh with several materials all shine as the first one; each has its colour and its picture");
+        leave_out(
+            "of a mesh with several materials, the parts keep their colours and textures, but all shine like the first "
+            "one");
       any = true;
-      if (p.attributes.contains("COLOR_0")) leave_out("colours of single vertices are left out");
-      if (p.attributes.contains("JOINTS_1")) leave_out("vertices follow no more than four joints");
+      if (p.attributes.contains("COLOR_0")) leave_out("vertex colours are left out");
+      if (p.attributes.contains("JOINTS_1"))
+        leave_out("each vertex uses its four strongest joints; the others are left out");
       Status added = Nothing{};
       if (rigged) {
         auto rig = rig_of(p, skin, targets);
@@ -180,14 +184,14 @@ class GltfScene {
 
   Result<Rig> rig_of(const gltf::Primitive& p, int skin, const std::vector<std::string>& targets) {
     Rig rig;
-    if (p.targets.size() != targets.size()) return file_.error("not all parts of a mesh have the same morph targets");
+    if (p.targets.size() != targets.size()) return file_.error("the parts of a mesh have different morph targets");
     for (std::size_t i = 0; i < targets.size(); ++i) {
       Rig::Target t{targets[i], {}, {}};
       if (const Status s = file_.vectors(p.targets[i], "POSITION", t.positions); !s) return s.error();
       if (const Status s = file_.vectors(p.targets[i], "NORMAL", t.normals); !s) return s.error();
       for (const auto* all : {&t.positions, &t.normals})
         for (const auto& v : *all)
-          if (!finite(widened(v))) return file_.error("a morph target has a number that is none");
+          if (!finite(widened(v))) return file_.error("a morph target has a number that is not finite");
       rig.targets.push_back(std::move(t));
     }
     if (skin < 0) return rig;
@@ -196,7 +200,7 @@ class GltfScene {
     if (const Status s = file_.vectors(p.attributes, "JOINTS_0", joints); !s) return s.error();
     if (const Status s = file_.vectors(p.attributes, "WEIGHTS_0", rig.weights); !s) return s.error();
     if (joints.size() != rig.weights.size() || joints.empty())
-      return file_.error("not all of its vertices have joints");
+      return file_.error("some of its vertices have no joints");
     for (std::size_t v = 0; v < joints.size(); ++v) {
       auto& weights = rig.weights[v];
       rig.joints.emplace_back();
@@ -205,7 +209,7 @@ class GltfScene {
         if (!(joints[v][k] >= 0 && joints[v][k] < static_cast<float>(rig.inverse_bind.size())) ||
             !std::isfinite(weights[k]))
           return file_.error(
-              fmt::format("a vertex follows joint {}, but there are only {}", joints[v][k], rig.inverse_bind.size()));
+              fmt::format("a vertex uses joint {}, but there are only {}", joints[v][k], rig.inverse_bind.size()));
         rig.joints[v][k] = static_cast<std::uint16_t>(joints[v][k]);
         sum += weights[k];
       }
@@ -219,7 +223,7 @@ class GltfScene {
   Status bind(const gltf::Skin& skin, Rig& rig) const {
     if (skin.joints.empty() || skin.joints.size() > most_joints)
       return file_.error(
-          fmt::format("a skin has {} joints, where there can be 1 to {}", skin.joints.size(), most_joints));
+          fmt::format("a skin has {} joints; it must have from 1 to {}", skin.joints.size(), most_joints));
     rig.inverse_bind.resize(skin.joints.size());
     if (skin.inverseBindMatrices < 0) return Nothing{};
     const auto numbers = file_.accessor(skin.inverseBindMatrices, 16);
@@ -228,7 +232,7 @@ class GltfScene {
     for (std::size_t j = 0; j < rig.inverse_bind.size(); ++j) {
       Mat4& m = rig.inverse_bind[j];
       std::copy_n(numbers->values.begin() + static_cast<std::ptrdiff_t>(16 * j), 16, m.m.begin());
-      if (!finite(m)) return file_.error("a skin has a number that is none");
+      if (!finite(m)) return file_.error("a skin has a number that is not finite");
       m(3, 0) = m(3, 1) = m(3, 2) = 0, m(3, 3) = 1;
     }
     return Nothing{};
@@ -241,22 +245,21 @@ class GltfScene {
       return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : otherwise;
     };
     const bool painted = pbr.metallicRoughnessTexture.index >= 0;
-    if (painted)
-      leave_out("pictures of how metallic and how rough a surface is are left out: all of it is as its numbers say");
+    if (painted) leave_out("metallic-roughness textures are left out: the factors of the material apply everywhere");
     to.material = share(pbr.metallicFactor, 1) >= 0.5 && !painted ? Material::metal : Material::plastic;
     to.shininess = 1 - share(pbr.roughnessFactor, 1);
     if (m.alphaMode == "BLEND" && pbr.baseColorFactor.size() == 4)
       to.transparency = 1 - share(pbr.baseColorFactor[3], 1);
-    if (m.alphaMode == "MASK") leave_out("surfaces that pictures cut holes into are whole");
-    if (m.normalTexture.index >= 0) leave_out("pictures of bumps (normal maps) are left out");
-    if (m.occlusionTexture.index >= 0) leave_out("pictures of shadows (occlusion) are left out");
-    if (m.emissiveTexture.index >= 0) leave_out("pictures of light (emission) are left out");
+    if (m.alphaMode == "MASK") leave_out("alpha masks are left out: surfaces have no holes");
+    if (m.normalTexture.index >= 0) leave_out("normal maps are left out");
+    if (m.occlusionTexture.index >= 0) leave_out("occlusion maps are left out");
+    if (m.emissiveTexture.index >= 0) leave_out("emission maps are left out");
     if (pbr.baseColorTexture.extensions.contains("KHR_texture_transform"))
-      leave_out("pictures on surfaces that are moved or turned (KHR_texture_transform) lie as they are");
+      leave_out("texture transforms (KHR_texture_transform) are left out");
     glow(m, to, look);
     for (const auto& [name, value] : m.extensions)
       if (name != "KHR_materials_unlit" && name != "KHR_materials_emissive_strength")
-        leave_out(fmt::format("what {} says of surfaces is left out", name.substr(0, 60)));
+        leave_out(fmt::format("the material extension {} is left out", name.substr(0, 60)));
   }
 
   void glow(const gltf::Material& m, SceneMesh& to, MeshPart& look) {
@@ -270,7 +273,7 @@ class GltfScene {
     if (shines >= own)
       to.material = Material::glow, look.color = light, look.texture = nullptr;
     else
-      leave_out("surfaces that shine less than they are lit do not shine by themselves");
+      leave_out("weak emission is left out: only surfaces that emit more than they reflect glow");
   }
 
   Status put_camera(int i, SceneNode& to) {
@@ -291,7 +294,7 @@ class GltfScene {
   Status put_light(const gltf::Value& said, SceneNode& to) {
     const gltf::Value number = said.IsObject() ? said.Get("light") : gltf::Value();
     const gltf::Light* l = gltf_at(model_.lights, number.IsInt() ? number.GetNumberAsInt() : -1);
-    if (l == nullptr) return file_.error("a node has a light that is not there");
+    if (l == nullptr) return file_.error("a node has a light that does not exist");
     SceneLight made;
     made.sun = l->type == "directional";
     if (l->color.size() == 3) made.color = {l->color[0], l->color[1], l->color[2]};
@@ -300,9 +303,9 @@ class GltfScene {
     // is left.
     made.intensity = made.sun ? intensity / pi : 1;
     made.range = l->range > 0 ? std::min(l->range, 1e6) : std::max(std::sqrt(20 * intensity / pi), 1e-3);
-    if (l->type == "spot") leave_out("a spotlight shines in all directions");
+    if (l->type == "spot") leave_out("spotlights are not supported: a spotlight shines in all directions");
     if (!made.sun && model_.asset.generator != "Betwixt")
-      leave_out("lamps fade to nothing at their range, not with the square of the distance");
+      leave_out("lamps fade to 0 at their range, not with the square of the distance");
     to.light = static_cast<std::int32_t>(out_.lights.size());
     out_.lights.push_back(made);
     return Nothing{};
@@ -319,8 +322,10 @@ class GltfScene {
         auto made = track(a, c);
         if (!made) return made.error();
         if (made->times.empty()) continue;
-        numbers += made->values.size() + made->times.size();
-        if (numbers > most_scene_numbers) return file_.error("it has more than 100 million numbers of animation");
+        const std::size_t more = made->values.size() + made->times.size();
+        if (const Status fits = unpack(more * sizeof(double), file_.path()); !fits) return fits;
+        numbers += more;
+        if (numbers > most_scene_numbers) return file_.error("its animation has more than 100 million numbers");
         clip.tracks.push_back(*std::move(made));
       }
       out_.clips.push_back(std::move(clip));
@@ -340,7 +345,7 @@ class GltfScene {
       return leave_out(fmt::format("animation of '{}' is left out", c.target_path.substr(0, 40))), out;
     if (c.target_node < 0) return out;  // glTF says to ignore a channel without a node
     if (gltf_at(model_.nodes, c.target_node) == nullptr)
-      return file_.error(fmt::format("an animation moves node {}, which is not there", c.target_node));
+      return file_.error(fmt::format("an animation moves node {}, which does not exist", c.target_node));
     if (number_[static_cast<std::size_t>(c.target_node)] < 0) return out;
     const gltf::AnimationSampler* sampler = gltf_at(a.samplers, c.sampler);
     if (sampler == nullptr) return file_.error(fmt::format("an animation has no sampler {}", c.sampler));
@@ -358,9 +363,9 @@ class GltfScene {
     if (!values) return values.error();
     out.times = std::move(times->values), out.values = std::move(values->values);
     if (!std::is_sorted(out.times.begin(), out.times.end()) || !finite(out.times) || !finite(out.values))
-      return file_.error("the times of an animation do not rise, or are none");
+      return file_.error("the times of an animation do not increase or are not finite");
     if (out.path == SceneTrack::rotation && out.way == SceneTrack::cubic && goes_round(out))
-      leave_out("turns by CUBICSPLINE between quaternions of opposite signs go the short way, not the long one");
+      leave_out("CUBICSPLINE rotations between quaternions of opposite signs take the short way, not the long one");
     return out;
   }
 
@@ -390,8 +395,8 @@ class GltfScene {
 
 }  // namespace
 
-Result<std::shared_ptr<const SceneFile>> load_gltf_scene(const std::string& path, Shelf& shelf) {
-  auto file = GltfModel::open(path, shelf, "scene");
+Result<std::shared_ptr<const SceneFile>> load_gltf_scene(const std::string& path, FileSource& files) {
+  auto file = GltfModel::open(path, files, "scene");
   if (!file) return file.error();
   return GltfScene(**file).read();
 }

@@ -33,13 +33,13 @@ constexpr std::size_t most_words = 4096;  // of its messages
 constexpr const char* kinds_of_files = "wav,w64,aiff,au,caf,flac,ogg,mp3,aac,mov,mp4,m4a,matroska,webm,avi,ac3,amr,wv";
 
 Error no_sound(const std::string& path, std::string why) {
-  if (why.find("matches no streams") != std::string::npos) why = "nothing is heard";
+  if (why.find("matches no streams") != std::string::npos) why = "it has no sound";
   while (!why.empty() && std::isspace(static_cast<unsigned char>(why.back()))) why.pop_back();
   why = why.substr(why.rfind('\n') + 1);
   for (std::size_t at; (at = why.find("file:" + path)) != std::string::npos;) why.replace(at, path.size() + 5, path);
   if (why.starts_with(path + ": ")) why.erase(0, path.size() + 2);
   return fail(ErrorCode::file,
-              fmt::format("{} is broken or no sound: {}", path, why.empty() ? "nothing is heard" : why));
+              fmt::format("{} is broken or not a sound: {}", path, why.empty() ? "it has no sound" : why));
 }
 
 std::vector<std::string> ffmpeg_call(const std::string& program, const std::string& path) {
@@ -131,10 +131,10 @@ class Decoder {
     while (err_ >= 0) listen();
     const int status = wait_for_child(std::exchange(pid_, -1));
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
-      return fail(ErrorCode::file, fmt::format("{} takes more than {} s to be read", path, most_.seconds));
+      return fail(ErrorCode::file, fmt::format("reading {} takes more than {} s", path, most_.seconds));
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
     if (code == parser_of_another_version)
-      return fail(ErrorCode::machine, "the program betwixt-parser is of another version than this one");
+      return fail(ErrorCode::machine, "the program betwixt-parser has another version than this program");
     if (code == parser_started_nothing) return fail(ErrorCode::machine, said_.substr(0, said_.find('\n')));
     return code == 0 ? Status(Nothing{}) : Status(no_sound(path, said_));
   }
@@ -248,8 +248,8 @@ Result<std::shared_ptr<const Sound>> read_sound(const std::string& path, bool an
   if (!decoded) return decoded.error();
   if (too_long && longest < longest_sound)
     return fail(ErrorCode::range,
-                fmt::format("{} lasts longer than {:.0f} s, and its {} bytes may last no longer", path, longest, *size),
-                "--read-anywhere reads files of any size");
+                fmt::format("{} is longer than {:.0f} s, the limit for a file of {} bytes", path, longest, *size),
+                Hint(Permission::read_anywhere, "to read files of any size: --read-anywhere"));
   if (too_long) return fail(ErrorCode::range, fmt::format("{} is longer than four hours", path));
   if (count == 0) return no_sound(path, "");
   if (count % a_millisecond != 0) sound->energy.push_back(sum / sound_rate);

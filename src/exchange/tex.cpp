@@ -15,6 +15,7 @@
 #include "base/child.h"
 #include "base/files.h"
 #include "base/utf8.h"
+#include "exchange/parser_process.h"
 
 namespace betwixt {
 namespace {
@@ -22,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_characters = 10'000;
-constexpr std::uint64_t most_drawn = std::uint64_t{1} << 20;  // bytes
+constexpr std::uint64_t most_drawn = std::uint64_t{1} << 20;      // bytes
+constexpr rlim_t tex_seconds = 20, tex_memory = rlim_t{2} << 30;  // of each program
 constexpr const char* packages = "sudo apt-get install texlive-latex-base dvisvgm";
 
 // A private folder, removed at the end.
@@ -31,7 +33,7 @@ class WorkFolder {
   WorkFolder() {
     std::error_code why;
     std::string name = (fs::temp_directory_path(why) / "betwixt-tex-XXXXXX").string();
-    if (!why && ::mkdtemp(name.data()) != nullptr) at_ = name;
+    if (!why && ::mkdtemp(name.data()) != nullptr) at_ = fs::absolute(name, why);
   }
   ~WorkFolder() {
     std::error_code ignored;
@@ -45,33 +47,42 @@ class WorkFolder {
   fs::path at_;
 };
 
+// Sets the limits that work without betwixt-parser.
 void limit_child(pid_t pid) {
   constexpr rlim_t mebibyte = rlim_t{1} << 20;
-  const rlimit seconds{20, 21}, memory{2048 * mebibyte, 2048 * mebibyte}, file{64 * mebibyte, 64 * mebibyte};
+  const rlimit seconds{tex_seconds, tex_seconds + 1}, memory{tex_memory, tex_memory},
+      file{64 * mebibyte, 64 * mebibyte};
   ::prlimit(pid, RLIMIT_CPU, &seconds, nullptr);
   ::prlimit(pid, RLIMIT_AS, &memory, nullptr);
   ::prlimit(pid, RLIMIT_FSIZE, &file, nullptr);
 }
 
-// Runs a program and returns whether it succeeded. Environment variables restrict TeX's reading and writing to the
-// folder.
+// Runs a program in a jail and returns whether it succeeded. Environment variables restrict TeX's reading and writing
+// to the folder, too.
 Result<bool> run_in(const fs::path& folder, const std::vector<std::string>& call, std::chrono::milliseconds most) {
-  std::vector<std::string> words{"env", "--chdir=" + folder.string(), "openin_any=p", "openout_any=p",
-                                 "TEXMFOUTPUT=" + folder.string()};
-  words.insert(words.end(), call.begin(), call.end());
-  const Error missing =
-      fail(ErrorCode::machine,
-           fmt::format("formulas need the programs latex and dvisvgm, and {} is not installed", call[0]), packages);
+  const std::string program = find_program(call[0]), jail = find_parser();
+  if (program.empty())
+    return fail(ErrorCode::machine,
+                fmt::format("formulas need the programs latex and dvisvgm, but {} is not installed", call[0]),
+                packages);
+  std::vector<std::string> words{"env",           "--chdir=" + folder.string(),     "openin_any=p",
+                                 "openout_any=p", "TEXMFOUTPUT=" + folder.string(), "TMPDIR=" + folder.string()};
+  if (!jail.empty())
+    words.insert(words.end(), {fs::absolute(jail).string(), parser_version, parser_works_in, std::to_string(tex_memory),
+                               std::to_string(tex_seconds), folder.string()});
+  words.push_back(fs::absolute(program).string());  // of this folder, not of its own
+  words.insert(words.end(), call.begin() + 1, call.end());
   pid_t pid = -1;
-  const int failed = start_child(pid, words, {});
-  if (failed == ENOENT) return missing;
-  if (failed != 0) return system_error(failed, "start", call[0]);
-  limit_child(pid);
+  if (const int failed = start_child(pid, words, {})) return system_error(failed, "start", call[0]);
+  if (jail.empty()) limit_child(pid);
   const auto status = wait_for_child(pid, most);
-  if (!status || (WIFSIGNALED(*status) && WTERMSIG(*status) == SIGXCPU))
-    return fail(ErrorCode::machine, fmt::format("the formula takes {} too long", call[0]));
-  if (WIFEXITED(*status) && WEXITSTATUS(*status) == 127) return missing;  // the exit code of env
-  return WIFEXITED(*status) && WEXITSTATUS(*status) == 0;
+  const int by = status && WIFSIGNALED(*status) ? WTERMSIG(*status) : 0;
+  if (!status || by == SIGXCPU || by == SIGKILL)
+    return fail(ErrorCode::machine, fmt::format("{} takes too long for this formula", call[0]));
+  const int code = WIFEXITED(*status) ? WEXITSTATUS(*status) : 1;
+  if (!jail.empty() && code == parser_of_another_version)
+    return fail(ErrorCode::machine, "the program betwixt-parser has another version than this program");
+  return code == 0;
 }
 
 // Returns the printable characters of the end, or the beginning, of TeX's output.
@@ -91,10 +102,10 @@ Error complaint(const fs::path& log) {
     if (what.empty() && line.starts_with("! ")) what = shown(std::string_view(line).substr(2), 200, false);
     if (what.empty() || !line.starts_with("l.")) continue;
     const std::string at = shown(line.substr(std::min(line.find(' '), line.size() - 1) + 1), 40, true);
-    return fail(ErrorCode::syntax, fmt::format("the formula is wrong: {}: {}", what, at));
+    return fail(ErrorCode::syntax, fmt::format("the formula has an error: {}: {}", what, at));
   }
-  if (what.empty()) return fail(ErrorCode::machine, "latex fails, and does not say why");
-  return fail(ErrorCode::syntax, fmt::format("the formula is wrong: {}", what));
+  if (what.empty()) return fail(ErrorCode::machine, "latex failed without an error message");
+  return fail(ErrorCode::syntax, fmt::format("the formula has an error: {}", what));
 }
 
 // The square marks the baseline.
@@ -110,7 +121,7 @@ std::string text_for_tex(const std::string& formula) {
 
 Result<std::shared_ptr<const Outline>> set_by_tex(const std::string& formula, std::chrono::milliseconds most) {
   if (count_characters(formula) > most_characters)
-    return fail(ErrorCode::range, fmt::format("a formula has at most {} characters", most_characters));
+    return fail(ErrorCode::range, fmt::format("a formula can have at most {} characters", most_characters));
   const WorkFolder folder;
   const fs::path& at = folder.path();
   if (at.empty()) return system_error(errno, "make", "a folder for latex");
@@ -127,9 +138,10 @@ Result<std::shared_ptr<const Outline>> set_by_tex(const std::string& formula, st
       most);
   if (!drawn) return drawn.error();
   const FileContents svg = read_contents((at / "formula.svg").string(), {.largest = most_drawn});
-  if (svg.hindrance == Hindrance::too_large)
+  if (svg.problem == ReadProblem::too_large)
     return fail(ErrorCode::range, "the formula is too large: more than 1 MiB of paths");
-  if (!*drawn || svg.hindrance != Hindrance::none) return fail(ErrorCode::machine, "dvisvgm fails to draw the formula");
+  if (!*drawn || svg.problem != ReadProblem::none)
+    return fail(ErrorCode::machine, "dvisvgm failed to draw the formula");
   auto outline = read_tex_drawing(svg.text);
   if (!outline) return outline.error();
   return std::make_shared<const Outline>(*std::move(outline));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Formulas set by TeX, through the programs latex and dvisvgm. They run in a temporary folder, and with limits.
+// Formulas set by TeX, through the programs latex and dvisvgm. They run in a jail (parser_jail.h), in which they can
+// change a temporary folder, and read TeX's own files.
 #pragma once
 
 #include <chrono>

@@ -23,7 +23,7 @@ constexpr double square_side = 72;
 constexpr std::size_t deepest = 64, most_points = 1'000'000;
 
 Error unreadable(std::string_view what) {
-  return fail(ErrorCode::machine, fmt::format("dvisvgm drew what is no formula: {}", what));
+  return fail(ErrorCode::machine, fmt::format("the output of dvisvgm cannot be read: {}", what));
 }
 
 std::optional<double> number_in(std::string_view text) {
@@ -98,7 +98,7 @@ class DrawingReader {
       if (open_.empty() || open_.back().name != tag.name) return unreadable("broken SVG");
       open_.pop_back();
     }
-    if (!open_.empty()) return unreadable("SVG that breaks off");
+    if (!open_.empty()) return unreadable("incomplete SVG");
     if (!baseline_) return unreadable("nothing");
     finish();
     return std::move(out_);
@@ -112,10 +112,10 @@ class DrawingReader {
 
   Status open(const Tag& tag) {
     const auto own = transform_in(tag.get("transform"));
-    if (!own) return unreadable("a transformation that is none");
+    if (!own) return unreadable("a transformation that is not valid");
     const Affine to = (open_.empty() ? Affine{} : open_.back().to) * *own;
-    if (!to.sane()) return unreadable("something too large");
-    if (open_.size() >= deepest) return unreadable("groups too deep in each other");
+    if (!to.sane()) return unreadable("a number that is too large");
+    if (open_.size() >= deepest) return unreadable("groups that are nested too deep");
     const bool defines = std::any_of(open_.begin(), open_.end(), [](const Open& o) { return o.name == "defs"; });
     open_.push_back({tag.name, to});
     if (tag.name == "path" && defines) return glyphs_[tag.get("id")] = tag.get("d"), Nothing{};
@@ -130,7 +130,7 @@ class DrawingReader {
   Status path(std::string_view d, const Affine& to) {
     if (!baseline_) return unreadable("no baseline");
     Flattener lines(fineness * em);
-    if (!PathReader(to, lines).read(d)) return unreadable("a path that is none");
+    if (!PathReader(to, lines).read(d)) return unreadable("a path that is not valid");
     return add(lines, fmt::format("{:x}", std::hash<std::string_view>{}(d)));
   }
 
@@ -138,13 +138,13 @@ class DrawingReader {
     const std::string_view id = tag.attributes.contains("xlink:href") ? tag.get("xlink:href") : tag.get("href");
     const auto glyph = id.starts_with("#") ? glyphs_.find(id.substr(1)) : glyphs_.end();
     const auto x = tag.number("x"), y = tag.number("y");
-    if (glyph == glyphs_.end() || !x || !y) return unreadable("a glyph that is none");
+    if (glyph == glyphs_.end() || !x || !y) return unreadable("a glyph that is not valid");
     return path(glyph->second, to * Affine{1, 0, 0, 1, *x, *y});
   }
 
   Status bar(const Tag& tag, const Affine& to) {
     const auto x = tag.number("x"), y = tag.number("y"), w = tag.number("width"), h = tag.number("height");
-    if (!x || !y || !w || !h || *w < 0 || *h < 0) return unreadable("a bar that is none");
+    if (!x || !y || !w || !h || *w < 0 || *h < 0) return unreadable("a bar that is not valid");
     const auto is_side = [](double side) { return std::abs(side - square_side) < 0.01; };
     if (!baseline_ && is_side(*w) && is_side(*h)) {
       baseline_ = to({*x + *w, *y + *h, 0});
@@ -163,7 +163,8 @@ class DrawingReader {
     out_.letters.push_back({out_.contours.size(), std::move(name)});
     for (Contour& c : contours) {
       for (const Vec3 p : c)
-        if (!(std::max(std::abs(p.x), std::abs(p.y)) <= farthest_in_svg)) return unreadable("something too far away");
+        if (!(std::max(std::abs(p.x), std::abs(p.y)) <= farthest_in_svg))
+          return unreadable("a point that is too far away");
       points_ += c.size();
       out_.contours.push_back(std::move(c));
     }

@@ -23,17 +23,17 @@ Status Unpacking::take(std::uint64_t bytes, const std::string& name) {
   const std::uint64_t allowed = std::min(most, always + most_times * std::min(read_, most));
   if (any_size_ || (bytes <= allowed && taken_ <= allowed - bytes)) return taken_ += bytes, Nothing{};
   return fail(ErrorCode::range,
-              fmt::format("{} unpacks to {} MiB, and its {} bytes may become {} MiB", name,
+              fmt::format("{} unpacks to {} MiB; the limit for a file of {} bytes is {} MiB", name,
                           (taken_ + std::min(bytes, most * 1024)) / mebibyte, read_, allowed / mebibyte),
-              "--read-anywhere reads files of any size");
+              Hint(Permission::read_anywhere, "to read files of any size: --read-anywhere"));
 }
 
 Status unpack(std::uint64_t bytes, const std::string& name) {
   return innermost ? innermost->take(bytes, name) : Status(Nothing{});
 }
 
-Result<std::string> CountedShelf::read(const std::string& path) {
-  auto bytes = shelf_.read(path);
+Result<std::string> CountedFiles::read(const std::string& path) {
+  auto bytes = files_.read(path);
   if (bytes) unpacking_.read(bytes->size());
   return bytes;
 }

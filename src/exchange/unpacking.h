@@ -9,7 +9,7 @@
 #include <string>
 
 #include "betwixt/result.h"
-#include "exchange/shelf.h"
+#include "exchange/file_source.h"
 
 namespace betwixt {
 
@@ -35,15 +35,15 @@ class Unpacking {
 // Always succeeds if the thread has no counter.
 Status unpack(std::uint64_t bytes, const std::string& name);
 
-// A shelf that counts the files read from it.
-class CountedShelf final : public Shelf {
+// A files that counts the files read from it.
+class CountedFiles final : public FileSource {
  public:
-  CountedShelf(Shelf& shelf, Unpacking& unpacking) : shelf_(shelf), unpacking_(unpacking) {}
-  bool has(const std::string& path) override { return shelf_.has(path); }
+  CountedFiles(FileSource& files, Unpacking& unpacking) : files_(files), unpacking_(unpacking) {}
+  bool has(const std::string& path) override { return files_.has(path); }
   Result<std::string> read(const std::string& path) override;
 
  private:
-  Shelf& shelf_;
+  FileSource& files_;
   Unpacking& unpacking_;
 };
 

@@ -16,10 +16,10 @@ constexpr ExportRow rows[] = {
     {".glb", "glTF 2.0: for three.js, Blender, Godot, web pages", make_glb, KeyStyle::linear},
     {".gltf", "the same as text", make_gltf, KeyStyle::linear},
     {".usda", "USD as text: for Houdini, Maya, Omniverse, usdview", make_usda, KeyStyle::linear},
-    {".json", "Lottie: a flat film for apps and pages", make_lottie},
-    {".css", "keyframes of web pages: how flat things move", make_css},
+    {".json", "Lottie: a flat film for apps and web pages", make_lottie},
+    {".css", "CSS keyframes for web pages: the motion of flat objects", make_css},
     {".js", "the same for element.animate()", make_waapi},
-    {".svg", "a flat film as a picture that moves", make_svg},
+    {".svg", "animated SVG: a flat film as a moving picture", make_svg},
 };
 
 }  // namespace
@@ -52,9 +52,8 @@ Result<Exported> export_film(const Program& program, const ExportOptions& option
     if (row.ending != end) continue;
     const Rate rate = program.document().rate();
     if (const double frames = rate.frame_number(options.until) - rate.frame_number(options.from); frames > most_frames)
-      return fail(ErrorCode::range,
-                  fmt::format("{:.0f} frames are more than the {} that can be written", frames, most_frames),
-                  "fewer: --frames 1f..240f");
+      return fail(ErrorCode::range, fmt::format("{:.0f} frames are too many; the limit is {}", frames, most_frames),
+                  "choose fewer frames: --frames 1f..240f");
     if (Status s = check_place(options.path, options.overwrite); !s) return s.error();
     Exported made;
     const Result<std::string> bytes = row.make(program, options, made);
@@ -63,13 +62,14 @@ Result<Exported> export_film(const Program& program, const ExportOptions& option
     if (Status s = write_whole(options.path, *bytes, options.overwrite); !s) return s.error();
     return made;
   }
+  const std::string near = did_you_mean(end, known).text;
   return fail(
       ErrorCode::range,
-      end == "." ? fmt::format("\"{}\" has no ending that says what to make", options.path)
-                 : fmt::format("motion cannot be written as \"{}\"", end),
-      fmt::format("{}known endings: {}{}", did_you_mean(end, known).empty() ? "" : did_you_mean(end, known) + "; ",
-                  list,
-                  end == ".mp4" || end == ".gif" || end == ".webm" || end == ".mov" ? "; films: betwixt render" : ""));
+      end == "." ? fmt::format("\"{}\" has no file extension that says what to make", options.path)
+                 : fmt::format("\"{}\" is not an export format", end),
+      fmt::format(
+          "{}known extensions: {}{}", near.empty() ? "" : near + "; ", list,
+          end == ".mp4" || end == ".gif" || end == ".webm" || end == ".mov" ? "; to make a film: betwixt render" : ""));
 }
 
 }  // namespace betwixt

@@ -135,7 +135,7 @@ class Maker {
                       {"joints", joints},
                       {"inverseBindMatrices", film_.buffer.floats(inverse_bind, 16, gltf::Buffer::plain, false)}});
     if (s.when.size() > 1)
-      leave_out(made_, fmt::format("{} is hidden at times: with its joints it is always seen", name));
+      leave_out(made_, fmt::format("{} is hidden at times, but with joints it is always visible", name));
     return node;
   }
   // All weights of a mesh have keys at the same times, so each is evaluated at the times of all.
@@ -276,7 +276,8 @@ class Maker {
       return {q.x, q.y, q.z, q.w};
     });
     f.turn = true;
-    const auto knots = knots_between(program_.breaks(options_.from, options_.until), options_.from, options_.until);
+    const auto knots =
+        knots_between(program_.discontinuities(options_.from, options_.until), options_.from, options_.until);
     put(node, "rotation", follow(f, knots, options_.keys), {0, 0, 0, 1});
     return node;
   }
@@ -324,8 +325,7 @@ class Maker {
                  c.orthographic ? orthographic(c.height, aspect)
                                 : perspective(2 * std::atan(std::tan(c.fov / 2) / aspect), aspect));
     }
-    if (document_.cuts().size() > 1)
-      leave_out(made_, "cuts from camera to camera: they are in the scene's extras only");
+    if (document_.cuts().size() > 1) leave_out(made_, "cuts between cameras are only in the extras of the scene");
   }
   static Json perspective(double yfov, double aspect) {
     return {{"type", "perspective"},

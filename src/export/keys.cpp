@@ -32,13 +32,8 @@ void add_events(const Document& d, const std::vector<TrackView>& tracks, Time fr
 
 // Returns all possible corners.
 std::vector<Time> all_knots(const Program& program, Time from, Time until) {
-  std::vector<Time> all;
+  std::vector<Time> all = program.discontinuities(from, until);
   const Document& d = program.document();
-  for (Time at = from; at < until;) {  // breaks() returns some thousand ticks at a time
-    const Time next = std::min(until, at + from_seconds(60));
-    for (const Time t : program.breaks(at, next)) all.push_back(t);
-    at = next;
-  }
   for (const ObjectId id : objects(d)) add_events(d, tracks(d, id), from, until, all);
   return knots_between(std::move(all), from, until);
 }
@@ -146,7 +141,7 @@ class Stage {
       auto knots = moved == by_tracks ? own_knots(id) : moved ? std::optional(everybodys()) : still();
       return made(id, coupled ? parent : ObjectId{}, knots ? *knots : everybodys(), [&, node = &n](Time t) {
         Asking asking;
-        const Said said = said_at(compiled_, *node, t, asking);
+        const OwnTransform said = own_transform_at(compiled_, *node, t, asking);
         Mat4 m = rotation(said.turn);
         for (int c = 0; c < 3; ++c)
           for (int i = 0; i < 3; ++i) m(i, c) *= said.scale[c];
@@ -172,7 +167,7 @@ class Stage {
     const std::vector<TrackView> own = tracks(d, id);
     std::vector<Time> all;
     for (const TrackView& t : own) {
-      if (t.before != "hold" || t.after != "hold") return std::nullopt;
+      if (t.extrapolation_before != "hold" || t.extrapolation_after != "hold") return std::nullopt;
       all.push_back(t.first), all.push_back(t.last);
     }
     add_events(d, own, from_, until_, all);
@@ -326,7 +321,7 @@ Channel value_keys(const Program& program, const Target& target, Time from, Time
   std::vector<Time> all;
   bool alone = true;
   for (const TrackView& t : tracks(d, target)) {
-    alone = alone && t.before == "hold" && t.after == "hold";
+    alone = alone && t.extrapolation_before == "hold" && t.extrapolation_after == "hold";
     add_events(d, {t}, from, until, all);
   }
   const Binding& binding = program.compiled().find(target.object.index, target.function);

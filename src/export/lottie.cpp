@@ -40,9 +40,10 @@ class LottieMaker {
     for (const PlanarPlace& place : film->order) {
       const PlanarThing& thing = film->things[place.thing];
       if (place.first && !thing.look.stroked.empty() && stretched(thing.motion.steps))
-        leave_out(made_, fmt::format(
-                             "the stroke of '{}' is stretched with it: lottie-web draws it so, rlottie draws it evenly",
-                             program_.document().name(thing.motion.id)));
+        leave_out(
+            made_,
+            fmt::format("the stroke of '{}' is stretched: lottie-web shows that, rlottie draws it with an even width",
+                        program_.document().name(thing.motion.id)));
       for (Json& layer : layers_of(thing, place.shown)) back_to_front.push_back(std::move(layer));
     }
     // The first layer is in front.

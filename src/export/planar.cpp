@@ -180,8 +180,8 @@ class Planar {
     for (const Channel* c : {&k.rotation, &k.inner})
       if (!c->pieces.empty() && !in_plane(*c))
         return fail(ErrorCode::range,
-                    fmt::format("'{}' turns out of the plane of the picture", program_.document().name(k.id)),
-                    "a drawing turns about z only; glTF (.glb) takes all turns");
+                    fmt::format("'{}' rotates out of the plane of the picture", program_.document().name(k.id)),
+                    "drawings can rotate only about z; glTF (.glb) supports all rotations");
     to.push_back({PlanarStep::move_x, said(k.id, fn::position, 0, planar_curves(k.translation, 0, in_unit_))});
     to.push_back({PlanarStep::move_y, said(k.id, fn::position, 1, planar_curves(k.translation, 1, in_unit_))});
     to.push_back({PlanarStep::turn, angles(k.id, k.rotation)});
@@ -200,7 +200,7 @@ class Planar {
       each_event(program_.document(), target, options_.from, options_.until, [&](const EventView& e) {
         if (before && before->value && e.value && e.ease_in == Time{} && before->ease_out == Time{})
           if (const auto b = css_curve(*before)) {
-            const std::vector<double> from = numbers(*before->value), to = numbers(e.before ? *e.before : *e.value);
+            const std::vector<double> from = numbers(*before->value), to = numbers(e.cut_from ? *e.cut_from : *e.value);
             const auto at = static_cast<std::size_t>(from.size() > 1 ? component : 0);
             if (at < from.size() && at < to.size())
               put(curves,
@@ -343,7 +343,7 @@ Channel straight(const Program& program, const ExportOptions& options, std::size
                  std::function<KeyValue(Time)> at) {
   KeyOptions keys = options.keys;
   keys.style = KeyStyle::linear;
-  const auto knots = knots_between(program.breaks(options.from, options.until), options.from, options.until);
+  const auto knots = knots_between(program.discontinuities(options.from, options.until), options.from, options.until);
   return follow(followed(program.document(), width, 1.0 / 512, std::move(at)), knots, keys);
 }
 

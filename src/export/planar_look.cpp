@@ -250,17 +250,18 @@ Result<PlanarFilm> planar_film(const Program& program, const ExportOptions& opti
   }
   for (const auto& [what, ids] : undrawn) {
     if (film.things.empty())
-      return fail(ErrorCode::range, fmt::format("'{}' is {}, and not flat", document.name(ids[0]), what),
-                  "name what is to be drawn, or write glTF (.glb), which takes everything");
+      return fail(ErrorCode::range, fmt::format("'{}' is {}, which is not flat", document.name(ids[0]), what),
+                  "name the objects to draw, or write glTF (.glb), which supports all objects");
     leave_out(made, fmt::format("left out, as {} is not flat: {}", what, names_of(document, ids)));
   }
   if (film.things.empty() && motions->empty())
-    return fail(ErrorCode::range, "nothing is drawn in the film",
-                "name what moves, as in betwixt export film.bx ball -o ball.css");
-  if (!textured.empty()) leave_out(made, "left out: the pictures on " + names_of(document, textured));
+    return fail(ErrorCode::range, "the film has no visible objects",
+                "name the objects, as in betwixt export film.bx ball -o ball.css");
+  if (!textured.empty()) leave_out(made, "left out: the textures of " + names_of(document, textured));
   const Frame first = program.frame(options.from);
-  if (!first.surroundings.flat) leave_out(made, "left out: light and shade; things have their own colours");
-  if (!first.surroundings.clear && !first.background) leave_out(made, "left out: the background, as none was said");
+  if (!first.surroundings.flat) leave_out(made, "left out: lighting; objects have their own colours");
+  if (!first.surroundings.clear && !first.background)
+    leave_out(made, "left out: the background, because the film sets none");
   leave_out_surroundings(program, options, false, made);
   bool whole = true;
   for (const StackPlace& place : stack_of(depths, options.until, whole)) {
@@ -268,7 +269,7 @@ Result<PlanarFilm> planar_film(const Program& program, const ExportOptions& opti
         std::any_of(film.order.begin(), film.order.end(), [&](const PlanarPlace& p) { return p.thing == place.thing; });
     film.order.push_back({place.thing, shown_in(place, options), !again});
   }
-  if (!whole) leave_out(made, "left out: what passes in front of what; things lie as they do at the beginning");
+  if (!whole) leave_out(made, "left out: changes of the drawing order; it stays as at the beginning");
   made.objects = film.things.size();
   return film;
 }

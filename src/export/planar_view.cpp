@@ -27,19 +27,19 @@ Result<PlanarView> planar_view(const Program& program, const ExportOptions& opti
     e.to(t);
     return e.camera();
   };
-  const std::string hint = "film flat, or a camera with height=…, position=(0 0 10) and no look-at";
+  const std::string hint = "use film flat, or a camera with height=…, position=(0 0 10) and no look-at";
   const Camera first = camera(options.from);
   bool moves = false;
-  const auto knots = knots_between(program.breaks(options.from, options.until), options.from, options.until);
+  const auto knots = knots_between(program.discontinuities(options.from, options.until), options.from, options.until);
   const std::vector<Time> looks = looks_of(program, options.from, options.until);
   std::vector<double> rolls;  // at these times, followed through whole turns
   for (const Time t : looks) {
     const Camera c = camera(t);
     const double angle = roll_of(c), before = rolls.empty() ? angle : rolls.back();
     rolls.push_back(angle + 2 * pi * std::round((before - angle) / (2 * pi)));
-    if (!c.orthographic) return fail(ErrorCode::range, "the film is seen in perspective, and a drawing is flat", hint);
+    if (!c.orthographic) return fail(ErrorCode::range, "the camera has perspective, but a drawing is flat", hint);
     if (length(column(c.world, 2) - Vec3{0, 0, 1}) > 1e-6)
-      return fail(ErrorCode::range, "the camera does not look along -z, and a drawing lies in the plane of x and y",
+      return fail(ErrorCode::range, "the camera does not look along -z, but a drawing is in the plane of x and y",
                   hint);
     moves = moves || !(c == first);
   }

@@ -26,7 +26,7 @@ void PlanarWatch::add(ObjectId id, bool turns_out) {
 Status PlanarWatch::run() {
   Evaluation e(program_);
   const std::vector<Time> times = looks_of(program_, options_.from, options_.until);
-  const std::vector<Time> breaks = program_.breaks(options_.from, options_.until);
+  const std::vector<Time> breaks = program_.discontinuities(options_.from, options_.until);
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (options_.keys.go_on && i % 16 == 0 &&
         !options_.keys.go_on(static_cast<double>(i) / static_cast<double>(times.size())))
@@ -36,8 +36,8 @@ Status PlanarWatch::run() {
     look(e, times[i], jumps);
     if (numbers_ > most_numbers)
       return fail(ErrorCode::range,
-                  fmt::format("outlines that change take more than {} million numbers", most_numbers / 1'000'000),
-                  "fewer frames: --frames 1f..24f; or name the objects that are wanted");
+                  fmt::format("the animated outlines need more than {} million numbers", most_numbers / 1'000'000),
+                  "choose fewer frames: --frames 1f..24f; or name the objects to write");
   }
   return Nothing{};
 }

@@ -76,7 +76,7 @@ class Watch {
       if (one && s.forms.size() > 1) stretch(s);
       if (s.forms.size() > 1) thin_out(s);
       if (s.forms.size() > 1)
-        leave_out(made, fmt::format("the shape of {} changes: it is {} meshes, one after the other",
+        leave_out(made, fmt::format("the shape of {} changes, so it becomes {} meshes, one after the other",
                                     program_.document().name(s.id), s.forms.size()));
     }
     return std::move(all_);
@@ -102,8 +102,8 @@ class Watch {
       if (another) triangles_ += g.mesh->triangles.size() / 3;
       if (triangles_ > most_triangles)
         return fail(ErrorCode::range,
-                    fmt::format("what is seen takes more than {} million triangles", most_triangles / 1'000'000),
-                    "fewer frames: --frames 1f..24f");
+                    fmt::format("the visible objects need more than {} million triangles", most_triangles / 1'000'000),
+                    "choose fewer frames: --frames 1f..24f");
     }
     seen(s, t, known->second);
     return Nothing{};
@@ -138,7 +138,8 @@ class Watch {
         last = {g.local(0, 0), g.local(1, 1), g.local(2, 2)};
       return {last.x, last.y, last.z, 0};
     });
-    const auto knots = knots_between(program_.breaks(options_.from, options_.until), options_.from, options_.until);
+    const auto knots =
+        knots_between(program_.discontinuities(options_.from, options_.until), options_.from, options_.until);
     s.stretch = follow(f, knots, options_.keys);
     s.forms.resize(1);
     s.forms[0].local = {};
@@ -161,7 +162,7 @@ class Watch {
 
 std::vector<Time> looks_of(const Program& program, Time from, Time until) {
   const Rate rate = program.document().rate();
-  std::vector<Time> all = program.breaks(from, until);
+  std::vector<Time> all = program.discontinuities(from, until);
   const double first = std::ceil(rate.frame_number(from));
   for (double n = first; rate.frame(n) <= until; ++n) all.push_back(rate.frame(n));
   all.push_back(from);
@@ -219,18 +220,18 @@ void leave_out_surroundings(const Program& program, const ExportOptions& options
   constexpr std::pair<std::string_view, std::string_view> sentences[] = {
       {"background", "the background is left out"},
       {"fog", "fog is left out"},
-      {"sky", "the sky is left out, and the light that comes from it"},
+      {"sky", "the sky and its light are left out"},
       {"ground", "the ground is left out"},
-      {"light", "the film has no light of its own: the one that Betwixt brings is left out"},
-      {"ambient", "the light from everywhere (ambient) is left out"},
-      {"shadows", "shadows are left out: the program that reads the file makes its own, or none"},
-      {"contact", "the darkening where things meet (contact) is left out"},
+      {"light", "the film has no lights; Betwixt's default light is left out"},
+      {"ambient", "ambient light is left out"},
+      {"shadows", "shadows are left out; the program that reads the file may make its own"},
+      {"contact", "contact shading is left out"},
       {"exposure", "the exposure is left out"},
       {"blur", "motion blur (shutter) is left out"},
       {"focus", "depth of field (aperture) is left out"},
       {"sounds", "sounds are left out"},
       {"notes", "notes are left out"},
-      {"texts", "texts are written as shapes: they are no text to be edited"},
+      {"texts", "texts are written as shapes and cannot be edited as texts"},
   };
   for (const auto& [what, sentence] : sentences)
     if (there.contains(what)) leave_out(made, std::string(sentence));

@@ -15,6 +15,7 @@
 #include "export/fit.h"
 #include "export/formats.h"
 #include "export/seen.h"
+#include "export/usda_text.h"
 #include "program/compiled.h"
 #include "scene/functions.h"
 #include "scene/rig.h"
@@ -22,14 +23,10 @@
 namespace betwixt {
 namespace {
 
-class UsdMaker {
+class UsdMaker : UsdText {
  public:
   UsdMaker(const Program& program, ExportOptions options, Exported& made)
-      : program_(program),
-        document_(program.document()),
-        options_(std::move(options)),
-        made_(made),
-        rate_(document_.rate().per_second()) {
+      : UsdText(program.document(), std::move(options), made), program_(program) {
     if (options_.keys.style == KeyStyle::cubic) options_.keys.style = KeyStyle::linear;
     options_.keys.in_floats = false;
   }
@@ -66,75 +63,6 @@ class UsdMaker {
   }
 
  private:
-  static std::string number(double v) {
-    const std::string s = fmt::format("{:.9g}", v);
-    return s == "-0" ? "0" : s;
-  }
-  // Without an exponent, for readers that do not know it there.
-  static std::string moment(double frames) {
-    std::string s = fmt::format("{:.9f}", frames);
-    s.erase(s.find_last_not_of('0') + 1);
-    if (s.back() == '.') s.pop_back();
-    return s;
-  }
-  static std::string row(const KeyValue& v, std::size_t width) {
-    if (width == 1) return number(v[0]);
-    std::string all;
-    for (std::size_t i = 0; i < width; ++i) all += (i ? ", " : "") + number(v[i]);
-    return "(" + all + ")";
-  }
-  // USD has the real part first.
-  static std::string turn(const KeyValue& q, std::size_t) { return row({q[3], q[0], q[1], q[2]}, 4); }
-
-  void line(int depth, std::string_view text) {
-    out_.append(static_cast<std::size_t>(4 * depth), ' ');
-    out_ += text;
-    out_ += '\n';
-  }
-
-  // Writes an attribute: its value, or its samples.
-  void attribute(int depth, const std::string& name, const Channel& c,
-                 std::string (*written)(const KeyValue&, std::size_t) = row) {
-    if (c.constant()) return line(depth, fmt::format("{} = {}", name, written(c.pieces[0].begin, c.width)));
-    constexpr double apart = 1e-6;  // frames
-    std::map<double, std::string> samples;
-    const auto at = [&](Time t) { return (t - options_.from).seconds() * rate_; };
-    KeyValue last{};
-    for (std::size_t i = 0; i < c.pieces.size(); ++i) {
-      const KeyPiece& p = c.pieces[i];
-      const bool jumps = i + 1 < c.pieces.size() && c.jumps_behind(i);
-      KeyValue begin = p.begin, end = p.end;
-      for (KeyValue* v : {&begin, &end}) {  // of the two signs of a rotation, take the nearer one
-        const double cosine = (*v)[0] * last[0] + (*v)[1] * last[1] + (*v)[2] * last[2] + (*v)[3] * last[3];
-        if (c.turn && cosine < 0)
-          for (double& n : *v) n = -n;
-        last = *v;
-      }
-      samples[at(p.from)] = written(begin, c.width);
-      samples[at(p.until) - (jumps ? apart : 0)] = written(end, c.width);
-    }
-    line(depth, name + ".timeSamples = {");
-    for (const auto& [t, v] : samples) line(depth + 1, fmt::format("{}: {},", moment(t), v));
-    line(depth, "}");
-    ++made_.channels;
-    made_.keys += samples.size();
-    made_.baked += static_cast<std::size_t>(std::max(1.0, at(options_.until) + 1));
-  }
-
-  // Letters, digits and '_'. No two names in the file are equal, since some readers ignore paths.
-  static std::string letters(std::string_view name) {
-    std::string out(name.substr(name.rfind('/') + 1));
-    for (char& c : out)
-      if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-    return out;
-  }
-  std::string plain(std::string_view name) {
-    const std::string out = letters(name);
-    std::string one = out;
-    for (int n = 2; !taken_.insert(one).second; ++n) one = fmt::format("{}_{}", out, n);
-    return one;
-  }
-
   void add_below(std::uint32_t parent, int depth, const std::string& path) {
     for (const ObjectKeys* k : below_[parent]) {
       const std::string name = document_.name(k->id);
@@ -175,7 +103,7 @@ class UsdMaker {
     for (std::size_t form = 0; form < s.forms.size() && s.skin < 0; ++form) {
       const Mesh& mesh = *s.forms[form].mesh;
       if (mesh.triangles.empty()) {
-        leave_out(made_, fmt::format("{} is a line without a width, which is not written", document_.name(s.id)));
+        leave_out(made_, fmt::format("the line {} has no width and is left out", document_.name(s.id)));
         continue;
       }
       const std::string name = plain(path.substr(path.rfind('/') + 1) + "_shape");
@@ -206,7 +134,7 @@ class UsdMaker {
       line(depth + 1, "uniform token[] xformOpOrder = [\"xformOp:scale\"]");
       line(depth, "}");
     }
-    if (s.texture) leave_out(made_, "pictures on things (textures) are left out");
+    if (s.texture) leave_out(made_, "textures are left out");
   }
 
   // Writes colours for readers without materials, and the material.
@@ -218,8 +146,7 @@ class UsdMaker {
                 [](const KeyValue& v, std::size_t) { return "[" + number(v[0]) + "]"; });
     if (!s.color.constant() || !s.opacity.constant())
       leave_out(made_,
-                fmt::format("the material of {} stays as it is at the beginning; displayColor and displayOpacity "
-                            "change",
+                fmt::format("the material of {} keeps its first values; displayColor and displayOpacity are animated",
                             document_.name(s.id)));
     line(depth, fmt::format("rel material:binding = </film/looks/{}>", material(s)));
   }
@@ -290,60 +217,6 @@ class UsdMaker {
     return translation({move[0], move[1], move[2]}) * rotation({turn[3], turn[0], turn[1], turn[2]}) *
            scaling({grow[0], grow[1], grow[2]});
   }
-  static std::string matrix(const Mat4& m) {  // USD multiplies rows from the left: our columns
-    std::string all;
-    for (int c = 0; c < 4; ++c) all += (c ? ", " : "") + row({m(0, c), m(1, c), m(2, c), m(3, c)}, 4);
-    return "(" + all + ")";
-  }
-  template <class One>
-  void list(int depth, const std::string& name, std::size_t count, const One& one, std::string_view behind = {}) {
-    out_.append(static_cast<std::size_t>(4 * depth), ' ');
-    out_ += name;
-    out_ += " [";
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i) out_ += ", ";
-      out_ += one(i);
-    }
-    out_ += "]";
-    out_ += behind;
-    out_ += '\n';
-  }
-
-  // Writes samples of all joints together, at the times of all.
-  void together(int depth, const std::string& name, const std::vector<const ObjectKeys*>& joints,
-                Channel ObjectKeys::*channel, std::string (*written)(const KeyValue&, std::size_t)) {
-    std::set<Time> times{options_.from};
-    const Time apart{std::max<std::int64_t>(document_.rate().span(1e-6).flicks, 1)};
-    bool still = true;
-    for (const ObjectKeys* k : joints) {
-      const Channel& c = k->*channel;
-      still = still && c.constant();
-      for (std::size_t i = 0; i < c.pieces.size(); ++i) {
-        times.insert(c.pieces[i].from);
-        times.insert(c.jumps_behind(i) ? c.pieces[i].until - apart : c.pieces[i].until);
-      }
-    }
-    std::vector<KeyValue> last(joints.size());
-    const auto at = [&](Time t) {
-      return [&, t](std::size_t i) {
-        const Channel& c = joints[i]->*channel;
-        KeyValue v = value_at(c, t);
-        const KeyValue& l = last[i];
-        if (c.turn && v[0] * l[0] + v[1] * l[1] + v[2] * l[2] + v[3] * l[3] < 0)
-          for (double& n : v) n = -n;
-        return written(last[i] = v, c.width);
-      };
-    };
-    if (still) return list(depth, name + " =", joints.size(), at(options_.from));
-    line(depth, name + ".timeSamples = {");
-    for (const Time t : times)
-      list(depth + 1, moment((t - options_.from).seconds() * rate_) + ":", joints.size(), at(t), ",");
-    line(depth, "}");
-    ++made_.channels;
-    made_.keys += times.size();
-    made_.baked += static_cast<std::size_t>((options_.until - options_.from).seconds() * rate_) + 1;
-  }
-
   // Writes a skeleton with a joint for each object that moves the mesh, parents included; it is in world space.
   void skinned(const Seen& s) {
     const Skin& skin = program_.compiled().skins[static_cast<std::size_t>(s.skin)];
@@ -410,36 +283,6 @@ class UsdMaker {
     line(1, "}");
   }
 
-  void visibility(int depth, const Seen& s, int form) {
-    if (s.when.size() == 1 && s.when[0].form == form) return;
-    line(depth, "token visibility.timeSamples = {");
-    for (const Seen::From& w : s.when)
-      line(depth + 1, fmt::format("{}: \"{}\",", moment((w.time - options_.from).seconds() * rate_),
-                                  w.form == form ? "inherited" : "invisible"));
-    line(depth, "}");
-  }
-
-  static std::string shortest(float f) { return f == 0 ? "0" : fmt::format("{}", f); }
-
-  void geometry(int depth, const Mesh& mesh) {
-    const auto three = [](const std::array<float, 3>& p) {
-      return fmt::format("({}, {}, {})", shortest(p[0]), shortest(p[1]), shortest(p[2]));
-    };
-    const Box box = mesh.box();
-    const auto corner = [&](const Vec3& v) { return row({v.x, v.y, v.z, 0}, 3); };
-    line(depth, "uniform token subdivisionScheme = \"none\"");
-    line(depth, "uniform bool doubleSided = 1");
-    line(depth, fmt::format("float3[] extent = [{}, {}]", corner(box.low), corner(box.high)));
-    list(depth, "int[] faceVertexCounts =", mesh.triangles.size() / 3, [](std::size_t) { return "3"; });
-    list(depth, "int[] faceVertexIndices =", mesh.triangles.size(),
-         [&](std::size_t i) { return fmt::format("{}", mesh.triangles[i]); });
-    list(depth, "point3f[] points =", mesh.positions.size(), [&](std::size_t i) { return three(mesh.positions[i]); });
-    if (mesh.normals.size() == mesh.positions.size())
-      list(
-          depth, "normal3f[] normals =", mesh.normals.size(), [&](std::size_t i) { return three(mesh.normals[i]); },
-          " (interpolation = \"vertex\")");
-  }
-
   // Equal materials are written once. Returns the name.
   std::string material(const Seen& s) {
     const KeyValue& color = s.color.pieces[0].begin;
@@ -459,18 +302,6 @@ class UsdMaker {
     const std::vector<double> n = numbers(program_.read({id, f}, options_.from));
     return n.empty() ? 0 : n[0];
   }
-  // In tenths of a unit, as in USD.
-  void lens(int depth, bool orthographic, double wide) {
-    const double gate = orthographic ? 10 * wide : 36;
-    line(depth, "def Camera \"camera\"");
-    line(depth, "{");
-    line(depth + 1, fmt::format("token projection = \"{}\"", orthographic ? "orthographic" : "perspective"));
-    line(depth + 1, "float horizontalAperture = " + number(gate));
-    line(depth + 1, "float verticalAperture = " + number(gate / document_.aspect()));
-    if (!orthographic) line(depth + 1, "float focalLength = " + number(18 / std::tan(wide / 2)));
-    line(depth + 1, "float2 clippingRange = (0.01, 1000000)");
-    line(depth, "}");
-  }
   void camera(int depth, ObjectId id) {
     has_camera_ = true;
     if (const double height = number_of(id, fn::camera_height); height > 0)
@@ -479,7 +310,7 @@ class UsdMaker {
     lens(depth, false, fov > 0 ? std::min(fov, 3.1) : 2 * std::atan(18 / std::max(length, 0.1)));
     for (const FunctionId f : {fn::fov, fn::lens})
       if (!value_keys(program_, {id, f}, options_.from, options_.until, options_.keys).constant())
-        leave_out(made_, fmt::format("the lens of {} stays as it is at the beginning", document_.name(id)));
+        leave_out(made_, fmt::format("the lens of {} keeps its first value", document_.name(id)));
   }
   void add_own_camera() {
     if (has_camera_) return;
@@ -522,7 +353,8 @@ class UsdMaker {
       return {q.x, q.y, q.z, q.w};
     });
     f.turn = true;
-    const auto knots = knots_between(program_.breaks(options_.from, options_.until), options_.from, options_.until);
+    const auto knots =
+        knots_between(program_.discontinuities(options_.from, options_.until), options_.from, options_.until);
     line(1, fmt::format("def DistantLight \"{}\"", plain(letters(document_.name(l.id)) + "_rays")));
     line(1, "{");
     attribute(2, "float inputs:intensity", power);
@@ -535,11 +367,6 @@ class UsdMaker {
   }
 
   const Program& program_;
-  const Document& document_;
-  ExportOptions options_;
-  Exported& made_;
-  const double rate_;
-  std::string out_;
   std::vector<ObjectKeys> keys_;
   std::unordered_map<std::uint32_t, const ObjectKeys*> keys_of_;
   std::unordered_map<std::uint32_t, Seen*> seen_;
@@ -549,8 +376,6 @@ class UsdMaker {
   std::unordered_map<std::string, std::size_t> materials_;  // by content
   std::map<std::uint32_t, Light> suns_;
   std::unordered_map<std::uint32_t, std::vector<const ObjectKeys*>> below_;
-  std::set<std::string> taken_{"film", "camera",   "light",     "looks",   "shapes",
-                               "mesh", "skeleton", "animation", "surface", "view"};
   bool has_camera_ = false;
 };
 

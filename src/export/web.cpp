@@ -67,8 +67,8 @@ Result<WebFilm> web_film(const Program& program, const ExportOptions& options, E
   film.motions = *std::move(motions);
   for (PlanarMotion& m : film.motions) m.steps.insert(m.steps.begin(), view->steps.begin(), view->steps.end());
   if (film.motions.empty())
-    return fail(ErrorCode::range, "nothing is drawn in the film",
-                "name what moves, as in betwixt export film.bx ball -o ball.css");
+    return fail(ErrorCode::range, "the film has no visible objects",
+                "name the objects, as in betwixt export film.bx ball -o ball.css");
   std::vector<ObjectId> ids;
   for (const PlanarMotion& m : film.motions) ids.push_back(m.id);
   film.names = plain_names(program.document(), ids);
@@ -87,8 +87,9 @@ Result<WebFilm> web_film(const Program& program, const ExportOptions& options, E
 void say_motion_only(const Program& program, const ExportOptions& options, const WebFilm& film, Exported& made) {
   for (const PlanarMotion& m : film.motions)
     if (!planar_color(program, options, m.id).constant() || !planar_opacity(program, options, m.id).constant())
-      leave_out(made, fmt::format("how {} changes its colour or opacity is left out: keyframes say how it moves",
-                                  program.document().name(m.id)));
+      leave_out(made, fmt::format(
+                          "changes of the colour or opacity of {} are left out; the keyframes contain only its motion",
+                          program.document().name(m.id)));
 }
 
 }  // namespace

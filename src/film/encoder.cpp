@@ -130,8 +130,7 @@ Status Encoder::end(const KeepGoing& keep_going) {
 
 Error Encoder::wrote_nothing() const {
   const std::string words = last_words(said_);
-  return fail(ErrorCode::machine,
-              fmt::format("ffmpeg wrote nothing: {}", words.empty() ? "it did not say why" : words));
+  return fail(ErrorCode::machine, fmt::format("ffmpeg wrote nothing: {}", words.empty() ? "it gave no reason" : words));
 }
 
 Error Encoder::complaint(int status) const {
@@ -141,9 +140,9 @@ Error Encoder::complaint(int status) const {
   if (WIFSIGNALED(status))
     return fail(
         ErrorCode::machine,
-        fmt::format("ffmpeg was ended from outside by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))),
+        fmt::format("another program ended ffmpeg by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))),
         words);
-  return fail(ErrorCode::machine, fmt::format("ffmpeg failed: {}", words.empty() ? "it did not say why" : words));
+  return fail(ErrorCode::machine, fmt::format("ffmpeg failed: {}", words.empty() ? "it gave no reason" : words));
 }
 
 }  // namespace betwixt

@@ -13,7 +13,7 @@
 #include <system_error>
 #include <thread>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "film/sink.h"
 
 namespace betwixt {
@@ -28,11 +28,13 @@ constexpr std::chrono::milliseconds wait_beat{50};
 Status check(const FilmOptions& o) {
   if (o.frames < 1) return fail(ErrorCode::range, "a film needs at least one frame");
   if (o.width < 1 || o.height < 1 || o.width > largest_side || o.height > largest_side)
-    return fail(ErrorCode::range, fmt::format("a picture of {}x{} is not possible: 1 to {} pixels a side", o.width,
-                                              o.height, largest_side));
+    return fail(ErrorCode::range,
+                fmt::format("a picture of {}x{} is not possible: each side must have from 1 to {} pixels", o.width,
+                            o.height, largest_side));
   if (o.rate.num < 1 || o.rate.den < 1) return fail(ErrorCode::range, "a film needs a rate above 0");
-  if (o.bits != 8 && o.bits != 16) return fail(ErrorCode::range, "a channel of a PNG has 8 or 16 bits");
-  if (o.jobs < 0 || o.jobs > most_jobs) return fail(ErrorCode::range, fmt::format("jobs are 1 to {}", most_jobs));
+  if (o.bits != 8 && o.bits != 16) return fail(ErrorCode::range, "a channel of a PNG must have 8 or 16 bits");
+  if (o.jobs < 0 || o.jobs > most_jobs)
+    return fail(ErrorCode::range, fmt::format("the number of jobs must be from 1 to {}", most_jobs));
   return Nothing{};
 }
 
@@ -67,7 +69,7 @@ NewFiller filler(const FilmOptions& o, const std::function<Result<Paints>()>& ne
         if constexpr (std::is_same_v<Paints, Painter>)
           return parcel.picture;
         else
-          return parcel.deep;
+          return parcel.linear;
       }
       ();
       const Status how = painter(k, out);
@@ -139,7 +141,7 @@ class Crew {
       changed_.notify_all();
       return;
     }
-    const StillWanted wanted(stop_, stop_, nobody_, {});
+    const Cancellation wanted(stop_, stop_, nobody_, {});
     while (const std::optional<int> k = next()) {
       Status how = paint(*filler, *k);
       const std::lock_guard lock(mutex_);
@@ -169,7 +171,7 @@ class Crew {
     Status how = Nothing{};
     try {
       how = filler(k, parcel);
-    } catch (const NotWanted&) {  // in the middle of a picture that takes long
+    } catch (const Cancelled&) {  // in the middle of a picture that takes long
       how = stopped();
     }
     const double painted = since(start);
@@ -241,8 +243,9 @@ Result<FilmStats> make_film(const FilmOptions& options, const std::function<Resu
   return make(options, filler(options, new_painter), progress);
 }
 
-Result<FilmStats> make_deep_film(const FilmOptions& options, const std::function<Result<DeepPainter>()>& new_painter,
-                                 const Progress& progress) {
+Result<FilmStats> make_linear_film(const FilmOptions& options,
+                                   const std::function<Result<LinearPainter>()>& new_painter,
+                                   const Progress& progress) {
   return make(options, filler(options, new_painter), progress);
 }
 

@@ -120,15 +120,15 @@ Status check_encoding(const FilmOptions& o) {
   const std::string known = fmt::format("{}", fmt::join(codecs_of(o.path), ", "));
   if (known.empty())
     return fail(ErrorCode::range,
-                fmt::format("--{} means nothing for {}", o.codec.empty() ? "quality" : "codec", o.path),
-                ".mp4 and .webm have codecs that lose something");
+                fmt::format("--{} has no effect on {}", o.codec.empty() ? "quality" : "codec", o.path),
+                "only the lossy codecs of .mp4 and .webm have a quality");
   const Codec* codec = codec_of(*out->format, o.codec);
   if (!codec)
     return fail(ErrorCode::name, fmt::format("{} has no codec '{}'", out->format->ending, o.codec),
                 fmt::format("it has {}", known));
   if (o.alpha && out->format->alpha && !codec->alpha)
-    return fail(ErrorCode::range, fmt::format("{} keeps nothing of what is clear", codec->name),
-                fmt::format("of {} {} does", out->format->ending, out->format->codecs.front().name));
+    return fail(ErrorCode::range, fmt::format("{} cannot store transparency", codec->name),
+                fmt::format("the codec {} of {} can", out->format->codecs.front().name, out->format->ending));
   return Nothing{};
 }
 

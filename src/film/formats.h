@@ -28,7 +28,7 @@ struct Format {
   std::vector<std::string> (*arguments)(const FilmOptions&) = nullptr;
   std::string_view sound = {};         // the arguments for the sound, with blanks between; "": it has none
   bool alpha = true;                   // keeps transparency
-  bool deep = false;                   // ffmpeg gets 16 bits a channel
+  bool sixteen_bits = false;           // ffmpeg gets 16 bits a channel
   std::span<const Codec> codecs = {};  // the default first; if empty, the film has no codecs and no quality to choose
 };
 

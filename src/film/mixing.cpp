@@ -54,7 +54,7 @@ std::vector<HeardSound> sounds_heard(const Program& program, Time from, std::int
     const auto known = scene.sounds->find(name);
     if (known == scene.sounds->end()) continue;
     const auto number = [&](FunctionId f) { return std::get<double>(program.read(Target(id, f), Time{})); };
-    HeardSound h{id, known->second, heard_part(known->second->seconds, number)};
+    HeardSound h{id, known->second, audible_part(known->second->seconds, number)};
     h.offset = whole + std::llround(h.part.own_time(rest) * sound_rate);
     const double most = h.part.length * sound_rate + 1;
     h.first = std::max(h.offset, static_cast<std::int64_t>(std::clamp(h.part.from * sound_rate, 0.0, most)));

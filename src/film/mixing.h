@@ -11,14 +11,14 @@
 
 #include "betwixt/program.h"
 #include "betwixt/sound.h"
-#include "program/hearing.h"
+#include "program/audible_part.h"
 
 namespace betwixt {
 
 struct HeardSound {
   ObjectId id;
   std::shared_ptr<const Sound> sound;
-  HeardPart part;
+  AudiblePart part;
   std::int64_t offset = 0;           // the sample of the file for the first sample of the part
   std::int64_t first = 0, last = 0;  // samples first … last - 1 of the file play
 };

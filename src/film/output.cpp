@@ -17,8 +17,8 @@ namespace {
 // Reads the %d or %0Nd in a picture's name.
 Result<Output> read_number(Output out) {
   const Error wrong =
-      fail(ErrorCode::range, fmt::format("a film as pictures needs one number in its name, not \"{}\"", out.name),
-           "such as frame-%04d.png");
+      fail(ErrorCode::range, fmt::format("the name of numbered pictures needs one number, unlike \"{}\"", out.name),
+           "as in frame-%04d.png");
   const std::size_t at = out.name.find('%');
   if (at == std::string::npos) return wrong;
   std::size_t end = at + 1;
@@ -68,10 +68,12 @@ Result<Output> read_output(const std::string& path) {
   if (out.format && dot > 0) return out;
   const std::string known_endings = film_endings() + ", or numbered pictures: frame-%04d.png, frame-%04d.exr";
   if (dot == std::string::npos || dot == 0)
-    return fail(ErrorCode::range, fmt::format("\"{}\" has no ending that says what to make", path), known_endings);
+    return fail(ErrorCode::range, fmt::format("\"{}\" has no file extension that says what to make", path),
+                known_endings);
   std::vector<std::string_view> names;
   for (const Format& f : formats()) names.push_back(f.ending);
-  return fail(ErrorCode::range, fmt::format("a film cannot end in \"{}\"; known endings: {}", ending, known_endings),
+  return fail(ErrorCode::range,
+              fmt::format("a film cannot have the extension \"{}\"; known extensions: {}", ending, known_endings),
               did_you_mean(ending, names));
 }
 

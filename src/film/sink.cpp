@@ -40,8 +40,8 @@ class Movie final : public Sink {
 
   Status pack(int, Parcel& parcel) override {
     if (!options_.alpha) lay_over_black(parcel);
-    if (place_.format->deep) return pack_deep(parcel), Nothing{};
-    if (parcel.deep.width > 0) to_shown(parcel.deep, parcel.picture);
+    if (place_.format->sixteen_bits) return pack_16_bits(parcel), Nothing{};
+    if (parcel.linear.width > 0) to_shown(parcel.linear, parcel.picture);
     if (place_.format->yuv) to_yuv420(parcel.picture, options_.alpha, parcel.bytes);
     return Nothing{};
   }
@@ -62,16 +62,16 @@ class Movie final : public Sink {
  private:
   // Adds in linear light, not in bytes.
   static void lay_over_black(Parcel& parcel) {
-    if (parcel.deep.width > 0) return make_opaque(parcel.deep);
+    if (parcel.linear.width > 0) return make_opaque(parcel.linear);
     Picture& shown = parcel.picture;
     bool clear = false;
     for (std::size_t i = 3; i < shown.rgba.size(); i += 4) clear |= shown.rgba[i] != 255;
     if (!clear) return;
-    DeepPicture light = to_light(shown.width, shown.height, doubled(shown.rgba));
+    LinearPicture light = to_light(shown.width, shown.height, doubled(shown.rgba));
     make_opaque(light);
     to_shown(light, shown);
   }
-  static void make_opaque(DeepPicture& light) {
+  static void make_opaque(LinearPicture& light) {
     for (std::size_t i = 3; i < light.rgba.size(); i += 4) light.rgba[i] = 1;
   }
   static std::vector<std::uint16_t> doubled(const std::vector<std::uint8_t>& bytes) {
@@ -82,9 +82,9 @@ class Movie final : public Sink {
   }
 
   // Sixteen bits a channel, little-endian.
-  static void pack_deep(Parcel& parcel) {
+  static void pack_16_bits(Parcel& parcel) {
     const std::vector<std::uint16_t> channels =
-        parcel.deep.width > 0 ? to_shown_16(parcel.deep) : doubled(parcel.picture.rgba);
+        parcel.linear.width > 0 ? to_shown_16(parcel.linear) : doubled(parcel.picture.rgba);
     parcel.bytes.clear();
     parcel.bytes.reserve(2 * channels.size());
     for (const std::uint16_t c : channels)
@@ -106,12 +106,13 @@ class Pictures final : public Sink {
       : options_(o), place_(std::move(place)), partial_(place_, Partial::What::folder), count_(o.frames) {}
 
   Status start() {
-    for (int k = 0; k < (options_.missing ? 1 : count_); ++k)
+    for (int k = 0; k < (options_.only_missing ? 1 : count_); ++k)
       if (Status s = check_place(place_.path(number(k)), options_.overwrite); !s) return s;
-    for (int k = 0; k < count_ && options_.missing && !place_.exr; ++k)
+    for (int k = 0; k < count_ && options_.only_missing && !place_.exr; ++k)
       if (std::string what = made_otherwise(place_.path(number(k)), options_.width, options_.height, options_.bits);
           !what.empty())
-        return fail(ErrorCode::range, std::move(what), "make what is missing as the rest was made, or elsewhere");
+        return fail(ErrorCode::range, std::move(what),
+                    "render the missing pictures with the same settings, or in another folder");
     if (Status s = partial_.make(); !s) return s;
     gathering_ = place_;
     gathering_.folder = partial_.path();
@@ -121,7 +122,7 @@ class Pictures final : public Sink {
   Status pack(int k, Parcel& parcel) override {
     const std::string hidden = gathering_.path(number(k));
     Status written = write(hidden, parcel);
-    if (written) return options_.missing ? place(k) : written;
+    if (written) return options_.only_missing ? place(k) : written;
     Error e = written.error();  // with the picture's final name, not its hidden one
     const std::size_t at = e.message.find(hidden);
     if (at != std::string::npos) e.message.replace(at, hidden.size(), place_.path(number(k)));
@@ -131,11 +132,11 @@ class Pictures final : public Sink {
   Status take(const Parcel&, const KeepGoing&) override { return Nothing{}; }
   bool single_pictures() const override { return true; }
   bool stands(int k) const override {
-    return options_.missing && whole_picture(place_.path(number(k)), options_.width, options_.height);
+    return options_.only_missing && whole_picture(place_.path(number(k)), options_.width, options_.height);
   }
 
   Status finish(const KeepGoing&) override {
-    for (int k = 0; k < count_ && !options_.missing; ++k)
+    for (int k = 0; k < count_ && !options_.only_missing; ++k)
       if (Status s = place(k); !s) return s;
     return Nothing{};
   }
@@ -143,10 +144,11 @@ class Pictures final : public Sink {
  private:
   Status write(const std::string& path, Parcel& parcel) const {
     if (place_.exr || options_.bits == 16) {
-      if (parcel.deep.width == 0) return fail(ErrorCode::range, "pictures of light are wanted for " + place_.name);
-      return place_.exr ? write_exr(path, parcel.deep) : write_png(path, parcel.deep);
+      if (parcel.linear.width == 0)
+        return fail(ErrorCode::range, "pictures of linear light are needed for " + place_.name);
+      return place_.exr ? write_exr(path, parcel.linear) : write_png(path, parcel.linear);
     }
-    if (parcel.deep.width > 0) to_shown(parcel.deep, parcel.picture);
+    if (parcel.linear.width > 0) to_shown(parcel.linear, parcel.picture);
     return write_png(path, parcel.picture);
   }
   Status place(int k) const {
@@ -180,7 +182,12 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
   const auto tags = [&] {
     add({"-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"});
   };
-  add({"-pix_fmt", yuv && o.alpha ? "yuva420p" : yuv ? "yuv420p" : format.deep ? "rgba64le" : "rgba", "-video_size"});
+  add({"-pix_fmt",
+       yuv && o.alpha        ? "yuva420p"
+       : yuv                 ? "yuv420p"
+       : format.sixteen_bits ? "rgba64le"
+                             : "rgba",
+       "-video_size"});
   a.push_back(fmt::format("{}x{}", o.width + (o.width & even), o.height + (o.height & even)));
   a.insert(a.end(), {"-framerate", fmt::format("{}/{}", o.rate.num, o.rate.den)});
   if (yuv) tags();
@@ -201,11 +208,10 @@ Result<std::unique_ptr<Sink>> make_sink(const FilmOptions& o) {
   const Result<Output> place = read_output(o.path);
   if (!place) return place.error();
   if (o.bits == 16 && (place->format || place->exr))
-    return fail(ErrorCode::range,
-                "only numbered PNG can have 16 bits a channel; .mov and .exr have more than 8 anyway");
-  if (o.missing && place->format)
-    return fail(ErrorCode::range, "a film in one file has no pictures that could be missing",
-                "numbered pictures do: frame-%04d.png; betwixt join makes a film of them");
+    return fail(ErrorCode::range, "--bits 16 is only for numbered PNG; .mov and .exr always have more than 8 bits");
+  if (o.only_missing && place->format)
+    return fail(ErrorCode::range, "--missing is only for numbered pictures",
+                "render to frame-%04d.png; betwixt join makes a film of the pictures");
   return place->format ? started<Movie>(o, *place) : started<Pictures>(o, *place);
 }
 
@@ -219,12 +225,12 @@ bool takes_alpha(const std::string& path) {
   return place && (!place->format || place->format->alpha);
 }
 
-bool takes_depth(const std::string& path) {
+bool takes_16_bits(const std::string& path) {
   const Result<Output> place = read_output(path);
-  return place && (place->format ? place->format->deep : place->exr);
+  return place && (place->format ? place->format->sixteen_bits : place->exr);
 }
 
-bool takes_open_light(const std::string& path) {
+bool takes_unclamped_light(const std::string& path) {
   const Result<Output> place = read_output(path);
   return place && place->exr;
 }

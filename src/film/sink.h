@@ -15,7 +15,7 @@ namespace betwixt {
 // One picture on its way from a painter to the film.
 struct Parcel {
   Picture picture;
-  DeepPicture deep;                 // in place of the picture, for painters that make these
+  LinearPicture linear;             // in place of the picture, for painters that make these
   std::vector<std::uint8_t> bytes;  // in the encoder's form; if empty, the encoder takes the picture's
 };
 

@@ -8,6 +8,7 @@
 
 #include "language/cursor.h"
 #include "language/values.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
@@ -98,12 +99,14 @@ std::vector<std::string_view> free_names(std::string_view code) {
 }
 
 bool code_speaks_of_place(const char* at, const char* end) {
-  const std::string_view line(at, static_cast<std::size_t>(line_end(at, end) - at));
-  const std::size_t quote = line.find('"');
-  if (quote == std::string_view::npos || quote == 0) return false;
-  const std::size_t sign = line.find_last_not_of(" \t", quote - 1);
-  if (sign == std::string_view::npos || line[sign] != '=') return false;
-  Cursor c({at + quote, static_cast<std::size_t>(end - at) - quote});
+  if (!may_hold_text(between(at, line_end(at, end)))) return false;
+  Lexer lexer(between(at, end));
+  bool sign = false;  // the previous token is '='
+  auto token = lexer.next();
+  for (; token && token->kind != TokenKind::feed && token->kind != TokenKind::text; token = lexer.next())
+    if (!is_space(*token)) sign = lexer.of(*token) == "=";
+  if (!token || token->kind != TokenKind::text || !sign) return false;
+  Cursor c(between(at + token->at, end));
   std::string code;
   if (!c.text(code)) return false;
   const auto names = free_names(code);

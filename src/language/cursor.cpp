@@ -8,20 +8,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/names.h"
 #include "betwixt/math.h"
 #include "language/formula.h"
+#include "syntax/texts.h"
 
 namespace betwixt {
 namespace {
 
-bool digit(char c) { return c >= '0' && c <= '9'; }
-bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-constexpr auto word_ends = [] {
-  std::array<bool, 256> ends{};
-  for (const char c : std::string_view(" \n\t\r,()=\"@")) ends[static_cast<unsigned char>(c)] = true;
-  return ends;
-}();
-bool ends_word(char c) { return word_ends[static_cast<unsigned char>(c)]; }
 // Quotes a token for a message, shortened if it is long.
 std::string quoted(std::string_view s) {
   return s.size() > 40 ? fmt::format("'{}…'", s.substr(0, 36)) : fmt::format("'{}'", s);
@@ -29,33 +23,26 @@ std::string quoted(std::string_view s) {
 
 }  // namespace
 
-bool Cursor::fail(ErrorCode code, std::string message, std::string_view about, std::string hint) {
+bool Cursor::fail(ErrorCode code, std::string message, std::string_view about, Hint hint) {
+  return fail(betwixt::fail(code, std::move(message), std::move(hint)), about);
+}
+
+bool Cursor::fail(Error e, std::string_view about) {
   if (error) return false;
-  error = betwixt::fail(code, std::move(message), std::move(hint));
-  where = about;
+  e.place = {};
+  if (e.code == ErrorCode::name && e.subject.empty() && is_name(about)) e.subject = about;
+  error = std::move(e), where = about;
   return false;
 }
 
-bool Cursor::fail_here(ErrorCode code, std::string message, std::string hint) {
+bool Cursor::fail_here(ErrorCode code, std::string message, Hint hint) {
   while (at < end && (*at == ' ' || *at == '\t')) ++at;
   const char* start = at;
   const std::string_view w = peek_word();
   return fail(code, std::move(message), w.empty() ? std::string_view(start, at < end ? 1 : 0) : w, std::move(hint));
 }
 
-void Cursor::space() {
-  for (; at < end; ++at) {
-    const char c = *at;
-    if (c == ' ' || c == '\t' || c == '\r' || c == ',') continue;
-    if (c == '\n' && depth > 0) continue;
-    if (c == '#' && (at + 1 == end || at[1] == ' ' || at[1] == '\t' || at[1] == '\n' || at[1] == '\r')) {
-      at = line_end(at, end);
-      if (at == end || depth == 0) return;
-      continue;
-    }
-    return;
-  }
-}
+void Cursor::space() { at = space_end(at, end, depth > 0); }
 
 bool Cursor::at_line_end() {
   space();
@@ -63,14 +50,8 @@ bool Cursor::at_line_end() {
 }
 
 std::string_view Cursor::word() {
-  const char* start = at;
-  int braces = 0;
-  for (; at < end; ++at) {
-    if (*at == '\n') break;
-    if (*at == '{') ++braces;
-    if (*at == '}') --braces;
-    if (braces <= 0 && ends_word(*at)) break;
-  }
+  const char* const start = at;
+  at = word_end(at, end);
   return since(start);
 }
 
@@ -119,20 +100,20 @@ bool Cursor::number(double& out) {
   std::optional<Quantity> q;
   if (!number(out, q)) return false;
   if (!q || q->of == Quantity::Of::number) return true;
-  return fail(ErrorCode::type, fmt::format("a plain number is wanted here, not {}", to_string(q->of)), since(start));
+  return fail(ErrorCode::type, fmt::format("expected a plain number here, not {}", to_string(q->of)), since(start));
 }
 
 bool Cursor::number(double& out, std::optional<Quantity>& of) {
   space();
   const char* const start = at;
   const char* const first = at + (peek() == '-' || peek() == '+');
-  if (first < end && !digit(*first) && *first != '.' && formula_begins(*this)) {
+  if (first < end && !is_digit(*first) && *first != '.' && formula_begins(*this)) {
     of.emplace();
     return formula(*this, *of) && (out = of->value, true);
   }
   if (!literal(out)) return false;
   const char* p = at;
-  while (p < end && letter(*p)) ++p;
+  while (p < end && is_letter(*p)) ++p;
   if (!formula_goes_on(p, end)) return true;
   at = start;
   of.emplace();
@@ -145,7 +126,7 @@ bool Cursor::literal(double& out) {
   const char* p = at;
   const bool plus = p < end && *p == '+';
   if (p < end && (*p == '-' || *p == '+')) ++p;
-  if (!(p < end && (digit(*p) || (*p == '.' && p + 1 < end && digit(p[1]))))) {
+  if (!(p < end && (is_digit(*p) || (*p == '.' && p + 1 < end && is_digit(p[1]))))) {
     if (at_line_end()) return fail_here(ErrorCode::syntax, "a number is missing here");
     const std::string_view word = peek_word().empty() ? std::string_view(at, 1) : peek_word();
     return fail_here(ErrorCode::syntax, fmt::format("{} is not a number", quoted(word)), near_name(*this, word));
@@ -167,67 +148,43 @@ bool Cursor::whole_number(long low, long high, const char* what, long& out) {
   double d = 0;
   if (!number(d)) return false;
   if (d != std::floor(d) || d < static_cast<double>(low) || d > static_cast<double>(high))
-    return fail(ErrorCode::range, fmt::format("{} is a whole number from {} to {}", what, low, high), since(start));
+    return fail(ErrorCode::range, fmt::format("{} must be a whole number from {} to {}", what, low, high),
+                since(start));
   out = static_cast<long>(d);
   return true;
 }
 
 std::string_view Cursor::unit() {
   const char* start = at;
-  while (at < end && letter(*at)) ++at;
+  while (at < end && is_letter(*at)) ++at;
   return since(start);
 }
 
 bool Cursor::text(std::string& out) {
   space();
-  const char* start = at;
+  const char* const start = at;
   if (peek() != '"') return fail_here(ErrorCode::syntax, "a text in double quotes is missing here");
-  out.clear();
-  if (end - at >= 3 && at[1] == '"' && at[2] == '"') {
-    const std::string_view rest(at + 3, static_cast<std::size_t>(end - at - 3));
-    const auto close = rest.find("\"\"\"");
-    if (close == std::string_view::npos)
-      return fail(ErrorCode::syntax, "this text is never closed by \"\"\"", {start, 3});
-    out = rest.substr(0, close);
+  const QuotedEnd quoted = quoted_end(start, end);
+  if (begins_block(start, end)) {
+    if (!quoted.closed) return fail(ErrorCode::syntax, "this text is never closed by \"\"\"", {start, 3});
+    out.assign(start + 3, quoted.at - 3);
     for (std::size_t cr; (cr = out.find("\r\n")) != std::string::npos;) out.erase(cr, 1);  // all lines end alike
-    at += 3 + close + 3;
-    return true;
+  } else {
+    const std::string_view written = between(start + 1, quoted.at - quoted.closed);
+    if (const auto wrong = read_escapes(written, out))
+      return fail(ErrorCode::syntax, fmt::format("a text cannot contain '{}'", written.substr(*wrong, 2)),
+                  written.substr(*wrong, 2), "a text can contain \\n \\t \\\" \\\\");
+    if (!quoted.closed)
+      return fail(ErrorCode::syntax, "this text is not closed on the same line", {start, 1},
+                  "end it with \", or begin and end it with \"\"\" if it has several lines");
   }
-  for (++at; at < end && *at != '\n'; ++at) {
-    if (*at == '"') {
-      ++at;
-      return true;
-    }
-    if (*at != '\\') {
-      out += *at;
-      continue;
-    }
-    if (++at == end) break;
-    switch (*at) {
-      case 'n':
-        out += '\n';
-        break;
-      case 't':
-        out += '\t';
-        break;
-      case '"':
-        out += '"';
-        break;
-      case '\\':
-        out += '\\';
-        break;
-      default:
-        return fail(ErrorCode::syntax, fmt::format("'\\{}' means nothing in a text", *at), {at - 1, 2},
-                    "known: \\n \\t \\\" \\\\");
-    }
-  }
-  return fail(ErrorCode::syntax, "this text is not closed on its line", {start, 1},
-              "end it with \", or begin and end it with \"\"\" if it has several lines");
+  at = quoted.at;
+  return true;
 }
 
 bool Cursor::store(Time& out, long double seconds, const char* start) {
   if (!(std::abs(seconds) <= static_cast<long double>(longest_seconds)))
-    return fail(ErrorCode::range, "times reach 146 years (4.6e9 s) and no further", since(start));
+    return fail(ErrorCode::range, "a time must be within 146 years (4.6e9 s)", since(start));
   out = {static_cast<std::int64_t>(std::llroundl(seconds * flicks_per_second))};
   return true;
 }
@@ -241,7 +198,7 @@ bool Cursor::clock(Time& out, const char* start, bool negative) {
     seconds = seconds * 60 + static_cast<long double>(d);
     if (peek() != ':') break;
     if (part == 2 || d != std::floor(d))
-      return fail(ErrorCode::syntax, "a clock time is hours:minutes:seconds", since(start));
+      return fail(ErrorCode::syntax, "a clock time must be hours:minutes:seconds", since(start));
     ++at;
   }
   return store(out, negative ? -seconds : seconds, start);
@@ -251,7 +208,7 @@ bool Cursor::clock(Time& out, const char* start, bool negative) {
 bool Cursor::from_formula(const Quantity& q, bool length, Time& out, const char* start) {
   if (q.of != Quantity::Of::time)
     return fail(ErrorCode::type,
-                fmt::format("a {} is wanted here, not {}", length ? "length of time" : "time", to_string(q.of)),
+                fmt::format("expected a {} here, not {}", length ? "length of time" : "time", to_string(q.of)),
                 since(start), q.of == Quantity::Of::number ? "write …*1f for frames, …*1s for seconds" : "");
   if (std::abs(q.frames) > longest_seconds * rate.per_second()) return store(out, 1e18L, start);
   Time seconds;
@@ -271,7 +228,7 @@ bool Cursor::opening(double& seconds) {
   Time t;
   if (!length(t)) {
     if (error && !w.empty() && std::isdigit(static_cast<unsigned char>(w.back())))
-      error->hint = fmt::format("write {}deg, of which 360 are a frame, {}f or {}ms", w, w, w);
+      error->hint = fmt::format("write {}deg (360deg is a frame), {}f or {}ms", w, w, w);
     return false;
   }
   return seconds = t.seconds(), true;
@@ -284,7 +241,7 @@ bool Cursor::time_or_length(Time& out, bool length) {
   if (p < end && (*p == '-' || *p == '+')) ++p;
   const char* digits = p;
   std::int64_t whole = 0;
-  while (p < end && digit(*p) && p - digits < 9) whole = whole * 10 + (*p++ - '0');
+  while (p < end && is_digit(*p) && p - digits < 9) whole = whole * 10 + (*p++ - '0');
   if (p > digits && p < end && *p == ':') {
     const bool negative = *start == '-';
     at = digits;
@@ -362,7 +319,7 @@ bool Cursor::angle(double& radians) {
   std::optional<Quantity> q;
   if (!number(n, q)) return false;
   if (q && q->of != Quantity::Of::angle && n != 0)
-    return fail(ErrorCode::type, fmt::format("an angle is wanted here, not {}", to_string(q->of)), since(start),
+    return fail(ErrorCode::type, fmt::format("expected an angle here, not {}", to_string(q->of)), since(start),
                 q->of == Quantity::Of::number ? "write …*1deg for degrees" : "");
   const std::string_view u = q ? std::string_view("deg") : unit();
   if (u == "deg")
@@ -402,7 +359,7 @@ bool Cursor::per_second(Rate& out, const char* what) {
   while ((num != std::floor(num) || den != std::floor(den)) && den < 1e6) num *= 10, den *= 10;
   if (!(num >= 1 && den >= 1 && num <= 1e9 && den <= 1e7 && num / den <= 1e5 && num / den >= 1e-4) ||
       num != std::floor(num) || den != std::floor(den))
-    return fail(ErrorCode::range, fmt::format("{} per second are from 0.0001 to 100000", what), since(start));
+    return fail(ErrorCode::range, fmt::format("{} per second must be from 0.0001 to 100000", what), since(start));
   const auto n = static_cast<std::int64_t>(num), d = static_cast<std::int64_t>(den);
   const auto common = std::gcd(n, d);
   out = {n / common, d / common};
@@ -410,7 +367,7 @@ bool Cursor::per_second(Rate& out, const char* what) {
 }
 
 bool stands_in(std::string_view text, std::string_view word) {
-  const auto inside = [](char c) { return letter(c) || digit(c) || c == '-' || c == '_'; };
+  const auto inside = [](char c) { return is_letter(c) || is_digit(c) || c == '-' || c == '_'; };
   for (std::size_t at = 0; (at = text.find(word, at)) != std::string_view::npos; ++at) {
     const std::size_t behind = at + word.size();
     if ((at == 0 || !inside(text[at - 1])) && (behind == text.size() || !inside(text[behind]))) return true;

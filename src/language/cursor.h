@@ -5,7 +5,6 @@
 // one error, at the place of the failure, and returns false; its caller then returns false, too.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -14,11 +13,9 @@
 #include "betwixt/result.h"
 #include "betwixt/time.h"
 #include "scene/quantity.h"
+#include "syntax/characters.h"
 
 namespace betwixt {
-
-// Returns the first new line at or after `from`, or `end`.
-inline const char* line_end(const char* from, const char* end) { return std::find(from, end, '\n'); }
 
 class Cursor {
  public:
@@ -37,8 +34,10 @@ class Cursor {
   // The first failure since the last clear. `where`: the text that it is about.
   std::optional<Error> error;
   std::string_view where;
-  bool fail(ErrorCode code, std::string message, std::string_view about, std::string hint = {});
-  bool fail_here(ErrorCode code, std::string message, std::string hint = {});
+  bool fail(ErrorCode code, std::string message, std::string_view about, Hint hint = {});
+  // The same for an error of another function, with its correction; its place is not of this text.
+  bool fail(Error, std::string_view about);
+  bool fail_here(ErrorCode code, std::string message, Hint hint = {});
 
   void space();        // skips blanks, commas, comments; inside brackets also new lines
   bool at_line_end();  // after space(): whether the logical line ends here

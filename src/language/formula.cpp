@@ -11,6 +11,8 @@
 #include "base/names.h"
 #include "language/formula_functions.h"
 #include "language/values.h"
+#include "syntax/tokens.h"
+#include "syntax/words.h"
 
 namespace betwixt {
 namespace {
@@ -18,26 +20,15 @@ namespace {
 using namespace formulas;
 constexpr int deepest = 100;
 
-bool name_begins(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool name_goes_on(char c) { return name_begins(c) || (c >= '0' && c <= '9') || c == '_'; }
 bool number_begins(const char* at, const char* end) {
   const auto digit = [&](const char* p) { return p < end && *p >= '0' && *p <= '9'; };
   return digit(at) || (at < end && *at == '.' && digit(at + 1));
 }
 std::string_view name_at(const char* at, const char* end) {
   const char* p = at;
-  if (p < end && name_begins(*p))
+  if (p < end && is_letter(*p))
     while (p < end && name_goes_on(*p)) ++p;
   return {at, static_cast<std::size_t>(p - at)};
-}
-
-// Sets `out` to the value of the name. Returns false if it is a list.
-bool single(const Let& let, LetItem& out) {
-  if (const auto* q = std::get_if<Quantity>(&let)) return out = *q, true;
-  if (const auto* v = std::get_if<Vec3>(&let)) return out = *v, true;
-  if (const auto* c = std::get_if<Color>(&let)) return out = *c, true;
-  if (const auto* t = std::get_if<Text>(&let)) return out = *t, true;
-  return false;
 }
 
 class Reader {
@@ -64,12 +55,12 @@ class Reader {
     ++c_.at;
     const std::string_view about = c_.since(open);
     if (q.of != Of::number)
-      return c_.fail(ErrorCode::type, fmt::format("a place in a list is a number, not {}", to_string(q.of)), about);
+      return c_.fail(ErrorCode::type, fmt::format("an index must be a number, not {}", to_string(q.of)), about);
     if (!(q.value >= 1 && q.value <= static_cast<double>(count)) || q.value != std::floor(q.value))
       return c_.fail(ErrorCode::range,
-                     fmt::format("'{}' has {} value{}: {}[1] is the first, there is no {}[{}]", name, count,
+                     fmt::format("'{}' has {} value{}, counted from {}[1]; there is no {}[{}]", name, count,
                                  count == 1 ? "" : "s", name, name, write_number(q.value)),
-                     about, fmt::format("{0}[(i-1)%{1}+1] begins anew behind the last", name, count));
+                     about, fmt::format("{0}[(i-1)%{1}+1] starts again after the last one", name, count));
     return out = static_cast<std::size_t>(q.value) - 1, true;
   }
 
@@ -77,7 +68,7 @@ class Reader {
   std::string_view about() const { return c_.since(start_); }
   bool finite(const Quantity& q) {
     if (std::isfinite(q.value) && std::isfinite(q.frames)) return true;
-    return c_.fail(ErrorCode::range, "this formula has no finite value", about());
+    return c_.fail(ErrorCode::range, "the result of this formula is not finite", about());
   }
   // Inside brackets, an operator has blanks on both sides or on neither: (1 - 2) and (1-2) are one formula, (1 -2)
   // are two numbers.
@@ -130,7 +121,7 @@ class Reader {
     Quantity right;
     if (too_deep() || !power(right)) return false;
     if (out.of != Of::number || right.of != Of::number)
-      return c_.fail(ErrorCode::type, "only numbers are raised to a power, and by numbers", about());
+      return c_.fail(ErrorCode::type, "'^' needs plain numbers on both sides", about());
     out.value = std::pow(out.value, right.value);
     return true;
   }
@@ -185,12 +176,12 @@ class Reader {
       const std::size_t place = c_.place.ranges[static_cast<std::size_t>(name[1] - '1')];
       if (place > 0) return out = number(static_cast<double>(place)), true;
       return c_.fail(ErrorCode::name,
-                     fmt::format("the pattern has no {} range that {} could count",
+                     fmt::format("the pattern has no {} range for {} to count",
                                  name[1] == '1'   ? "first"
                                  : name[1] == '2' ? "second"
                                                   : "such",
                                  name),
-                     name, "ranges are {1..10} and {a,b,c}; i counts all that a pattern names");
+                     name, "ranges are {1..10} and {a,b,c}; i counts all matching objects");
     }
     const auto known = c_.lets ? c_.lets->find(name) : Lets::const_iterator();
     if (!c_.lets || known == c_.lets->end()) return unknown(name);
@@ -202,7 +193,7 @@ class Reader {
         return c_.fail(ErrorCode::type, fmt::format("'{}' is a list, not a number", name), name,
                        fmt::format("{}[1] is its first value", name));
       if (!of && !list)
-        return c_.fail(ErrorCode::type, fmt::format("'{}' is no list", name), name,
+        return c_.fail(ErrorCode::type, fmt::format("'{}' is not a list", name), name,
                        fmt::format("as in let {} = (2 3 5 7)", name));
       std::size_t at = 0;
       if (!index(name, of ? 3 : list->size(), at)) return false;
@@ -222,7 +213,7 @@ class Reader {
     }
     const char* const what = v ? "a vector" : std::holds_alternative<Text>(item) ? "a text" : "a colour";
     return c_.fail(ErrorCode::type, fmt::format("'{}' is {}, not a number", name, what), name,
-                   v ? fmt::format("{0}.x, {0}.y and {0}.z are", name) : std::string());
+                   v ? fmt::format("{0}.x, {0}.y and {0}.z are numbers", name) : std::string());
   }
   bool unknown(std::string_view name) {
     std::vector<std::string_view> words{"i", "n"};
@@ -230,9 +221,9 @@ class Reader {
     for (const FunctionRow& f : function_rows) words.push_back(f.name);
     if (c_.lets)
       for (const auto& let : *c_.lets) words.push_back(let.first);
-    std::string hint = did_you_mean(name, words);
+    Hint hint = did_you_mean(name, words);
     if (hint.empty()) hint = fmt::format("let {} = … makes one", name);
-    return c_.fail(ErrorCode::name, fmt::format("there is no number '{}'", name.substr(0, 40)), name, hint);
+    return c_.fail(unknown_name("number", name, hint), name);
   }
 
   bool call(std::string_view name, Quantity& out) {
@@ -240,9 +231,10 @@ class Reader {
     if (!f) {
       std::vector<std::string_view> words;
       for (const FunctionRow& row : function_rows) words.push_back(row.name);
-      std::string hint = did_you_mean(name, words);
+      Hint hint = did_you_mean(name, words);
       if (hint.empty()) hint = fmt::format("functions are {}", fmt::join(words, " "));
-      return c_.fail(ErrorCode::name, fmt::format("formulas have no function '{}'", name.substr(0, 40)), name, hint);
+      return c_.fail(ErrorCode::name, fmt::format("there is no function '{}' in formulas", name.substr(0, 40)), name,
+                     hint);
     }
     const Deeper deeper(*this);
     if (too_deep() || !c_.open()) return false;
@@ -273,7 +265,7 @@ class Reader {
       return c_.fail(
           ErrorCode::type,
           f.takes == FunctionRow::alike && !share
-              ? fmt::format("{} takes numbers of one kind, not {} beside {}", f.name, to_string(a[i].of),
+              ? fmt::format("{} takes numbers of one kind, not {} and {}", f.name, to_string(a[i].of),
                             to_string(a[0].of))
               : fmt::format("{} takes {}, not {}", f.name, f.takes == FunctionRow::turns ? "an angle" : "plain numbers",
                             to_string(a[i].of)),
@@ -339,7 +331,7 @@ class Reader {
   };
   bool too_deep() {
     return depth_ > deepest &&
-           !c_.fail(ErrorCode::range, fmt::format("formulas go at most {} deep", deepest), {start_, 1});
+           !c_.fail(ErrorCode::range, fmt::format("a formula can be at most {} brackets deep", deepest), {start_, 1});
   }
 
   Cursor& c_;
@@ -347,32 +339,15 @@ class Reader {
   int inside_ = 0, depth_ = 0;
 };
 
-// Returns whether the body of braces is one formula, such as {i} or {n-i+1}, and not a list.
-bool formula_in_braces(std::string_view body) {
-  return body.find(',') == body.npos && body.find("..") == body.npos &&
-         speaks_of_place(body.data(), body.data() + body.size());
-}
-
-// A word including its braces, and whether it has a dot outside them, like a target.
-struct BraceWord {
-  std::string_view text;
-  bool braces = false, dotted = false;
-};
-BraceWord brace_word(std::string_view rest) {
-  BraceWord out;
-  int depth = 0;
-  std::size_t at = 0;
-  for (; at < rest.size() && (depth > 0 || std::string_view(" \t\r\n,()=\"@").find(rest[at]) == rest.npos); ++at) {
-    if (rest[at] == '\n') break;
-    if (rest[at] == '{') ++depth, out.braces = true;
-    if (rest[at] == '}') --depth;
-    out.dotted = out.dotted || (rest[at] == '.' && depth == 0);
-  }
-  out.text = rest.substr(0, at);
-  return out;
-}
-
 }  // namespace
+
+bool single(const Let& let, LetItem& out) {
+  if (const auto* q = std::get_if<Quantity>(&let)) return out = *q, true;
+  if (const auto* v = std::get_if<Vec3>(&let)) return out = *v, true;
+  if (const auto* c = std::get_if<Color>(&let)) return out = *c, true;
+  if (const auto* t = std::get_if<Text>(&let)) return out = *t, true;
+  return false;
+}
 
 std::optional<LetItem> let_here(Cursor& c) {
   if (!c.lets || c.lets->empty()) return std::nullopt;
@@ -400,67 +375,11 @@ std::optional<LetItem> let_here(Cursor& c) {
   return item;
 }
 
-bool one_name(Cursor& c, std::string_view word, std::string& out) {
-  out = word;
-  if (word.find('{') == word.npos) return true;
-  // Formulas are replaced first, and then the lists are written out: rocket{i}-{1..3}.
-  for (std::size_t open = 0; (open = out.find('{', open)) != out.npos;) {
-    const std::size_t close = out.find('}', open);
-    const std::string_view body = std::string_view(out).substr(open + 1, close == out.npos ? close : close - open - 1);
-    if (close == out.npos || !formula_in_braces(body)) {
-      ++open;
-      continue;
-    }
-    const std::string kept(body);
-    Cursor inner = c;
-    inner.at = kept.data(), inner.end = kept.data() + kept.size();
-    inner.error.reset();
-    Quantity q;
-    if (!formula(inner, q) || inner.at != inner.end)
-      return c.fail(inner.error ? inner.error->code : ErrorCode::syntax,
-                    inner.error ? inner.error->message : fmt::format("'{}' is no formula", kept), word,
-                    inner.error ? inner.error->hint : std::string());
-    if (q.of != Of::number || q.value != std::floor(q.value) || std::abs(q.value) > 1e15)
-      return c.fail(q.of == Of::number ? ErrorCode::range : ErrorCode::type,
-                    fmt::format("{{{}}} in a name is a whole number, not {}", kept, write_quantity(q)), word);
-    out.replace(open, close - open + 1, write_number(q.value));
-  }
-  if (out.find('{') == out.npos) return true;
-  const auto names = expand_braces(out);
-  if (!names) return c.fail(names.error().code, names.error().message, word, names.error().hint);
-  if (names->size() != c.place.n)
-    return c.fail(ErrorCode::range,
-                  fmt::format("'{}' names {}, and the command is about {}: one for one they are as many",
-                              word.substr(0, 60), names->size(), c.place.n),
-                  word, "one name serves all; {i} is the place among what the command is about, 1, 2 …");
-  out = (*names)[c.place.i - 1];
-  return true;
-}
-
-bool writes_out_names(std::string_view line) {
-  if (line.substr(0, line.find('\n')).find('{') == line.npos) return false;
-  bool quoted = false;
-  for (std::size_t at = 0; at < line.size() && line[at] != '\n';) {
-    if (line[at] == '"' && (at == 0 || line[at - 1] != '\\')) quoted = !quoted;
-    const bool comment = line[at] == '#' && (at + 1 == line.size() || line[at + 1] == ' ' || line[at + 1] == '\t');
-    if (comment && !quoted) return false;
-    const BraceWord word = quoted ? BraceWord() : brace_word(line.substr(at));
-    if (word.braces && !word.dotted) return true;
-    at += std::max<std::size_t>(word.text.size(), 1);
-  }
-  return false;
-}
-
-std::string_view to_string(Of of) {
-  static constexpr std::string_view words[] = {"a number", "an angle", "a length", "a time"};
-  return words[static_cast<std::size_t>(of)];
-}
-
 bool formula_goes_on(const char* at, const char* end) {
   if (at >= end || std::string_view("+-*/%^").find(*at) == std::string_view::npos) return false;
   if (++at < end && at[-1] == '/' && *at == '/') ++at;
   while (at < end && (*at == '-' || *at == '+')) ++at;
-  return at < end && (*at == '(' || name_begins(*at) || number_begins(at, end));
+  return at < end && (*at == '(' || is_letter(*at) || number_begins(at, end));
 }
 
 bool formula_begins(const Cursor& c) {
@@ -475,78 +394,5 @@ bool formula_begins(const Cursor& c) {
 }
 
 bool formula(Cursor& c, Quantity& out) { return Reader(c).whole(out); }
-
-bool speaks_of_place(const char* at, const char* end) {
-  static constexpr auto in_name = [] {
-    std::array<bool, 256> all{};
-    for (int c = 0; c < 256; ++c)
-      all[static_cast<std::size_t>(c)] =
-          (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    return all;
-  }();
-  const auto part = [](char c) { return in_name[static_cast<unsigned char>(c)]; };
-  const char* const from = at;
-  bool quoted = false;
-  int depth = 0;
-  for (; at < end; ++at) {
-    if (*at == '"' && (at == from || at[-1] != '\\')) quoted = !quoted;
-    if (*at == '\n' && depth <= 0 && !quoted) break;
-    if (quoted) continue;
-    depth += (*at == '(') - (*at == ')');
-    if (!part(*at)) continue;
-    const char* const word = at;
-    while (at + 1 < end && part(at[1])) ++at;
-    const std::size_t length = static_cast<std::size_t>(at + 1 - word);
-    if (length > 2 || (*word != 'i' && *word != 'n')) continue;
-    if (length == 2 && (*word != 'i' || word[1] < '1' || word[1] > '4')) continue;
-    const char before = word > from ? word[-1] : ' ', behind = at + 1 < end ? at[1] : ' ';
-    // Two dots belong to a segment; a single one separates an object from its function.
-    const bool one_before = before == '.' && !(word - from > 1 && word[-2] == '.');
-    const bool one_behind = behind == '.' && !(end - at > 2 && at[2] == '.');
-    if (!one_before && !one_behind && std::string_view(" \t,=([{+-*/%^.").find(before) != std::string_view::npos &&
-        std::string_view(" \t\r\n,)]}+-*/%^.").find(behind) != std::string_view::npos)
-      return true;
-  }
-  return false;
-}
-
-std::string near_name(const Cursor& c, std::string_view word) {
-  std::vector<std::string_view> names;
-  if (c.lets)
-    for (const auto& let : *c.lets) names.push_back(let.first);
-  return did_you_mean(word, names);
-}
-
-bool is_formula_word(std::string_view word) {
-  const bool place =
-      word == "i" || word == "n" || (word.size() == 2 && word[0] == 'i' && word[1] >= '1' && word[1] <= '9');
-  return place || find_function(word) ||
-         std::any_of(std::begin(constants), std::end(constants), [&](const auto& c) { return c.first == word; });
-}
-
-std::string write_let(const LetItem& item) {
-  if (const auto* q = std::get_if<Quantity>(&item)) return write_quantity(*q);
-  if (const auto* v = std::get_if<Vec3>(&item)) return write_vector(*v);
-  if (const auto* t = std::get_if<Text>(&item)) return write_text(**t);
-  return write_color(std::get<Color>(item));
-}
-
-std::string write_let(const Let& let) {
-  if (LetItem item; single(let, item)) return write_let(item);
-  std::string out;
-  for (const LetItem& item : std::get<LetList>(let)) out += (out.empty() ? "(" : " ") + write_let(item);
-  return out + ")";
-}
-
-std::string write_quantity(const Quantity& q) {
-  if (q.of != Of::time) {
-    static constexpr std::string_view units[] = {"", "deg", "m"};
-    return write_number(q.value) + std::string(units[static_cast<std::size_t>(q.of)]);
-  }
-  if (!q.counts_frames) return write_number(q.value) + "s";
-  std::string out = write_number(q.frames) + "f";
-  if (q.value != 0) out += (q.value > 0 ? "+" : "") + write_number(q.value) + "s";
-  return out;
-}
 
 }  // namespace betwixt

@@ -35,12 +35,14 @@ bool one_name(Cursor&, std::string_view word, std::string& out);
 // Returns whether the line that begins there mentions its place in a pattern: i, n, i1 … outside quoted texts.
 bool speaks_of_place(const char* at, const char* end);
 // Returns "did you mean 'beat'?" for names made by `let`, or "" if none is similar.
-std::string near_name(const Cursor&, std::string_view word);
+Hint near_name(const Cursor&, std::string_view word);
 // Returns whether the line has braces outside texts and targets. The names that they list pair with those of the
 // pattern.
 bool writes_out_names(std::string_view line);
 // Returns whether the word is built into formulas.
 bool is_formula_word(std::string_view);
+// Sets `out` to the value of the name. Returns false if it is a list.
+bool single(const Let&, LetItem& out);
 std::string write_quantity(const Quantity&);  // reads back to the same value
 std::string write_let(const LetItem&);
 std::string write_let(const Let&);

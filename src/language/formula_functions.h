@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The functions and constants of formulas, a row each. Included only by src/language/formula.cpp.
+// The functions, constants and names of formulas. Included only by the files of src/language/formula*.cpp.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "language/formula.h"
 #include "procedure/noise.h"
+#include "syntax/characters.h"
 
 namespace betwixt::formulas {
 
@@ -21,6 +22,7 @@ inline constexpr std::size_t most_arguments = 8;
 inline constexpr std::pair<std::string_view, double> constants[] = {
     {"pi", pi}, {"tau", 2 * pi}, {"e", 2.718281828459045235360287}};
 
+inline bool name_goes_on(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 inline double radians(const Quantity& q) { return q.of == Of::angle ? q.value * (pi / 180) : q.value; }
 inline Quantity number(double v) { return {Of::number, v, 0, false}; }
 inline Quantity degrees(double radians) { return {Of::angle, radians * (180 / pi), 0, false}; }

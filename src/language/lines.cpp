@@ -9,13 +9,10 @@
 #include <cstring>
 
 #include "base/utf8.h"
-#include "language/cursor.h"
+#include "syntax/characters.h"
 
 namespace betwixt {
 namespace {
-
-constexpr std::ptrdiff_t longest_logical_line = 1 << 24;  // a longer line counts as one whose bracket is never closed
-constexpr int deepest_bracket = 200;
 
 int characters(const char* from, const char* to) { return static_cast<int>(count_characters(between(from, to))); }
 
@@ -34,28 +31,6 @@ std::pair<const char*, const char*> around(const char* start, const char* stop, 
 }
 
 }  // namespace
-
-LogicalLine logical_line(std::string_view text) {
-  Cursor c(text);
-  const char* const first = line_end(text.data(), c.end);
-  while (c.at < c.end && c.at - text.data() < longest_logical_line) {
-    c.space();
-    if (c.at == c.end) break;
-    if (*c.at == '\n') return {c.at};  // space() skips new lines inside brackets
-    if (*c.at == '"') {
-      const bool block = c.since(text.data()).size() + 3 <= text.size() && std::string_view(c.at, 3) == "\"\"\"";
-      std::string ignored;
-      if (!c.text(ignored)) return {first, block, c.depth};
-      continue;
-    }
-    if (*c.at == '(') ++c.depth;
-    if (*c.at == ')' && c.depth > 0) --c.depth;
-    if (c.depth > deepest_bracket) return {first, false, c.depth};
-    if (c.word().empty()) ++c.at;
-  }
-  if (c.at == c.end && c.depth == 0) return {c.end};
-  return {first, c.depth > 0, c.depth};
-}
 
 Diagnostic Source::diagnose(Severity severity, Error error, std::string_view about) {
   Diagnostic d{severity, std::move(error), {}, 0};
@@ -88,7 +63,7 @@ std::optional<Unsound> unsound(std::string_view text) {
   const auto* p = reinterpret_cast<const unsigned char*>(text.data());
   const std::size_t n = text.size();
   const auto bad = [&](std::size_t i, const char* what) {
-    return Unsound{i, fail(ErrorCode::file, fmt::format("this is not a text: {} (byte 0x{:02x})", what, p[i]))};
+    return Unsound{i, fail(ErrorCode::file, fmt::format("this is not a text file: {} (byte 0x{:02x})", what, p[i]))};
   };
   // Tests eight plain characters at once: none above 0x7f, and none below 0x20 (a subtraction borrows into its top
   // bit).
@@ -102,7 +77,7 @@ std::optional<Unsound> unsound(std::string_view text) {
     if (i == n) break;
     const unsigned char ch = p[i];
     if (ch < 0x80) {
-      if (ch < 0x20 && ch != '\n' && ch != '\t' && ch != '\r') return bad(i, "it holds a control character");
+      if (ch < 0x20 && ch != '\n' && ch != '\t' && ch != '\r') return bad(i, "it contains a control character");
       ++i;
       continue;
     }

@@ -12,19 +12,6 @@
 
 namespace betwixt {
 
-inline std::string_view between(const char* from, const char* to) {
-  return {from, static_cast<std::size_t>(to - from)};
-}
-
-// A logical line from its beginning. Brackets and texts in """ join several lines.
-struct LogicalLine {
-  const char* end;    // its new line, or the end of the text
-  bool open = false;  // a bracket or a """ is still open at the end of the text
-  int depth = 0;      // the number of brackets open at the end; then `end` is the end of the first line
-  const char* next(const char* text_end) const { return end == text_end ? end : end + 1; }
-};
-LogicalLine logical_line(std::string_view text);
-
 // A text that is being read, and its name.
 class Source {
  public:

@@ -10,33 +10,28 @@
 #include "base/utf8.h"
 #include "language/formula.h"
 #include "language/values.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
-
-bool a_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 // Returns the factors that begin here: one-letter words, each with its brackets.
 std::string_view factors_from(const char* from, const char* end) {
   const char* last = from;
   for (const char* p = from; p < end;) {
-    if (*p == ' ' || *p == '\t' || *p == ',' || *p == '*') {
+    if (blank(*p) || *p == '*') {
       ++p;
       continue;
     }
-    if (!a_letter(*p) || (p + 1 < end && (a_letter(p[1]) || p[1] == '-' || p[1] == '='))) break;
+    if (!is_letter(*p) || (p + 1 < end && (is_letter(p[1]) || p[1] == '-' || p[1] == '='))) break;
     const char* at = p + 1;
-    while (at < end && (*at == ' ' || *at == '\t')) ++at;
-    int depth = 0;
-    for (; at < end; ++at) {
-      depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
-      if (depth == 0) break;
-    }
-    if (at == end || *at != ')') {  // anything else; the reader of motions reports the error
+    while (at < end && blank(*at)) ++at;
+    const char* const behind = at < end && *at == '(' ? bracket_end(at, end) : at;
+    if (behind == at) {  // anything else; the reader of motions reports the error
       last = line_end(p, end);
       break;
     }
-    p = last = at + 1;
+    p = last = behind;
   }
   return {from, static_cast<std::size_t>(last - from)};
 }
@@ -58,7 +53,7 @@ class Spelled {
       const char* const next = depth > 0 && begins_word(at) ? behind_formula(c, scene, at) : nullptr;
       if (!next) {
         depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
-        before_ = blank(*at) ? before_ : *at;
+        before_ = space(*at) ? before_ : *at;
         text += *at;
         from_.push_back(at++);
       } else {
@@ -79,8 +74,8 @@ class Spelled {
   }
 
  private:
-  static bool blank(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\n'; }
-  static bool begins_word(const char* at) { return !blank(*at) && (blank(at[-1]) || at[-1] == '(' || at[-1] == '@'); }
+  static bool space(char c) { return blank(c) || c == '\n'; }
+  static bool begins_word(const char* at) { return !space(*at) && (space(at[-1]) || at[-1] == '(' || at[-1] == '@'); }
   // If a formula that is more than a number begins here, writes its value and returns its end. Otherwise returns
   // nullptr.
   const char* behind_formula(Cursor& c, const Scene& scene, const char* at) {
@@ -94,7 +89,7 @@ class Spelled {
       return at + name.size();
     }
     const std::string_view word = ahead.peek_word(), head = word.substr(0, word.find_first_of("+-*/%^"));
-    const bool name = !word.empty() && a_letter(word.front());
+    const bool name = !word.empty() && is_letter(word.front());
     const bool known = is_formula_word(head) || (c.lets && c.lets->contains(head));
     if (name && (a_word(word) || (before_ == '@' && (!known || scene.names.find(word))) || !formula_begins(ahead)))
       return nullptr;
@@ -130,7 +125,7 @@ bool ValueReader::motion(Moves& out) {
   if (c.peek() == '"' && !c.text(quoted)) return false;
   const std::string_view stands = c.at > start ? std::string_view() : factors_from(start, c.end);
   if (c.at == start && stands.empty())
-    return c.fail_here(ErrorCode::syntax, "a motion is wanted here",
+    return c.fail_here(ErrorCode::syntax, "expected a motion here",
                        "a string of T(…), R(…) and S(…), as in T(6.28 0) R(-1turn @ 0 1)");
   c.at += stands.size();
   const Spelled spelled = stands.empty() ? Spelled(quoted) : Spelled(c, scene, stands);
@@ -140,7 +135,7 @@ bool ValueReader::motion(Moves& out) {
   auto read = parse_motion(text);
   if (!read) {
     const Error& e = read.error();
-    return c.fail(e.code, e.message, part(spelled.source(e.place.column, e.place.length)), e.hint);
+    return c.fail(e, part(spelled.source(e.place.column, e.place.length)));
   }
   std::size_t sign = 0;
   for (const Factor& f : read->factors) {
@@ -150,17 +145,16 @@ bool ValueReader::motion(Moves& out) {
       return text.find_first_not_of(" \t\r\n,", sign);
     };
     std::size_t at = named();
-    while (!a_letter(text[at])) at = named();
+    while (!is_letter(text[at])) at = named();
     const std::string_view about = part(spelled.part(at, f.about.size()));
     Cursor name(f.about);
     ObjectId id;
     ValueReader reader{name, scene, {}, {}, {}};
     if (scene.aliases->contains(f.about))
-      return c.fail(ErrorCode::name, fmt::format("'{}' is an alias: a centre is one object, by its own name", f.about),
-                    about);
+      return c.fail(ErrorCode::name, fmt::format("'{}' is an alias; a centre must be one object", f.about), about);
     if (!reader.object(id)) return c.fail(name.error->code, name.error->message, about, name.error->hint);
     if (!placed(scene.objects[id.index].kind))
-      return c.fail(ErrorCode::type, fmt::format("'{}' is nowhere: it cannot be a centre", f.about), about);
+      return c.fail(ErrorCode::type, fmt::format("'{}' has no position, so it cannot be a centre", f.about), about);
   }
   out = Moves(*std::move(read));
   return true;

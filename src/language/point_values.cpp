@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads lists of points, and lists of such lists.
-#include "base/may_make.h"
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
+#include "base/memory_budget.h"
 #include "language/values.h"
 
 namespace betwixt {
@@ -26,7 +26,7 @@ bool ValueReader::point(Vec3& out) {
   c.space();
   const char* start = c.at;
   if (c.peek() != '(')
-    return c.fail_here(ErrorCode::syntax, "a point (x y) or (x y z) is wanted here",
+    return c.fail_here(ErrorCode::syntax, "expected a point (x y) or (x y z) here",
                        "points look like ((0 0) (1 0) (1 1))");
   Vec3 p;
   if (!c.open() || !c.number(p.x) || !c.number(p.y)) return false;
@@ -34,7 +34,7 @@ bool ValueReader::point(Vec3& out) {
   if (c.peek() != ')' && !c.number(p.z)) return false;
   c.space();
   if (c.at < c.end && c.peek() != ')')
-    return c.fail(ErrorCode::syntax, "a point has two or three numbers", c.since(start));
+    return c.fail(ErrorCode::syntax, "a point must have two or three numbers", c.since(start));
   if (!c.close()) return false;
   out = p;
   return true;
@@ -44,7 +44,7 @@ bool ValueReader::points(Points& out) {
   std::vector<Vec3> list;
   if (!list_of(c, [&] {
         Vec3 p;
-        StillWanted::ask(), MayMake::ask(sizeof p);
+        Cancellation::check(), MemoryBudget::charge(sizeof p);
         return point(p) && (list.push_back(p), true);
       }))
     return false;

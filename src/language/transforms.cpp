@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/may_make.h"
+#include "base/memory_budget.h"
 #include "base/names.h"
 #include "language/values.h"
 #include "scene/power.h"
@@ -41,7 +41,7 @@ struct FactorReader {
     for (int i = 0; i < count; ++i) {
       c.space();
       if (c.peek() == ')')
-        return c.fail(ErrorCode::type, fmt::format("{} numbers are wanted here, not {}", count, i),
+        return c.fail(ErrorCode::type, fmt::format("expected {} numbers here, not {}", count, i),
                       {open, static_cast<std::size_t>(c.at + 1 - open)});
       if (!values.scalar(n[i], unit)) return false;
     }
@@ -72,7 +72,8 @@ struct FactorReader {
     c.space();
     if (c.peek() != ')' && c.peek() != '@' && (!values.scalar(n[1]) || !values.scalar(n[2]))) return false;
     if (n[0] == 0 && n[1] == 0 && n[2] == 0 && values.warn)
-      values.warn("a scale of 0 shrinks all to a point: nothing is seen", word, "to hide something: hide NAME");
+      values.warn("a scale of 0 shrinks everything to a point, so nothing is visible", word,
+                  "to hide an object, write: hide NAME");
     matrix = scaling({n[0], n[1], n[2]});
     return true;
   }
@@ -84,8 +85,8 @@ struct FactorReader {
     if (!numbers(16, n, Unit::none)) return false;
     for (int i = 0; i < 16; ++i) matrix(i / 4, i % 4) = n[i];
     return (n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1) ||
-           c.fail(ErrorCode::range, "the last row of a matrix is 0 0 0 1", c.since(start),
-                  "16 numbers row by row; a translation stands in the last column");
+           c.fail(ErrorCode::range, "the last row of a matrix must be 0 0 0 1", c.since(start),
+                  "write 16 numbers row by row; the last column is the translation");
   }
 
   bool point() {
@@ -101,7 +102,7 @@ struct FactorReader {
     Cursor& c = values.c;
     c.space();
     if (c.peek() != '(')
-      return c.fail_here(ErrorCode::syntax, fmt::format("an opening bracket '(' is missing here, behind '{}'", word),
+      return c.fail_here(ErrorCode::syntax, fmt::format("an opening bracket '(' is missing after '{}'", word),
                          fmt::format("as in {}", example(word)));
     open = c.at;
     if (!c.open()) return false;
@@ -117,7 +118,7 @@ struct FactorReader {
     centred = inside || c.accept('@');
     if (centred && !inside && !values.vector(3, centre, Unit::metres)) return false;
     return !(centred && word == "matrix") ||
-           c.fail(ErrorCode::syntax, "a matrix has its centre in it", word, "rotate and scale take @ (x y z)");
+           c.fail(ErrorCode::syntax, "a matrix takes no centre", word, "only rotate and scale take @ (x y z)");
   }
 };
 
@@ -138,12 +139,12 @@ bool ValueReader::transform(Mat4& out, std::string_view* noticed) {
     alone = count == 0 && factor.word == "matrix" ? factor.word : std::string_view();
   }
   if (count == 0) {
-    const std::string hint = did_you_mean(c.peek_word(), {std::begin(factors), std::end(factors)});
-    return c.fail_here(ErrorCode::syntax, "a transform is wanted here",
+    const Hint hint = did_you_mean(c.peek_word(), {std::begin(factors), std::end(factors)});
+    return c.fail_here(ErrorCode::syntax, "expected a transform here",
                        hint.empty() ? "translate(x y z), rotate(90deg, z) @ (x y z), scale(x y z) or matrix(…)" : hint);
   }
   for (const double n : product.m)
-    if (!std::isfinite(n)) return c.fail_here(ErrorCode::range, "this transform grows beyond all numbers");
+    if (!std::isfinite(n)) return c.fail_here(ErrorCode::range, "this transform has a number that is not finite");
   const auto meant = noticed && !alone.empty() ? unrounded(product) : std::nullopt;
   if (meant && meant->noticeable) *noticed = alone;
   out = meant ? meant->matrix : product;
@@ -164,10 +165,10 @@ bool ValueReader::names(Names& out) {
       return c.fail(ErrorCode::syntax,
                     word.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
                     word.empty() ? std::string_view(c.at, c.at < c.end ? 1 : 0) : word,
-                    "as in (drift spin), or none; the first is the outermost");
-    MayMake::ask(sizeof name + name.size());
+                    "as in (drift spin), outermost first, or none");
+    MemoryBudget::charge(sizeof name + name.size());
     list.push_back(std::move(name));
-    if (list.size() > 1000) return c.fail(ErrorCode::range, "no more than 1000 names", word);
+    if (list.size() > 1000) return c.fail(ErrorCode::range, "a list can have at most 1000 names", word);
   }
   if (brackets && !c.close()) return false;
   out = Names(std::move(list));

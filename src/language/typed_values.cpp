@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "base/may_make.h"
+#include "base/memory_budget.h"
 #include "base/names.h"
 #include "base/utf8.h"
 #include "language/values.h"
@@ -83,11 +83,11 @@ struct TypedReader {
   // A distance is stored as a point at that distance before the camera, in the camera's space.
   bool focus(Value& out) {
     double far = 0;
-    if (c.peek() == '(') return c.fail_here(ErrorCode::type, "a distance or the name of an object is wanted here");
+    if (c.peek() == '(') return c.fail_here(ErrorCode::type, "expected a distance or the name of an object here");
     if (!values.looks_like_number()) return false;
     if (!values.scalar(far, spec.unit)) return false;
     if (!(far > 0 && far <= 1e12))
-      return c.fail(ErrorCode::range, "what is in focus is more than 0 m away, and at most 1e12 m", c.since(start));
+      return c.fail(ErrorCode::range, "a focus distance must be greater than 0 m and at most 1e12 m", c.since(start));
     return out = Vec3{0, 0, -far}, true;
   }
   bool aim(Value& out) {
@@ -121,10 +121,10 @@ struct TypedReader {
     }
     if (!spec.words.empty() && !is_choice(s)) return false;
     if (spec.name == "text" && s.size() > most_letters && count_characters(s) > most_letters)
-      return c.fail(ErrorCode::range, fmt::format("a text that is drawn has at most {} letters", most_letters),
+      return c.fail(ErrorCode::range, fmt::format("a text can have at most {} letters", most_letters),
                     std::string_view(start, 1));
     if (values.file && !values.file(function, s, c.since(start))) return false;
-    MayMake::ask(s.size());
+    MemoryBudget::charge(s.size());
     out = Text(std::move(s));
     return true;
   }
@@ -132,7 +132,7 @@ struct TypedReader {
     static constexpr std::string_view words[] = {"detach", "letgo", "hang", "attach", "couple"};
     const std::string_view w = c.word();
     const auto at = std::find(std::begin(words), std::end(words), w);
-    if (at == std::end(words)) return wanted(w, "couple to NAME, attach to NAME, hang on NAME, detach or letgo");
+    if (at == std::end(words)) return wanted(w, "write couple to NAME, attach to NAME, hang on NAME, detach or letgo");
     Attachment a{static_cast<AttachmentKind>(at - std::begin(words)), {}, false};
     if (a.kind >= AttachmentKind::hang) {
       const std::string_view link = a.kind == AttachmentKind::hang ? "on" : "to";
@@ -156,23 +156,23 @@ struct TypedReader {
   }
 
   bool wanted(std::string_view instead, std::string_view hint = {}) {
-    return c.fail(ErrorCode::type, fmt::format("{} is wanted here", to_string(type)),
+    return c.fail(ErrorCode::type, fmt::format("expected {} here", to_string(type)),
                   instead.empty() ? std::string_view(start, 0) : instead, std::string(hint));
   }
   bool in_range(double d) {
     if (d >= spec.low && d <= spec.high) return true;
     const double limit = d < spec.low ? spec.low : spec.high;
     return c.fail(ErrorCode::range,
-                  fmt::format("{} is at {} {}", spec.name, d < spec.low ? "least" : "most",
+                  fmt::format("{} must be at {} {}", spec.name, d < spec.low ? "least" : "most",
                               row_of(type).angles ? fmt::format("{:.4g}deg", limit * 180 / pi) : write_number(limit)),
-                  c.since(start), function == fn::fov ? "a camera sees less than 180deg" : "");
+                  c.since(start), function == fn::fov ? "the angle of view of a camera must be less than 180deg" : "");
   }
   bool is_choice(const std::string& s) {
     const auto words = choices(spec);
     if (std::find(words.begin(), words.end(), s) != words.end()) return true;
     std::string all;
     for (auto w : words) all += (all.empty() ? "" : w == words.back() ? " or " : ", ") + std::string(w);
-    return c.fail(ErrorCode::type, fmt::format("{} is {}", spec.name, all),
+    return c.fail(ErrorCode::type, fmt::format("{} must be {}", spec.name, all),
                   s.empty() ? std::string_view(start, 0) : c.since(start), did_you_mean(s, words));
   }
 };

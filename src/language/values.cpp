@@ -8,9 +8,9 @@
 
 #include "base/names.h"
 #include "language/formula.h"
-#include "language/line_words.h"
 #include "scene/colors.h"
 #include "scene/names.h"
+#include "syntax/tokens.h"
 #include "track/curve.h"
 
 namespace betwixt {
@@ -39,11 +39,10 @@ bool ValueReader::scalar(double& out, Unit unit) {
     return out = t.seconds(), true;
   }
   if (translates() && meant_as_number(start, out)) return true;
-  if (c.peek() == '(' && is_vector())
-    return c.fail(ErrorCode::type, "a number is wanted here, not a vector", {c.at, 1});
+  if (c.peek() == '(' && is_vector()) return c.fail(ErrorCode::type, "expected a number here, not a vector", {c.at, 1});
   if (c.peek() == '"')
-    return c.fail_here(ErrorCode::type, "a number is wanted here, not a text",
-                       "without quotes; behind '=' quotes hold a procedure");
+    return c.fail_here(ErrorCode::type, "expected a number here, not a text",
+                       "write it without quotes; quotes after '=' are for code");
   if (const std::string_view w = c.peek_word(); w == "on" || w == "off")
     return c.fail(ErrorCode::type, fmt::format("'{}' is not a number", w), w);
   std::optional<Quantity> q;
@@ -51,7 +50,7 @@ bool ValueReader::scalar(double& out, Unit unit) {
   if (q) return in_unit(*q, unit, out, since(start, c));
   if (c.peek() == '%' && c.at > start) {
     if (translates()) return ++c.at, out /= 100, translate(start, write_number(out)), true;
-    return c.fail(ErrorCode::type, "a part of 1 is wanted here, not a percentage", since(start, c),
+    return c.fail(ErrorCode::type, "expected a number from 0 to 1 here, not a percentage", since(start, c),
                   fmt::format("write {}", write_number(out / 100)));
   }
   const std::string_view u = c.unit();
@@ -63,7 +62,7 @@ bool ValueReader::scalar(double& out, Unit unit) {
   }
   if (unit == Unit::none || metres == 0)
     return c.fail(ErrorCode::type,
-                  unit == Unit::none ? fmt::format("a plain number is wanted here, without '{}'", u)
+                  unit == Unit::none ? fmt::format("expected a plain number here, without '{}'", u)
                                      : fmt::format("'{}' is not a unit of length", u),
                   since(start, c), unit == Unit::none ? "" : "units are m, cm and mm");
   // 35 mm are 35/1000 m: division, not multiplication by 0.001, gives the written number.
@@ -77,7 +76,7 @@ bool ValueReader::in_unit(const Quantity& q, Unit unit, double& out, std::string
   const bool length = q.of == Quantity::Of::length && unit != Unit::none;
   if (q.of == Quantity::Of::angle && translates() && unit == Unit::none) return out = q.value, true;
   if (q.of != Quantity::Of::number && !length)
-    return c.fail(ErrorCode::type, fmt::format("a plain number is wanted here, not {}", to_string(q.of)), about);
+    return c.fail(ErrorCode::type, fmt::format("expected a plain number here, not {}", to_string(q.of)), about);
   out = length && unit == Unit::millimetres ? q.value * 1000 : q.value;
   return true;
 }
@@ -144,7 +143,7 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
                          numbers == 3 ? "a vector (x y z) is missing here" : "a pair (x y) is missing here");
     double d = 0;
     if (!looks_like_number())
-      return c.fail_here(ErrorCode::type, fmt::format("a vector (x y{}) is wanted here", numbers == 3 ? " z" : ""));
+      return c.fail_here(ErrorCode::type, fmt::format("expected a vector (x y{}) here", numbers == 3 ? " z" : ""));
     if (!scalar(d, unit)) return false;
     if (!translates()) {
       // Three numbers without brackets, or one number for all components.
@@ -156,7 +155,7 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
       c.error.reset();
       c.where = {};
       c.at = end;
-      return c.fail(ErrorCode::type, "a vector is wanted here, not one number", about,
+      return c.fail(ErrorCode::type, "expected a vector here, not one number", about,
                     fmt::format("write {}", write_vector(n == numbers ? all : Vec3{d, d, d}, numbers)));
     }
     out = {d, d, numbers == 3 ? d : 0};
@@ -170,7 +169,7 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
     c.space();
     if (c.peek() == ')') {
       if (i >= 2 && translates()) break;
-      return c.fail(ErrorCode::type, fmt::format("{} numbers are wanted here, not {}", numbers, i),
+      return c.fail(ErrorCode::type, fmt::format("expected {} numbers here, not {}", numbers, i),
                     {start, static_cast<std::size_t>(c.at + 1 - start)});
     }
     ++given;
@@ -182,14 +181,14 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
     const std::string_view u = q ? std::string_view() : c.unit();
     if (!u.empty()) {
       if (unit != Unit::metres || (u != "m" && u != "cm" && u != "mm"))
-        return c.fail(ErrorCode::type, fmt::format("'{}' is not a unit that fits here", u), u);
+        return c.fail(ErrorCode::type, fmt::format("the unit '{}' does not fit here", u), u);
       d = u == "mm" ? d / 1000 : u == "cm" ? d / 100 : d;
     }
     out[i] = d;
   }
   c.space();
   if (c.at < c.end && c.peek() != ')')
-    return c.fail_here(ErrorCode::type, fmt::format("only {} numbers are wanted here", numbers));
+    return c.fail_here(ErrorCode::type, fmt::format("expected only {} numbers here", numbers));
   if (numbers == 2) out.z = 0;
   if (!c.close()) return false;
   if (given != numbers) translate(start, write_vector(out, numbers));
@@ -206,7 +205,7 @@ bool ValueReader::color(Color& out) {
     for (; c.at < c.end && hex(*c.at) >= 0 && n < 9; ++c.at, ++n) v = v * 16 + static_cast<std::uint32_t>(hex(*c.at));
     if (n == 3) v = (v >> 8 & 15) * 0x110000 + (v >> 4 & 15) * 0x1100 + (v & 15) * 0x11;
     if ((n != 3 && n != 6) || !c.peek_word().empty())
-      return c.fail(ErrorCode::syntax, "a colour in hexadecimal has 3 or 6 digits, as in #ffcc00", since(start, c),
+      return c.fail(ErrorCode::syntax, "a hexadecimal colour must have 3 or 6 digits, as in #ffcc00", since(start, c),
                     "a comment starts with # and a space");
     out = from_bytes(v);
     return true;
@@ -221,7 +220,7 @@ bool ValueReader::color(Color& out) {
   if (looks_like_number()) {
     double grey = 0;
     if (translates() && !scalar(grey)) return false;
-    if (!translates()) return c.fail_here(ErrorCode::type, "a colour is wanted here, not a number", colors_look_like);
+    if (!translates()) return c.fail_here(ErrorCode::type, "expected a colour here, not a number", colors_look_like);
     out = {grey, grey, grey};
     translate(start, "rgb" + write_vector({grey, grey, grey}));
     return true;
@@ -231,7 +230,7 @@ bool ValueReader::color(Color& out) {
     Vec3 v;
     if (!vector(3, v)) return false;
     if (std::max({v.x, v.y, v.z}) > 10 && warn)
-      warn("colours are from 0 to 1; this is far brighter than white", since(start, c),
+      warn("the parts of a colour are from 0 to 1; this is much brighter than white", since(start, c),
            fmt::format("write rgb{}, or #rrggbb",
                        write_vector({std::round(v.x / 0.255) / 1000, std::round(v.y / 0.255) / 1000,
                                      std::round(v.z / 0.255) / 1000})));
@@ -253,8 +252,8 @@ bool ValueReader::color(Color& out) {
   }
   if (w.empty())
     return c.fail_here(ErrorCode::syntax, c.at_line_end() ? "a colour is missing here" : "this is not a colour");
-  std::string hint = did_you_mean(w, color_names());
-  return c.fail(ErrorCode::name, fmt::format("there is no colour '{}'", w), w, hint.empty() ? colors_look_like : hint);
+  Hint hint = did_you_mean(w, color_names());
+  return c.fail(unknown_name("colour", w, hint.empty() ? colors_look_like : hint), w);
 }
 
 bool ValueReader::axis(Vec3& out) {
@@ -262,7 +261,7 @@ bool ValueReader::axis(Vec3& out) {
   const char* start = c.at;
   if (c.peek() == '(') {
     if (!vector(3, out)) return false;
-    if (out == Vec3{}) return c.fail(ErrorCode::range, "an axis needs a direction; (0 0 0) has none", since(start, c));
+    if (out == Vec3{}) return c.fail(ErrorCode::range, "the axis (0 0 0) has no direction", since(start, c));
     return true;
   }
   const std::string_view w = c.word();
@@ -312,12 +311,12 @@ bool ValueReader::orientation(Value& out, bool angles) {
     } else {
       for (int i = 0; i < 3; ++i)
         if (!c.number(a[i])) return false;
-      if (a == Vec3{}) return c.fail(ErrorCode::range, "an axis needs a direction; 0 0 0 has none", since(axis_at, c));
+      if (a == Vec3{}) return c.fail(ErrorCode::range, "the axis 0 0 0 has no direction", since(axis_at, c));
     }
     if (!angle(turn) || !c.close()) return false;
     if (std::abs(turn) > pi * (1 + 1e-9) && warn)
-      warn("an orientation knows no more than half a turn; the shorter way round is taken", since(start, c),
-           "euler(x y z) counts whole turns");
+      warn("an orientation is at most half a turn, so the object takes the shorter way round", since(start, c),
+           "write euler(x y z) to keep whole turns");
     out = axis_angle(a, turn);
     return true;
   }
@@ -326,7 +325,7 @@ bool ValueReader::orientation(Value& out, bool angles) {
     if (!c.open() || !c.number(q.w) || !c.number(q.x) || !c.number(q.y) || !c.number(q.z) || !c.close()) return false;
     const double l = std::sqrt(dot(q, q));
     if (!(l > 1e-9) || !std::isfinite(l))
-      return c.fail(ErrorCode::range, "this quaternion has no direction", since(start, c));
+      return c.fail(ErrorCode::range, "a quaternion must not be zero", since(start, c));
     // A unit quaternion stays as written, so that writing and reading back changes nothing.
     out = std::abs(l - 1) < 1e-12 ? q : Quat{q.w / l, q.x / l, q.y / l, q.z / l};
     return true;
@@ -345,7 +344,7 @@ bool ValueReader::object(ObjectId& out) {
   if (!one_name(c, w, name)) return false;
   out = scene.names.find(name);
   if (out) return true;
-  return c.fail(ErrorCode::name, fmt::format("there is no object '{}'", name), w, near_object(scene, name));
+  return c.fail(unknown_name("object", name, near_object(scene, name)), w);
 }
 
 }  // namespace betwixt

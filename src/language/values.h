@@ -9,6 +9,7 @@
 #include "language/cursor.h"
 #include "language/formula.h"
 #include "scene/document.h"
+#include "syntax/texts.h"
 
 namespace betwixt {
 
@@ -69,9 +70,8 @@ struct ValueReader {
 };
 
 // The reverse. `name_of` returns the names of objects.
-std::string write_number(double v);          // shortest form that reads back to the same double
-std::string write_seconds(Time);             // a time that reads back to the same flick
-std::string write_text(const std::string&);  // quoted
+std::string write_number(double v);  // shortest form that reads back to the same double
+std::string write_seconds(Time);     // a time that reads back to the same flick
 std::string write_color(Color);
 std::string write_vector(Vec3, int numbers = 3);
 std::string write_angles(Vec3 radians);

@@ -199,7 +199,7 @@ struct Writer {
         out += fmt::format("procedure {} {} lua {}\n", p.name, role_names[static_cast<std::size_t>(p.role)],
                            write_text(p.code->source));
       else
-        out += fmt::format("# {} comes from the plug-in {}\n", p.name, p.code->source);
+        out += as_comment(fmt::format("{} comes from the plug-in {}", p.name, p.code->source));
     for (const auto& [name, let] : *s.lets) out += fmt::format("let {} = {}\n", name, write_let(let));
     for (const FunctionSpec& f : *s.defined)
       out += fmt::format("define {} {} {}\n", f.name, row_of(f.type).word, value(f.rest, f, -1));

@@ -62,20 +62,6 @@ std::string write_seconds(Time t) {
                      trim(fmt::format("{:013.10f}", Time{flicks % (60 * flicks_per_second)}.seconds())));
 }
 
-std::string write_text(const std::string& s) {
-  std::string out = "\"";
-  for (char ch : s) {
-    if (ch == '"' || ch == '\\') out += '\\';
-    if (ch == '\n')
-      out += "\\n";
-    else if (ch == '\t')
-      out += "\\t";
-    else
-      out += ch;
-  }
-  return out + "\"";
-}
-
 std::string write_vector(Vec3 v, int numbers) {
   std::string out = "(";
   for (int i = 0; i < numbers; ++i) out += (i ? " " : "") + write_number(v[i]);

@@ -9,6 +9,7 @@
 #include "procedure/arithmetic.h"
 #include "procedure/machine.h"
 #include "procedure/nested.h"
+#include "procedure/query_error.h"
 
 namespace betwixt::lua {
 namespace {
@@ -70,7 +71,7 @@ int repeat(lua_State* l) {
 
 int no_writing(lua_State* l) {
   if (lua_type(l, 2) != LUA_TSTRING) return luaL_error(l, "this table cannot be written");
-  return luaL_error(l, "'%s' would be a global, which nothing keeps: use local %s", lua_tostring(l, 2),
+  return luaL_error(l, "'%s' would be a global, but globals are not kept: use local %s", lua_tostring(l, 2),
                     lua_tostring(l, 2));
 }
 int no_library_writing(lua_State* l) { return luaL_error(l, "a library cannot be written"); }
@@ -87,7 +88,7 @@ int to_text(lua_State* l, Machine&) {
 // Checks the arguments of string.format. Forbids %p, and writes tables and functions without their addresses.
 int format_arguments(lua_State* l, Machine&) {
   const char* f = lua_tostring(l, 1);
-  if (!f) return fail_with(l, "format: the first argument is no text");
+  if (!f) return fail_with(l, "format: the first argument must be a text");
   for (; *f; ++f)
     if (*f == '%') {
       for (++f; *f && !std::isalpha(static_cast<unsigned char>(*f)) && *f != '%';) ++f;
@@ -133,8 +134,7 @@ int keys_of(lua_State* l, Machine&) {
   while (lua_next(l, 1)) {
     lua_pop(l, 1);
     const int type = lua_type(l, -1);
-    if (type != LUA_TNUMBER && type != LUA_TSTRING)
-      return fail_with(l, "pairs: a key that is neither a number nor a text has no place in an order");
+    if (type != LUA_TNUMBER && type != LUA_TSTRING) return fail_with(l, "pairs: the keys must be numbers or texts");
     lua_pushvalue(l, -1);
     lua_rawseti(l, 2, ++count);
   }
@@ -186,75 +186,77 @@ int priced(lua_State* l) {
   return charge(l, copied(l)), results;
 }
 
+int fail_with(lua_State* l, const Error& e) { return fail_with(l, e.message + (e.hint.empty() ? "" : "; " + e.hint)); }
+
+// Fails with the error of a query. An error about a name begins with the author's call.
+int fail_query(lua_State* l, std::string_view call, std::string_view name, Error e) {
+  return e.message = query_error(call, name, e), fail_with(l, e);
+}
+
 int push_answer(lua_State* l, const std::string& target, const Result<Value>& r) {
-  if (!r) return fail_with(l, r.error().message + (r.error().hint.empty() ? "" : "; " + r.error().hint));
-  if (!push(l, *r)) return fail_with(l, "'" + target + "' has a value that Lua has no word for");
+  if (!r) return fail_with(l, r.error());
+  if (!push(l, *r)) return fail_with(l, "'" + target + "' has a value that Lua cannot represent");
   return 1;
 }
 
 int value_of(lua_State* l, Machine& m) {
-  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "value: the name of what is wanted comes first, in quotes");
+  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "value: the first argument must be a target in quotes");
   const std::string target = lua_tostring(l, 1);
   const bool now = lua_isnoneornil(l, 2);
   const double at = now ? m.call->seconds : lua_tonumber(l, 2);
-  if (!std::isfinite(at) || (!now && !lua_isnumber(l, 2))) return fail_with(l, "value: the time is no number");
-  if (m.call->questions) return push_answer(l, target, m.call->questions->value(target, at, m.call->steps));
-  if (!m.call->host) return fail_with(l, "value: only procedures and commands can ask for values");
-  if (now) return fail_with(l, "value: at what time?");
-  return push_answer(l, target, m.call->host->value(target, at));
+  if (!std::isfinite(at) || (!now && !lua_isnumber(l, 2))) return fail_with(l, "value: the time must be a number");
+  if (!m.call->questions && !m.call->host) return fail_with(l, "value: only procedures and commands can read values");
+  if (!m.call->questions && now) return fail_with(l, "value: the time is missing");
+  const auto found =
+      m.call->questions ? m.call->questions->value(target, at, m.call->steps) : m.call->host->value(target, at);
+  return found ? push_answer(l, target, found) : fail_query(l, "value", target, found.error());
 }
 
 // place(LINE, SHARE [, time])
 int place_of(lua_State* l, Machine& m) {
-  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "place: the name of a line comes first, in quotes");
-  if (!lua_isnumber(l, 2)) return fail_with(l, "place: a share of its length comes second, from 0 to 1");
-  if (!lua_isnoneornil(l, 3) && !lua_isnumber(l, 3)) return fail_with(l, "place: the time is no number");
-  if (!m.call->questions) return fail_with(l, "place: only values can ask where a line goes");
+  if (lua_type(l, 1) != LUA_TSTRING)
+    return fail_with(l, "place: the first argument must be the name of a line, in quotes");
+  if (!lua_isnumber(l, 2)) return fail_with(l, "place: the second argument must be a share of the length, from 0 to 1");
+  if (!lua_isnoneornil(l, 3) && !lua_isnumber(l, 3)) return fail_with(l, "place: the time must be a number");
+  if (!m.call->questions) return fail_with(l, "place: only code that computes a value can use it");
   const double at = lua_isnoneornil(l, 3) ? m.call->seconds : lua_tonumber(l, 3);
   const auto found = m.call->questions->place(lua_tostring(l, 1), lua_tonumber(l, 2), at, m.call->steps);
   return found ? push_answer(l, "place", Value(*found)) : push_answer(l, "place", found.error());
 }
 
-// Rewrites an error so that it mentions the author's call, not the internal query.
-int touches_nobody(lua_State* l, int argument, const Error& e) {
-  const std::string name = lua_tostring(l, argument), asked = "value('" + name + ".touching'): ";
-  const bool ours = e.message.starts_with(asked);
-  return fail_with(l, (ours ? "touching('" + name + "'): " + e.message.substr(asked.size()) : e.message) +
-                          (e.hint.empty() ? "" : "; " + e.hint));
-}
-
 // touching(A [, time]) returns a list of names; touching(A, B [, time]) returns whether they touch.
 int touching_of(lua_State* l, Machine& m) {
-  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "touching: the name of an object comes first, in quotes");
+  if (lua_type(l, 1) != LUA_TSTRING)
+    return fail_with(l, "touching: the first argument must be the name of an object, in quotes");
   const bool two = lua_type(l, 2) == LUA_TSTRING;
   const int last = two ? 3 : 2;
   const bool now = lua_isnoneornil(l, last);
-  if (!now && lua_type(l, last) != LUA_TNUMBER) return fail_with(l, "touching: the time is no number");
-  if (!m.call->questions) return fail_with(l, "touching: only values can ask what touches");
+  if (!now && lua_type(l, last) != LUA_TNUMBER) return fail_with(l, "touching: the time must be a number");
+  if (!m.call->questions) return fail_with(l, "touching: only code that computes a value can use it");
   const double at = now ? m.call->seconds : lua_tonumber(l, last);
   const auto ask = [&](int i) {
     return m.call->questions->value(lua_tostring(l, i) + std::string(".touching"), at, m.call->steps);
   };
   const auto found = ask(1);
-  if (!found) return touches_nobody(l, 1, found.error());
+  if (!found) return fail_query(l, "touching", lua_tostring(l, 1), found.error());
   if (!two) return push_answer(l, "touching", found);
-  if (const auto other = ask(2); !other) return touches_nobody(l, 2, other.error());
+  if (const auto other = ask(2); !other) return fail_query(l, "touching", lua_tostring(l, 2), other.error());
   const auto& names = *std::get<Names>(*found);
   lua_pushboolean(l, std::find(names.begin(), names.end(), lua_tostring(l, 2)) != names.end());
   return 1;
 }
 
 int input_at(lua_State* l, Machine& m) {
-  if (!m.call->input) return fail_with(l, "input: only filters have one");
+  if (!m.call->input) return fail_with(l, "input: only filters can use it");
   const double at = lua_isnoneornil(l, 1) ? m.call->seconds : lua_tonumber(l, 1);
   if (!std::isfinite(at) || (!lua_isnoneornil(l, 1) && !lua_isnumber(l, 1)))
-    return fail_with(l, "input: the time is no number");
+    return fail_with(l, "input: the time must be a number");
   return push_answer(l, "input", m.call->input->at(at));
 }
 
 int run_line(lua_State* l, Machine& m) {
-  if (!m.call->host) return fail_with(l, "run: only commands can");
-  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "run: a line of the language is needed, in quotes");
+  if (!m.call->host) return fail_with(l, "run: only commands can use it");
+  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "run: the argument must be a line of the language, in quotes");
   std::size_t size = 0;
   const char* line = lua_tolstring(l, 1, &size);
   const Status done = m.call->host->run({line, size});
@@ -262,8 +264,8 @@ int run_line(lua_State* l, Machine& m) {
 }
 
 int objects_of(lua_State* l, Machine& m) {
-  if (!m.call->host) return fail_with(l, "objects: only commands can ask for them");
-  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "objects: a pattern is needed, in quotes");
+  if (!m.call->host) return fail_with(l, "objects: only commands can use it");
+  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "objects: the argument must be a pattern in quotes");
   push(l, Value(Names(m.call->host->objects(lua_tostring(l, 1)))));
   return 1;
 }
@@ -280,7 +282,7 @@ int call_routine(lua_State* l, Machine& m) {
   std::vector<Value> arguments;
   for (int i = 1; i <= lua_gettop(l); ++i) {
     auto v = to_value(l, i);
-    if (!v) return fail_with(l, name + ": argument " + std::to_string(i) + " is no value: " + v.error().message);
+    if (!v) return fail_with(l, name + ": argument " + std::to_string(i) + " is not a value: " + v.error().message);
     arguments.push_back(std::move(*v));
   }
   const auto result = routine->value(*m.call->questions, arguments, m.call->steps);

@@ -10,7 +10,8 @@
 #include <deque>
 #include <utility>
 
-#include "base/may_make.h"
+#include "base/kept_results.h"
+#include "base/memory_budget.h"
 #include "base/names.h"
 #include "base/utf8.h"
 #include "procedure/machine.h"
@@ -39,7 +40,7 @@ std::string plain(std::string_view message, bool lines) {
   const std::string_view line = message.substr(chunk.size(), digits - chunk.size());
   std::string rest = shown(message.substr(digits + 2));
   if (rest.ends_with("(number has no integer representation)"))
-    rest += ": floor(x) makes a whole number, and '%.0f' writes any";
+    rest += ": make it whole with floor(x), or write it with '%.0f'";
   return lines ? "line " + std::string(line) + ": " + rest : rest;
 }
 
@@ -82,7 +83,7 @@ class Lua final : public Routine {
     const bool spoilt = status == LUA_ERRMEM || call.stopped;
     m.end();
     if (spoilt) machine_here = nullptr;  // it may have grown
-    if (call.called_off) throw NotWanted{};
+    if (call.called_off) throw Cancelled{};
     return result;
   }
 
@@ -126,7 +127,7 @@ class Lua final : public Routine {
           auto v = lua::to_value(l, -1);
           if (!v) return v.error();
           if (const double* d = std::get_if<double>(&*v)) return *d;
-          return fail(ErrorCode::type, "a twerper gives a number, this gave " + lua::written(l, -1));
+          return fail(ErrorCode::type, "a twerper must return a number, not " + lua::written(l, -1));
         });
   }
 
@@ -222,13 +223,13 @@ class Lua final : public Routine {
     }
     lua_settop(l, top);
     std::sort(known.begin(), known.end());
-    const std::string near = did_you_mean(name, {known.begin(), known.end()});
+    const std::string near = did_you_mean(name, {known.begin(), known.end()}).text;
     return near.empty() ? near : "; " + near;
   }
 
   Error said(lua_State* l, int status) const {
     if (status == LUA_ERRMEM) return fail(ErrorCode::range, lua::too_much_memory);
-    if (lua_type(l, -1) != LUA_TSTRING) return fail(ErrorCode::type, "it ended with an error that is no text");
+    if (lua_type(l, -1) != LUA_TSTRING) return fail(ErrorCode::type, "it failed with an error that is not a text");
     std::size_t size = 0;
     const char* text = lua_tolstring(l, -1, &size);
     const std::string_view why(text, size);
@@ -262,15 +263,9 @@ bool is_chunk(std::string_view source) {
   return source.find("return") != std::string_view::npos;
 }
 
-}  // namespace
-
-Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
-  if (source.find_first_not_of(" \t\r\n") == std::string::npos) return fail(ErrorCode::syntax, "there is no code");
-  if (source.size() > lua::longest_code)
-    return fail(ErrorCode::range,
-                fmt::format("the code has {} bytes; it may have {}", source.size(), lua::longest_code));
+Result<std::shared_ptr<const Lua>> compiled_lua(Role role, const std::string& source) {
   lua_State* l = luaL_newstate();
-  if (!l) return fail(ErrorCode::machine, "there is no memory for Lua");
+  if (!l) return fail(ErrorCode::machine, "there is not enough memory for Lua");
   auto compiled = compile(l, "return " + source);
   if (!compiled) {
     auto chunk = compile(l, source);
@@ -278,15 +273,28 @@ Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
   }
   lua_close(l);
   if (!compiled) return compiled.error();
-  MayMake::ask(source.size() + compiled->size());
   static std::atomic<std::uint64_t> serials{0};
   auto lua = std::make_shared<Lua>();
   lua->language = "lua";
-  lua->source = std::move(source);
+  lua->source = source;
   lua->compiled = std::move(*compiled);
   lua->serial = ++serials;
   lua->role = role;
-  return std::shared_ptr<const Routine>(std::move(lua));
+  return std::shared_ptr<const Lua>(std::move(lua));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {
+  if (source.find_first_not_of(" \t\r\n") == std::string::npos) return fail(ErrorCode::syntax, "the code is empty");
+  if (source.size() > lua::longest_code)
+    return fail(ErrorCode::range,
+                fmt::format("the code has {} bytes; the limit is {}", source.size(), lua::longest_code));
+  const auto made = KeptResults::get(fmt::format("{} in Lua", role_names[static_cast<std::size_t>(role)]), source,
+                                     [&] { return compiled_lua(role, source); });
+  if (!made) return made.error();
+  MemoryBudget::charge(source.size() + (*made)->compiled.size());
+  return std::shared_ptr<const Routine>(*made);
 }
 
 bool known_to_lua(std::string_view name) {

@@ -137,7 +137,7 @@ int stop(lua_State* l, const char* why) {
 
 void charge(lua_State* l, double steps) {
   Call& c = *Machine::of(l).call;
-  if (!StillWanted::wanted()) c.called_off = true, stop(l, not_wanted);
+  if (!Cancellation::wanted()) c.called_off = true, stop(l, not_wanted);
   c.steps += steps < 2.0 * most_steps ? static_cast<std::uint64_t>(steps) : 2 * most_steps;
   if (c.steps > most_steps) stop(l, too_many_steps);
 }

@@ -5,7 +5,7 @@
 //
 // Lua raises errors by longjmp, which skips C++ destructors. So a C function here is one of two kinds. A plain one uses
 // only numbers and pointers, and may raise. One wrapped by guarded<> may use any object and never raises: memory is not
-// refused during it, and for an error it pushes the message and returns `failed`. NotWanted ends the call, and is
+// refused during it, and for an error it pushes the message and returns `failed`. Cancelled ends the call, and is
 // thrown only after Lua has returned.
 #pragma once
 
@@ -15,7 +15,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "track/procedure.h"
 
 namespace betwixt::lua {
@@ -31,7 +31,7 @@ inline constexpr std::size_t most_live = 16 << 20, most_allocated = 64 << 20;
 inline constexpr std::size_t longest_code = 65'536;
 inline constexpr std::size_t most_garbage = 256 << 10;  // that a machine keeps while it is idle
 inline constexpr const char* too_many_steps = "stopped: it took more than 1000000 steps";
-inline constexpr const char* not_wanted = "stopped: this is not wanted any more";
+inline constexpr const char* not_wanted = "cancelled: a newer change replaces this one";
 inline constexpr const char* too_much_memory = "stopped: it took too much memory";
 
 // The resources of the running call.
@@ -106,7 +106,7 @@ int guarded(lua_State* l) {
   int results = failed;
   try {
     results = function(l, m);
-  } catch (const NotWanted&) {
+  } catch (const Cancelled&) {
     m.call->called_off = true;
   }
   m.lenient = false;

@@ -18,7 +18,7 @@ class Nested {
   Nested& operator=(const Nested&) = delete;
   static int level() { return depth; }  // 1: the outermost
   static bool too_deep() { return depth > most; }
-  static Error error() { return fail(ErrorCode::range, "procedures read each other more than 300 deep"); }
+  static Error error() { return fail(ErrorCode::range, "procedures call each other more than 300 levels deep"); }
 
  private:
   static inline thread_local int depth = 0;

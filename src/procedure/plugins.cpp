@@ -15,6 +15,7 @@
 #include "betwixt/plugin.h"
 #include "betwixt/program.h"
 #include "procedure/nested.h"
+#include "procedure/query_error.h"
 #include "track/types.h"
 
 namespace betwixt {
@@ -39,16 +40,16 @@ bool write(const Value& v, betwixt_value& out) {
 }
 
 Result<Value> read(const betwixt_value& v) {
-  if (v.kind < BETWIXT_NUMBER || v.kind > BETWIXT_TEXT) return fail(ErrorCode::type, "it gave no value");
+  if (v.kind < BETWIXT_NUMBER || v.kind > BETWIXT_TEXT) return fail(ErrorCode::type, "it returned no value");
   if (v.kind == BETWIXT_TEXT) return Value(Text(std::string(v.text ? v.text : "")));
   const std::size_t count = numbers(example_of_kind(v.kind)).size();
-  if (!finite({v.numbers, count})) return fail(ErrorCode::range, "it gave a number that is not finite");
+  if (!finite({v.numbers, count})) return fail(ErrorCode::range, "it returned a number that is not finite");
   Value made = with_numbers(example_of_kind(v.kind), v.numbers);
   if (auto* q = std::get_if<Quat>(&made)) *q = normalize(*q);
   return made;
 }
 
-Error refused(const char* why) { return fail(ErrorCode::type, why ? why : "it failed and does not say why"); }
+Error refused(const char* why) { return fail(ErrorCode::type, why ? why : "it failed without an error message"); }
 
 // --- queries by plug-ins; the texts of answers live as long as this object ---
 
@@ -56,6 +57,7 @@ struct Asking {
   Questions& questions;
   std::uint64_t& cost;
   Result<Value> last = Value(0.0);
+  std::string why = {};
 };
 int ask(void* state, const char* target, double seconds, betwixt_value* out) {
   Asking& a = *static_cast<Asking*>(state);
@@ -63,9 +65,10 @@ int ask(void* state, const char* target, double seconds, betwixt_value* out) {
     a.last = fail(ErrorCode::range, "a name and a finite time are needed");
   else
     a.last = a.questions.value(target, seconds, a.cost);
-  if (a.last && !write(*a.last, *out)) a.last = fail(ErrorCode::type, "it has a value that plug-ins cannot hold");
-  if (!a.last) out->text = a.last.error().message.c_str();
-  return a.last ? 0 : 1;
+  if (a.last && !write(*a.last, *out)) a.last = fail(ErrorCode::type, "it has a value that plug-ins cannot represent");
+  if (a.last) return 0;
+  a.why = query_error("value", target ? target : "", a.last.error());
+  return out->text = a.why.c_str(), 1;
 }
 
 struct Listening {
@@ -75,7 +78,7 @@ struct Listening {
 int listen(void* state, double seconds, betwixt_value* out) {
   Listening& a = *static_cast<Listening*>(state);
   if (std::isfinite(seconds) && write(a.last = a.input.at(seconds), *out)) return 0;
-  out->text = "the input has no value there that plug-ins can hold";
+  out->text = "the input has no value there that plug-ins can represent";
   return 1;
 }
 
@@ -116,7 +119,7 @@ struct NativeTwerper final : Native<betwixt_twerper> {
   Result<double> blend(double u) const override {
     return caught<double>([&]() -> Result<double> {
       const double d = function(u, user);
-      if (!std::isfinite(d)) return fail(ErrorCode::range, "it gave a number that is not finite");
+      if (!std::isfinite(d)) return fail(ErrorCode::range, "it returned a number that is not finite");
       return d;
     });
   }
@@ -187,7 +190,7 @@ bool is_name(const char* name) {
 bool accept(Registering& r, const char* name, bool there, bool taken) {
   if (!r.wrong.empty()) return false;
   if (!is_name(name))
-    r.wrong = "it registers something without a name, or with one that is not letters, digits, - and _";
+    r.wrong = "it registers something whose name is not made of letters, digits, - and _";
   else if (taken)
     r.wrong = std::string("it registers '") + name + "' twice";
   else if (!there)
@@ -227,12 +230,14 @@ Result<Plugin> open(const std::string& path) {
   // An absolute path has a slash; without one the system would search its own folders.
   const auto full = std::filesystem::absolute(path).string();
   void* library = dlopen(full.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library) return wrong("not a plug-in: it is no shared library of this machine, or lacks one that it needs");
+  if (!library)
+    return wrong("not a plug-in: it is not a shared library for this machine, or a library that it needs is missing");
   const auto version = reinterpret_cast<int (*)()>(dlsym(library, "betwixt_plugin_version"));
   const auto entry = reinterpret_cast<int (*)(const betwixt_host*)>(dlsym(library, "betwixt_plugin"));
-  if (!version || !entry) return wrong("not a plug-in: there is no BETWIXT_PLUGIN in it");
+  if (!version || !entry) return wrong("not a plug-in: it has no BETWIXT_PLUGIN");
   if (const int v = version(); v < 1 || v > BETWIXT_PLUGIN_VERSION)
-    return wrong("made for version " + std::to_string(v) + " of plug-ins; this program knows those up to " +
+    return wrong("it is made for version " + std::to_string(v) +
+                 " of the plug-in interface; this program supports versions up to " +
                  std::to_string(BETWIXT_PLUGIN_VERSION));
   Registering r;
   r.path = path;
@@ -246,7 +251,7 @@ Result<Plugin> open(const std::string& path) {
   try {
     const int refusal = entry(&host);
     if (!r.wrong.empty()) return wrong(r.wrong);
-    if (refusal) return wrong("it refuses to be loaded (it says " + std::to_string(refusal) + ")");
+    if (refusal) return wrong("it refuses to be loaded (its code is " + std::to_string(refusal) + ")");
   } catch (...) {
     return wrong("it throws an exception when loaded");
   }
@@ -257,7 +262,7 @@ Result<Plugin> open(const std::string& path) {
 // itself.
 Status survives(const std::string& path) {
   const pid_t child = fork();
-  if (child < 0) return fail(ErrorCode::machine, "there is no process to try it in");
+  if (child < 0) return fail(ErrorCode::machine, "cannot start a process to test it");
   if (child == 0) {
     for (int s : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGALRM}) std::signal(s, SIG_DFL);
     alarm(5);
@@ -266,10 +271,10 @@ Status survives(const std::string& path) {
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return fail(ErrorCode::machine, "the process that tries it got lost");
+    if (errno != EINTR) return fail(ErrorCode::machine, "the process that tests it was lost");
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return Nothing{};
   const bool slow = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
-  return fail(ErrorCode::file, slow ? "it takes more than 5 seconds to load" : "it crashes when loaded");
+  return fail(ErrorCode::file, slow ? "loading it takes more than 5 seconds" : "it crashes when loaded");
 }
 
 }  // namespace
@@ -279,7 +284,7 @@ Result<Plugin> load_plugin(const std::string& path) {
   std::error_code none;
   if (!std::filesystem::exists(path, none)) return named(fail(ErrorCode::file, "no such file"));
   if (!std::filesystem::is_regular_file(path, none))
-    return named(fail(ErrorCode::file, "not a plug-in: it is no file"));
+    return named(fail(ErrorCode::file, "not a plug-in: it is not a regular file"));
   if (const auto s = survives(path); !s) return named(s.error());
   auto plugin = open(path);
   if (!plugin) return named(plugin.error());

@@ -97,7 +97,7 @@ int negative(lua_State* l) {
   double a[16];
   const Kind kind = read(l, 1, a);
   if (kind == Kind::matrix || kind == Kind::none)
-    return luaL_error(l, "%s has no opposite; its .x, .y and .z have", article(l, 1, kind));
+    return luaL_error(l, "%s cannot be negated, but its .x, .y and .z can", article(l, 1, kind));
   for (int i = 0; i < shape(kind).count; ++i) a[i] = -a[i];
   return push(l, kind, a), 1;
 }
@@ -137,7 +137,7 @@ Result<Value> list_value(lua_State* l, int index) {
   }
   if (points.size() == count) return Value(Points(std::move(points)));
   if (count > 0 && names.size() == count) return Value(Names(std::move(names)));
-  return no_value("a list is a value only where all in it are vectors, or all are texts");
+  return no_value("a list must contain only vectors or only texts");
 }
 
 }  // namespace
@@ -209,12 +209,12 @@ Result<Value> to_value(lua_State* l, int index) {
   switch (lua_type(l, index)) {
     case LUA_TNIL:
     case LUA_TNONE:
-      return no_value("it gave no value");
+      return no_value("it returned no value");
     case LUA_TBOOLEAN:
       return Value(lua_toboolean(l, index) != 0);
     case LUA_TNUMBER: {
       const double d = lua_tonumber(l, index);
-      if (!std::isfinite(d)) return fail(ErrorCode::range, "it gave a number that is not finite");
+      if (!std::isfinite(d)) return fail(ErrorCode::range, "it returned a number that is not finite");
       return Value(d);
     }
     case LUA_TSTRING: {
@@ -225,13 +225,14 @@ Result<Value> to_value(lua_State* l, int index) {
     case LUA_TTABLE:
       break;
     default:
-      return no_value(std::string("a ") + luaL_typename(l, index) + " is no value");
+      return no_value(std::string("a ") + luaL_typename(l, index) + " is not a value");
   }
   const Kind kind = read(l, index, n);
   if (kind == Kind::none) return list_value(l, lua_absindex(l, index));
-  if (kind == Kind::matrix) return no_value("a matrix is no value; its .x .y .z are");
+  if (kind == Kind::matrix) return no_value("a matrix is not a value, but its .x .y .z are");
   if (!finite({n, static_cast<std::size_t>(shape(kind).count)}))
-    return fail(ErrorCode::range, std::string("it gave ") + shape(kind).article + " with a number that is not finite");
+    return fail(ErrorCode::range,
+                std::string("it returned ") + shape(kind).article + " with a number that is not finite");
   Value v = with_numbers(shape(kind).example(), n);
   if (auto* q = std::get_if<Quat>(&v)) *q = normalize(*q);
   return v;

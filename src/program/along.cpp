@@ -61,12 +61,12 @@ std::optional<MeasuredLine::Place> Program::Compiled::on_line(ObjectId road, dou
 
 Result<Vec3> Program::Compiled::place_on(std::string_view road, double share, double seconds, Asking& asking) const {
   if (!(std::abs(seconds) <= longest_seconds) || !std::isfinite(share))
-    return fail(ErrorCode::range, fmt::format("place('{}', {}): there is no such place or time", road, share));
+    return fail(ErrorCode::range, fmt::format("place('{}', {}): the place or the time is out of range", road, share));
   const ObjectId id = document.find(road);
   if (!id) return fail(ErrorCode::name, fmt::format("place('{}', …): there is no object '{}'", road, road));
   const auto place = on_line(id, share, from_seconds(seconds), asking);
   if (!place)
-    return fail(ErrorCode::type, fmt::format("place('{}', …): '{}' is no line, or has no length", road, road));
+    return fail(ErrorCode::type, fmt::format("place('{}', …): '{}' is not a line, or has no length", road, road));
   return place->point;
 }
 
@@ -77,15 +77,15 @@ std::optional<Value> Program::Compiled::along(std::uint32_t object, FunctionId f
   if (!place) {
     const Object* there = find_object(document.scene(), road);
     return asking.say(fmt::format(
-               "{} goes along {}: its value before counts", name(),
-               there ? fmt::format("'{}', which has no length", there->name) : "what is not there any more")),
+               "{} follows {}: it keeps its value from before", name(),
+               there ? fmt::format("'{}', which has no length", there->name) : "a line that no longer exists")),
            std::nullopt;
   }
   const Node& n = nodes[node_of[object]];
   const Carrier by = carried(n, t, asking);
   if (f == fn::rotation) return normalize(conjugate(by.turn) * turned(n, place->direction, t, asking));
   const auto seen = by.seen(place->point);
-  if (!seen) asking.say(fmt::format("{} is flattened by what it hangs on", name()));
+  if (!seen) asking.say(fmt::format("{} has a parent with a scale of 0", name()));
   return seen ? std::optional<Value>(*seen) : std::nullopt;
 }
 

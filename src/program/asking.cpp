@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "program/beside.h"
+#include "program/deferred_evaluation.h"
 
 namespace betwixt {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 
 namespace betwixt {
 namespace {
@@ -23,6 +23,12 @@ bool all_numeric(const Track& t) {
     all = all && (e.keep || numeric(e.value)) && (!e.detail || !e.detail->before || numeric(*e.detail->before));
   });
   return all;
+}
+
+bool has_coded_twerpers(const Track& t) {
+  bool any = t.global != Twerper::unset && is_own(t.global);
+  t.events.each([&](const Event& e) { any = any || is_own(e.twerper); });
+  return any;
 }
 
 // Returns the value before the first event, if no event gives one: the value set, or the default for values that do not
@@ -125,7 +131,7 @@ void bind_all(Compiled& compiled, const Compiled* before) {
   const std::vector<FunctionId> computed = bind_defaults(compiled);
   compiled.pieces.reserve(scene.objects.size() + 1);
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
-    StillWanted::ask();
+    Cancellation::check();
     begin_piece(compiled);
     if (before && computed.empty() && scene.objects.same(i, before->document.scene().objects) &&
         before->pieces[i].alone)
@@ -202,31 +208,34 @@ Binding bind_track(Program::Compiled& compiled, const Slot& slot) {
   b.first_curve = static_cast<std::uint32_t>(compiled.curves.size());
   const auto add = [&](const Track& track, Type type, std::uint32_t offset, bool component = false) {
     compiled.curves.push_back({compiled.set.add(track, type, component), offset, spec.low > -1e300 || spec.high < 1e300,
-                               spec.low, spec.high});
+                               spec.low, spec.high, has_coded_twerpers(track)});
     ++b.curves;
   };
   const auto point = [&] {
     b = bind_constant(compiled, slot.function, Vec3{}, spec.type);
     b.first_curve = static_cast<std::uint32_t>(compiled.curves.size());
   };
+  bool coded = false;  // the schedule numbers these bindings
+  each_track(slot, [&](const Track& t) { coded = coded || has_coded_twerpers(t); });
+  const auto marked = [&] { return b.coded = coded ? 0 : -1, b; };
   for (std::size_t i = 0; i < slot.components.size(); ++i) {
     const Track& t = *slot.components[i];
     if (b.channels == 0 && has_values(t)) point();  // numbers replace an aim at an object
     if (has_values(t)) add(t, component_track_type(spec.type), b.offset + static_cast<std::uint32_t>(i), true);
   }
-  if (!has_values(*slot.track)) return b;
+  if (!has_values(*slot.track)) return marked();
   if (!all_numeric(*slot.track) || (b.channels == 0 && row_of(spec.type).channels == 0)) {
     b.steps = static_cast<std::int32_t>(compiled.steps.size());
     b.channels = 0;
     compiled.steps.push_back(std::make_shared<const StepTrack>(*slot.track, spec.type));
-    return b;
+    return marked();
   }
   if (b.channels == 0) point();
   // An aim whose events are all points is treated as a vector, which has the same twerpers.
   add(*slot.track, spec.type == Type::aim ? Type::vector : spec.type, b.offset);
   b.channels = compiled.curves.back().curve.channels;
   b.orientation = compiled.curves.back().curve.orientation;
-  return b;
+  return marked();
 }
 
 const Binding& Program::Compiled::find(std::uint32_t object, FunctionId f) const {

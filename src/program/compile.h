@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The steps of compiling: tracks and constants (compile.cpp), live values (compile_lives.cpp), transforms
+// The steps of compiling: tracks and constants (compile.cpp), live values (compile_live_values.cpp), transforms
 // (compile_nodes.cpp), drawables and the schedule of changes (compile_schedule.cpp).
 #pragma once
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "program/compile.h"
 
 namespace betwixt {
@@ -85,7 +85,7 @@ struct NodeCompiler {
     compiled.node_of.assign(scene.objects.size(), ObjectId::nothing);
     for (const bool drawn : {true, false})
       for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
-        if (StillWanted::ask(); !scene.objects[i].removed && drawable(scene.objects[i].kind) == drawn) node(i);
+        if (Cancellation::check(); !scene.objects[i].removed && drawable(scene.objects[i].kind) == drawn) node(i);
     constexpr std::size_t many = 1024;  // for fewer, the setup costs more than it saves
     if (members.size() >= many && !scene.smooth_ticks) compiled.many.emplace(std::move(members));
     spans();
@@ -127,9 +127,9 @@ struct NodeCompiler {
             round = at == static_cast<std::int32_t>(h.node);
         if (round) {
           const auto name = [&](std::uint32_t node) { return scene.objects[compiled.nodes[node].object].name; };
-          compiled.notices.push_back("'" + name(h.node) + "' cannot hang on '" +
+          compiled.notices.push_back("'" + name(h.node) + "' cannot have the parent '" +
                                      name(static_cast<std::uint32_t>(span.parent)) +
-                                     "', which hangs on it at that time: this attachment is left out");
+                                     "', which is below it at that time: this attachment is left out");
           continue;
         }
         leads[static_cast<std::size_t>(span.parent)] = true;

@@ -102,13 +102,18 @@ struct ScheduleCompiler {
     }
   }
 
+  std::uint8_t effect_on(std::uint32_t node, const Binding& b) const {
+    std::uint8_t effect = effect_of(spec_of(scene, b.function), b.function);
+    if (weighs(node, b)) effect |= affects::form;
+    return effect;
+  }
+
   void bindings(std::uint32_t object) {
     const std::uint32_t node = compiled.node_of[object];
     for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i) {
       const Binding& b = compiled.bindings[i];
       const FunctionSpec& spec = spec_of(scene, b.function);
-      std::uint8_t effect = effect_of(spec, b.function);
-      if (weighs(node, b)) effect |= affects::form;
+      const std::uint8_t effect = effect_on(node, b);
       if (b.live >= 0) {
         schedule.lives.push_back({&b, effect, node, spec.matters_to_contacts() || (effect & affects::form) != 0});
         continue;
@@ -123,6 +128,22 @@ struct ScheduleCompiler {
         add({Schedule::Source::steps, effect, static_cast<std::uint32_t>(b.steps), node},
             [&](std::vector<Activity>& out) { compiled.steps_of(b).activities(out); });
     }
+  }
+
+  // Numbers the bindings that have tracks with coded twerpers.
+  void coded() {
+    const auto& own = compiled.set.own;
+    if (std::all_of(own.begin(), own.end(), [](const auto& code) { return !code; })) return;
+    for (std::uint32_t object = 0; object < compiled.node_of.size(); ++object)
+      for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i) {
+        Binding& b = compiled.bindings[i];
+        const std::uint32_t node = compiled.node_of[object];
+        if (b.coded < 0 || node == ObjectId::nothing) continue;
+        b.coded = -1;
+        if (b.function == fn::geometry && compiled.draws(node) && compiled.drawables[node].blend >= 0) continue;
+        b.coded = static_cast<std::int32_t>(schedule.coded.size());
+        schedule.coded.push_back({&b, effect_on(node, b), node, false});
+      }
   }
 
   // Returns true if the binding is the weight of a morph target of the node's mesh.
@@ -141,14 +162,18 @@ struct ScheduleCompiler {
 
   // Returns true if its shape may take long to make, constant or not.
   bool may_take_long(std::uint32_t object, const Drawable& d) const {
-    constexpr std::size_t many = 5'000, long_text = 500;
     const Binding& seen = compiled.find(object, fn::display);
     // Not shown, such as a road that others move along.
     if (!seen.varies() && compiled.rest[seen.offset] == 0) return false;
+    return d.skin >= 0 ? slow_skins : is_large(object, d, 5'000, 500);
+  }
+
+  // Returns true if its shape has more points or letters than these, or they vary.
+  bool is_large(std::uint32_t object, const Drawable& d, std::size_t points, std::size_t letters) const {
     if (scene.objects[object].kind == Kind::trace) return true;
     if (d.shape < compiled.shapes.size()) {
       const Shape& s = *compiled.shapes[d.shape];
-      return s.points->size() + s.holes->size() > many || s.text->size() > long_text;
+      return s.points->size() + s.holes->size() > points || s.text->size() > letters;
     }
     for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i)
       if (const Binding& b = compiled.bindings[i]; b.varies())
@@ -157,6 +182,25 @@ struct ScheduleCompiler {
           return true;
     return false;
   }
+
+  // Returns true if blending the shapes that it takes may take long.
+  bool blends_long(const Drawable& own) const {
+    if (own.geometry->steps < 0 || !compiled.steps_of(*own.geometry).blends()) return false;
+    const auto values = compiled.steps_of(*own.geometry).values();
+    return std::any_of(values.begin(), values.end(), [&](const Value& v) {
+      const Object* o = find_object(scene, std::get<ObjectId>(v));
+      const auto taken = o && drawable(o->kind) ? compiled.node_of[std::get<ObjectId>(v).index]
+                                                : static_cast<std::uint32_t>(&own - compiled.drawables.data());
+      const Drawable& d = compiled.drawables[taken];
+      if (d.skin >= 0) return slow_skins;
+      const bool large_mesh = d.shape < compiled.shapes.size() && compiled.shapes[d.shape]->mesh &&
+                              compiled.shapes[d.shape]->mesh->positions.size() > many_vertices;
+      return large_mesh || is_large(compiled.nodes[taken].object, d, 500, 50);
+    });
+  }
+
+  static constexpr std::size_t many_vertices = 5'000;
+  bool slow_skins = false;  // deforming all skins of a frame may take long
 
   // Returns the shape's number; equal shapes share one.
   std::uint32_t shape_number(std::uint32_t object) {
@@ -210,11 +254,20 @@ struct ScheduleCompiler {
     }
     for (const std::uint32_t i : varying)
       compiled.drawables[i].shape = static_cast<std::uint32_t>(compiled.shapes.size()) + i;
+    std::size_t vertices = 0;
+    for (const Skin& skin : compiled.skins) vertices += skin.rest->positions.size();
+    slow_skins = vertices > many_vertices;
     for (std::uint32_t i = 0; i < compiled.drawables.size(); ++i) {
       Drawable& d = compiled.drawables[i];
-      if (d.skin >= 0 || !may_take_long(compiled.nodes[i].object, d)) continue;
+      if (!may_take_long(compiled.nodes[i].object, d)) continue;
       d.slow = static_cast<std::int32_t>(compiled.slow_shapes.size());
       compiled.slow_shapes.push_back(i);
+    }
+    for (std::uint32_t i = 0; i < compiled.drawables.size(); ++i) {
+      Drawable& d = compiled.drawables[i];
+      if (!blends_long(d)) continue;
+      d.blend = static_cast<std::int32_t>(compiled.slow_blends.size());
+      compiled.slow_blends.push_back(i);
     }
     for (const auto& [name, picture] : *scene.pictures) compiled.textures.push_back(picture);
   }
@@ -297,6 +350,7 @@ void compile_schedule(Compiled& compiled, const Compiled* before) {
     if (i == compiled.node_of.size() || compiled.node_of[i] == ObjectId::nothing) continue;
     c.shared(i) ? c.share(i) : c.bindings(i);
   }
+  c.coded();
   c.nodes();
   c.edges();
 }

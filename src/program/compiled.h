@@ -26,7 +26,8 @@ namespace betwixt {
 
 struct Whole;
 struct Answer;
-class Beside;
+struct Question;
+class DeferredEvaluation;
 class Tracer;
 
 // Where the value of a display function of an object comes from.
@@ -39,6 +40,7 @@ struct Binding {
   std::int32_t steps = -1;  // index of its step track, for a value without numbers …
   Value constant;           // … or the constant value
   std::int32_t live = -1;   // index into Compiled::lives, for a value from several tracks or from code
+  std::int32_t coded = -1;  // index into Schedule::coded, for tracks with twerpers written in code
   bool varies() const { return curves > 0 || steps >= 0 || live >= 0; }
 };
 
@@ -47,6 +49,7 @@ struct CurveUse {
   std::uint32_t offset = 0;
   bool bounded = false;  // clamp a curve that overshoots the function's range
   double low = 0, high = 0;
+  bool coded = false;  // has twerpers written in code
   void bound(double* numbers) const {
     if (bounded)
       for (int i = 0; i < curve.channels; ++i) numbers[i] = std::clamp(numbers[i], low, high);
@@ -123,8 +126,9 @@ struct Asking {
   bool in_haste() const { return most < UINT64_MAX; }
   std::vector<std::string> problems;
   std::vector<Frame::CodeError> errors;
-  std::vector<Target> read;        // values that procedures have read
-  const Beside* beside = nullptr;  // has the answers of the outermost questions; null to compute them here
+  std::vector<Target> read;  // values that procedures have read
+  const DeferredEvaluation* deferred =
+      nullptr;  // has the answers of the outermost questions; null to compute them here
 
   // The limit of work for one question: steps of procedures, inputs of filters, nested questions. The count ignores the
   // cache, so it does not depend on earlier questions.
@@ -139,6 +143,12 @@ struct Asking {
     return given_up;
   }
 
+  // Whether an answer from `deferred` counts, and which; null before the first one.
+  struct Deferred {
+    bool yes = false;
+    const Answer* answer = nullptr;
+  };
+  Deferred deferred_answer(const Question&, Time) const;
   void say(std::string problem);
   void err(std::string problem, const std::string& source);  // an error in the author's code
   void say_all(const Answer&);                               // reports its problems and errors
@@ -211,8 +221,14 @@ struct Moving {
     Curve progress;     // the fraction done
     bool open = false;  // has no end, and no effect
   };
-  std::vector<Piece> pieces;  // by time
-  Time first, last;           // of the track's events
+  struct Place {
+    const Piece* piece = nullptr;
+    Time time;  // the one that the asked time repeats
+    Extrapolation how = Extrapolation::hold;
+  };
+  std::optional<Place> place(Time) const;  // nullopt before the first piece
+  std::vector<Piece> pieces;               // by time
+  Time first, last;                        // of the track's events
   Extrapolation extend_before = Extrapolation::hold, extend_after = Extrapolation::hold;
   std::size_t placed = 0;  // pieces whose centres are known; all of them after compiling
 };
@@ -249,7 +265,8 @@ struct Drawable {
   // The material and the texture are constant and are stored below.
   bool plain = false;
   std::int32_t skin = -1;
-  std::int32_t slow = -1;  // index into Compiled::slow_shapes
+  std::int32_t slow = -1;   // index into Compiled::slow_shapes
+  std::int32_t blend = -1;  // index into Compiled::slow_blends
   Material material_number = Material::plastic;
   std::uint32_t texture_number = 0;
 };
@@ -285,6 +302,7 @@ struct Schedule {
   std::vector<Activity> activities;                             // by source, then time
   std::vector<Edge> begins, ends;                               // of all activities, by time
   std::vector<LiveSource> lives;                                // values that may change at any time
+  std::vector<LiveSource> coded;                                // tracks with twerpers written in code
   const Activity* active(const Source&, std::int64_t t) const;  // the activity that continues after t, or null
 };
 
@@ -335,6 +353,7 @@ struct Program::Compiled {
   std::vector<std::uint32_t> lights, eyes;    // nodes; eyes: those that look at or reach for something
   std::vector<std::uint32_t> borrowers;       // drawables that may take another object's geometry
   std::vector<std::uint32_t> slow_shapes;     // drawables whose shapes may take long to make
+  std::vector<std::uint32_t> slow_blends;     // … or the blends between the shapes that they take
   std::optional<std::uint32_t> first_camera;  // an object
   Schedule schedule;
   std::vector<CompiledSpan> spans;          // by node, then time
@@ -363,6 +382,7 @@ struct Program::Compiled {
   void evaluate(const CurveUse& use, Time t, double* out) const;
   // Evaluates the numbers of one binding.
   void evaluate(const Binding& b, Time t, Asking&, double* out) const;
+  void evaluate_curves(const Binding& b, Time t, double* out) const;  // of one that is not live
   // Returns a value in the author's units. With `component`, returns that number alone, if parted() allows; so one
   // component may depend on another.
   Value live_value(std::int32_t live, Time t, Asking&, int component = -1) const;
@@ -387,7 +407,7 @@ struct Program::Compiled {
   Mat4 matrix(const Site&, Time t) const;  // the environment's matrix A
   // `drive`: the product of the environments that drive it, if known.
   std::optional<Mat4> driven(const Node&, Time t, Asking&, const Mat4* drive = nullptr) const;
-  std::optional<Mat4> moved(const Node&, Time t) const;
+  std::optional<Mat4> moved(const Node&, Time t, Asking&) const;
   // Returns the transform of one node, and evaluates only what it depends on. Without `turned`, only the position is
   // exact.
   Sited placement(std::uint32_t node, Time t, Asking&, bool turned = true) const;
@@ -414,7 +434,13 @@ struct Program::Compiled {
   std::optional<Vec3> aim(std::uint32_t object, FunctionId, Time t, const double* numbers,
                           const std::function<Vec3(std::uint32_t)>& place, Asking&) const;
   const StepTrack& steps_of(const Binding& b) const { return *steps[static_cast<std::size_t>(b.steps)]; }
-  Between between(const Binding& b, Time t) const { return steps_of(b).at(t, set); }
+  Between between(const Binding& b, Time t, Asking&) const;
+  // Returns the shape that the drawable has by itself.
+  std::shared_ptr<const Shape> drawn_shape(std::uint32_t drawable, Time t, Asking&) const;
+  // Returns the deformed mesh of a skin.
+  std::shared_ptr<const Mesh> posed(std::int32_t skin, Time t, Asking&) const;
+  // Returns true if a track with coded twerpers runs one of them at t.
+  bool runs_code(const Schedule::LiveSource& coded, Time t) const;
   Value value(const Binding& b, Time t, Asking&) const;  // at t; points may be in transition
   void thaw(std::int32_t frozen, Asking&) const;
 
@@ -428,8 +454,12 @@ struct Program::Compiled {
   // above. In a flat film it looks along -z and is 9 m high.
   const Camera& own_camera() const;
   bool sees_all(Time t) const;  // the camera sees everything
+  // Returns true if anything in a frame may take long.
+  bool may_take_long() const {
+    return !lives.empty() || !schedule.coded.empty() || !slow_shapes.empty() || !slow_blends.empty();
+  }
   // Returns true if the default camera may take long: it must see everything that ever appears.
-  bool asks_for_camera() const { return !first_camera && !(lives.empty() && slow_shapes.empty()); }
+  bool asks_for_camera() const { return !first_camera && may_take_long(); }
   mutable std::once_flag own_camera_once;
   mutable Camera own_camera_made;
 

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/in_parts.h"
+#include "base/in_parallel.h"
 
 namespace betwixt {
 
@@ -306,7 +306,7 @@ std::optional<std::int64_t> EnvironmentSet::due(std::size_t what, std::int64_t t
 void EnvironmentSet::seek(std::int64_t tick) {
   tick_ = std::clamp(tick, -horizon, horizon);
   const std::size_t parts = large_ ? std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most_threads) : 1;
-  in_parts(parts, [&](std::size_t part) {
+  in_parallel(parts, [&](std::size_t part) {
     const std::size_t begin = part * blocks_.size() / parts, end = (part + 1) * blocks_.size() / parts;
     for (std::size_t what = 0; what < beats_.size(); ++what)
       evaluate(beats_[what], {begin, end}, motions_of(std::min(what + 1, beats_.size() - 1)));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "program/compiled.h"
+#include "program/deferred_evaluation.h"
 
 namespace betwixt {
 namespace {
@@ -21,11 +21,42 @@ void Program::Compiled::evaluate(const Binding& b, Time t, Asking& asking, doubl
     held_numbers(live_value(b.live, t, asking), b.orientation, out);
     return;
   }
+  if (b.coded < 0) return evaluate_curves(b, t, out);
+  const auto numbers = coded_value(
+      *this, b, t, asking, [](const Answer& a) { return &a.numbers; },
+      [&] {
+        std::array<double, 4> n{};
+        evaluate_curves(b, t, n.data());
+        return n;
+      });
+  std::copy(numbers.begin(), numbers.end(), out);
+}
+
+void Program::Compiled::evaluate_curves(const Binding& b, Time t, double* out) const {
   std::copy_n(&rest[b.offset], 4, out);
   for (std::uint32_t i = 0; i < b.curves; ++i) {
     const CurveUse& use = curves[b.first_curve + i];
     evaluate(use, t, out + (use.offset - b.offset));
   }
+}
+
+bool Program::Compiled::runs_code(const Schedule::LiveSource& coded, Time t) const {
+  const Binding& b = *coded.binding;
+  if (b.function == fn::motion) {
+    const std::int32_t moving = nodes[coded.node].moving;
+    const auto at = moving < 0 ? std::nullopt : movings[static_cast<std::size_t>(moving)].place(t);
+    return at && !at->piece->open && CurveSet::runs_code(at->piece->progress, at->time);
+  }
+  if (b.steps >= 0) return steps_of(b).runs_code(t);
+  const auto uses = std::span(curves).subspan(b.first_curve, b.curves);
+  return std::any_of(uses.begin(), uses.end(), [&](const CurveUse& u) { return CurveSet::runs_code(u.curve, t); });
+}
+
+Between Program::Compiled::between(const Binding& b, Time t, Asking& asking) const {
+  const StepTrack& track = steps_of(b);
+  return coded_value(
+      *this, b, t, asking, [&](const Answer& a) { return track.fits(a.between) ? &a.between : nullptr; },
+      [&] { return track.at(t, set); });
 }
 
 namespace {
@@ -57,7 +88,7 @@ std::optional<Value> points_between(const StepTrack& track, const Between& w) {
 Value Program::Compiled::value(const Binding& b, Time t, Asking& asking) const {
   if (b.live >= 0) return live_value(b.live, t, asking);
   if (b.steps < 0) return b.constant;
-  const Between w = between(b, t);
+  const Between w = between(b, t, asking);
   const auto values = steps_of(b).values();
   if (auto points = points_between(steps_of(b), w)) return *std::move(points);
   return values[w.s >= 1 ? w.b : w.a];
@@ -76,7 +107,7 @@ std::optional<Vec3> Program::Compiled::aim(std::uint32_t object, FunctionId f, T
   };
   if (b.live >= 0) return point(live_value(b.live, t, asking));
   if (b.steps < 0) return point(b.constant);
-  const Between w = between(b, t);
+  const Between w = between(b, t, asking);
   const auto values = steps_of(b).values();
   const auto from = point(values[w.a]), to = point(values[w.b]);
   if (!from || !to || w.a == w.b) return w.s >= 1 ? to : from;
@@ -102,6 +133,14 @@ Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbe
     spec_of(scene, f).shape(s, shape_part(find(object, f), t, numbers, asking), scene);
   if (s.kind == Kind::trace) s.points = trace(object, t, asking);
   return s;
+}
+
+std::shared_ptr<const Shape> Program::Compiled::drawn_shape(std::uint32_t drawable, Time t, Asking& asking) const {
+  const Drawable& d = drawables[drawable];
+  if (d.shape < shapes.size()) return shapes[d.shape];
+  Shape made = shape(nodes[drawable].object, t, nullptr, asking);
+  if (d.skin >= 0) made.mesh = posed(d.skin, t, asking);
+  return std::make_shared<const Shape>(std::move(made));
 }
 
 }  // namespace betwixt

@@ -4,8 +4,9 @@
 
 #include <atomic>
 #include <cstring>
+#include <utility>
 
-#include "program/beside.h"
+#include "program/deferred_evaluation.h"
 #include "program/evaluator.h"
 #include "program/surroundings.h"
 
@@ -13,7 +14,8 @@ namespace betwixt {
 
 // An evaluator with the lights and problems that a frame needs.
 struct Whole {
-  explicit Whole(const Program::Compiled& compiled, const Beside* beside = nullptr) : evaluator(compiled, beside) {}
+  explicit Whole(const Program::Compiled& compiled, const DeferredEvaluation* deferred = nullptr)
+      : evaluator(compiled, deferred) {}
   Evaluator evaluator;
   std::vector<Light> lights;
   std::vector<std::string> problems;
@@ -27,15 +29,15 @@ void Whole::to(Time t, bool news) {
   if (!news && !evaluator.fresh() && evaluator.time() == t) return evaluator.stay();
   const Program::Compiled& compiled = evaluator.compiled();
   Asking asking;
-  asking.beside = evaluator.beside();
+  asking.deferred = evaluator.deferred();
   const TwerperFailures failed;
   evaluator.to(t, asking);
   lights = evaluator.lights(asking);
   compiled.say(failed, asking);
   problems = compiled.notices;
   problems.insert(problems.end(), asking.problems.begin(), asking.problems.end());
-  if (asking.beside)
-    for (std::string& late : asking.beside->late()) problems.push_back(std::move(late));
+  if (asking.deferred)
+    for (std::string& late : asking.deferred->late()) problems.push_back(std::move(late));
   errors = std::move(asking.errors);
 }
 
@@ -72,9 +74,28 @@ Frame Program::frame(Time t) const {
   return f;
 }
 
+namespace {
+
+// Has no answers: slow values are as they are before the first answer comes.
+class NoAnswers final : public DeferredEvaluation {
+ public:
+  explicit NoAnswers(Time t) : time_(t) {}
+  bool ask(const Program&, Time) override { return false; }
+  const Answer* answer(const Question&) const override { return nullptr; }
+  Time time() const override { return time_; }
+  bool quick(const Question&) const override { return false; }
+  std::vector<std::string> late() const override { return {}; }
+
+ private:
+  const Time time_;
+};
+
+}  // namespace
+
 struct Evaluation::State {
   struct Played {
-    Played(const Program& p, const Beside* beside) : program(p), whole(std::make_unique<Whole>(p.compiled(), beside)) {
+    Played(const Program& p, const DeferredEvaluation* deferred)
+        : program(p), whole(std::make_unique<Whole>(p.compiled(), deferred)) {
       for (std::size_t d = 0; d < p.compiled().drawables.size(); ++d)
         drawables.push_back({p.compiled().nodes[d].object});
     }
@@ -83,12 +104,13 @@ struct Evaluation::State {
     std::vector<ObjectId> drawables;
   };
 
-  State(const Program& p, Beside* answers) : beside(answers), now(p, answers) {}
-  Beside* const beside;
+  State(const Program& p, DeferredEvaluation* answers) : deferred(answers), now(p, answers) {}
+  DeferredEvaluation* const deferred;
   Played now;
   std::optional<Played> before;  // the last program's state, to compare the next one with
   mutable std::optional<Camera> camera;
   std::optional<Camera> eye;  // replaces the film's camera
+  bool prepared = false;      // evaluated in advance, and not yet by `to`
   Revision revision{next_program(), 0};
 
   static std::uint64_t next_program() {
@@ -100,17 +122,30 @@ struct Evaluation::State {
 };
 
 Evaluation::Evaluation(const Program& program) : state_(std::make_unique<State>(program, nullptr)) {}
-Evaluation::Evaluation(const Program& program, Beside& beside) : state_(std::make_unique<State>(program, &beside)) {}
+Evaluation::Evaluation(const Program& program, DeferredEvaluation& deferred)
+    : state_(std::make_unique<State>(program, &deferred)) {}
 Evaluation::Evaluation(Evaluation&&) noexcept = default;
 Evaluation& Evaluation::operator=(Evaluation&&) noexcept = default;
 Evaluation::~Evaluation() = default;
 
 void Evaluation::to(Time t) {
   State& s = *state_;
-  s.now.whole->to(t, s.beside && s.beside->ask(s.now.program, t));
+  const bool news = s.deferred && s.deferred->ask(s.now.program, t);
+  s.now.whole->to(t, news || s.prepared);
+  if (std::exchange(s.prepared, false)) s.now.whole->evaluator.change_all();
   s.camera.reset();
   ++s.revision.times;
   if (s.before) s.compare();
+}
+
+void Evaluation::prepare(Time t) {
+  State& s = *state_;
+  Evaluator& evaluator = s.now.whole->evaluator;
+  const NoAnswers none(t);
+  if (s.deferred) evaluator.defer(&none);
+  s.now.whole->to(t);
+  evaluator.defer(s.deferred);
+  s.prepared = true;
 }
 
 // Removes from `changed` the drawables that are equal in both programs.
@@ -139,8 +174,8 @@ void Evaluation::State::compare() {
 
 void Evaluation::use(const Program& program) {
   State& s = *state_;
-  if (!s.evaluator().fresh()) s.before = std::move(s.now);
-  s.now = State::Played(program, s.beside);
+  if (!s.evaluator().fresh() && !s.prepared) s.before = std::move(s.now);
+  s.now = State::Played(program, s.deferred), s.prepared = false;
   s.revision = {State::next_program(), 0};
 }
 

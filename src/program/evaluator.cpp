@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <numeric>
 
 #include "base/stages.h"
-#include "program/beside.h"
+#include "program/deferred_evaluation.h"
 #include "program/placing.h"
-#include "scene/shape_blend.h"
+#include "program/splined.h"
 
 namespace betwixt {
 namespace {
@@ -21,9 +22,9 @@ bool same_bits(const T& a, const T& b) {
 
 }  // namespace
 
-Evaluator::Evaluator(const Program::Compiled& compiled, const Beside* beside)
+Evaluator::Evaluator(const Program::Compiled& compiled, const DeferredEvaluation* deferred)
     : compiled_(compiled),
-      beside_(beside),
+      deferred_(deferred),
       numbers_(compiled.rest),
       segments_(compiled.schedule.sources.size()),
       asked_(compiled.schedule.sources.size()),
@@ -48,7 +49,8 @@ Evaluator::Evaluator(const Program::Compiled& compiled, const Beside* beside)
     segments_[i].channels = use.curve.channels, segments_[i].affects = s.affects, segments_[i].bounded = use.bounded;
   }
   const std::size_t drawables = compiled.drawables.size();
-  looks.resize(drawables), forms_.resize(2 * drawables), stale_.assign(drawables, true), renewed_.resize(2 * drawables);
+  const std::size_t forms = compiled.slow_blends.empty() ? 2 * drawables : 3 * drawables;
+  looks.resize(drawables), forms_.resize(forms), stale_.assign(drawables, true), renewed_.resize(forms);
 }
 
 void Evaluator::touch(std::uint32_t source, std::int64_t t) {
@@ -132,10 +134,12 @@ bool Evaluator::seek(std::uint32_t i, std::int64_t t) {
   playing::Segment& s = segments_[i];
   const Schedule& schedule = compiled_.schedule;
   const auto use = [&]() -> const CurveUse& { return compiled_.curves[schedule.sources[i].index]; };
+  const bool left_to_answers = deferred_ && use().coded;
   if (!s.active.has(t)) {
     const Activity* now = schedule.active(schedule.sources[i], t);
     s.active = now ? *now : Activity{};
   }
+  if (left_to_answers) return s.active.has(t);
   const CurveEvents& events = schedule.events[i];
   double n[4];
   if (s.has(t) || (events.plain ? events.cubic(t, s) : compiled_.set.cubic(use().curve, t, s))) {
@@ -158,18 +162,26 @@ void Evaluator::evaluate_lives(Asking& asking, bool solids) {
   const InStage stage(Stage::procedures);
   for (const Schedule::LiveSource& live : compiled_.schedule.lives) {
     if ((solids && !live.solid) || live.binding->function == fn::attachment) continue;
-    if (only_ && !only_->wants(live)) continue;
-    if (live.binding->channels == 0) {
-      marks_.add(live.node, live.affects);
-      continue;
-    }
-    double n[4];
-    std::copy_n(&compiled_.rest[live.binding->offset], 4, n);
-    compiled_.evaluate(*live.binding, now_, asking, n);
-    if (std::memcmp(n, &numbers_[live.binding->offset], sizeof n) == 0) continue;
-    std::memcpy(&numbers_[live.binding->offset], n, sizeof n);
-    marks_.add(live.node, live.affects);
+    if (!only_ || only_->wants(live)) evaluate(live, asking);
   }
+}
+
+// Evaluates the tracks with coded twerpers. Without deferred evaluation they are evaluated like all others.
+void Evaluator::evaluate_coded(Asking& asking) {
+  const InStage stage(Stage::procedures);
+  if (!deferred_) return;
+  for (const Schedule::LiveSource& coded : compiled_.schedule.coded)
+    if (!only_ || only_->wants(coded)) evaluate(coded, asking);
+}
+
+void Evaluator::evaluate(const Schedule::LiveSource& live, Asking& asking) {
+  if (live.binding->channels == 0) return marks_.add(live.node, live.affects);
+  double n[4];
+  std::copy_n(&compiled_.rest[live.binding->offset], 4, n);
+  compiled_.evaluate(*live.binding, now_, asking, n);
+  if (std::memcmp(n, &numbers_[live.binding->offset], sizeof n) == 0) return;
+  std::memcpy(&numbers_[live.binding->offset], n, sizeof n);
+  marks_.add(live.node, live.affects);
 }
 
 // Environments are constant between ticks.
@@ -205,6 +217,11 @@ void Evaluator::stay() {
   changed.clear();
 }
 
+void Evaluator::change_all() {
+  changed.resize(looks.size());
+  std::iota(changed.begin(), changed.end(), 0U);
+}
+
 void Evaluator::play_to(Time t) {
   stay();
   collect(t.flicks);
@@ -222,6 +239,7 @@ void Evaluator::place(Time t, Asking& asking, const Needed& wanted) {
   only_ = &wanted;
   play_to(t);
   evaluate_lives(asking, false);
+  evaluate_coded(asking);
   take_hold(asking);
   environments(true);
   places(asking);
@@ -232,8 +250,11 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
   const InStage stage(Stage::tracks);
   play_to(t);
   evaluate_lives(asking, solids);
-  if (beside_)  // an answer may arrive at any time
+  evaluate_coded(asking);
+  if (deferred_) {  // an answer may arrive at any time
     for (const std::uint32_t d : compiled_.slow_shapes) marks_.add(d, affects::form);
+    for (const std::uint32_t d : compiled_.slow_blends) marks_.add(d, affects::look);
+  }
   take_hold(asking);
   environments(!solids);
   places(asking);
@@ -265,18 +286,23 @@ void Evaluator::restyle(Asking& asking, bool solids) {
 // Returns the number of the drawable's present shape.
 std::uint32_t Evaluator::form(std::uint32_t drawable, Asking& asking) {
   const Drawable& d = compiled_.drawables[drawable];
-  const bool beside = beside_ && d.slow >= 0;
-  if (d.shape < compiled_.shapes.size() && !beside) return d.shape;
+  const bool deferred = deferred_ && d.slow >= 0;
+  if (d.shape < compiled_.shapes.size() && !deferred) return d.shape;
   if (stale_[drawable]) {
     stale_[drawable] = false;
-    auto form = made(drawable, asking);
-    auto& was = forms_[drawable];
-    if (!was || (was != form && !(*was == *form))) {
-      was = std::move(form);
-      renewed_[drawable] = turn_;
-    }
+    return put(drawable, made(drawable, asking));
   }
   return static_cast<std::uint32_t>(compiled_.shapes.size()) + drawable;
+}
+
+// Returns the number of the shape, which is now the form at this index.
+std::uint32_t Evaluator::put(std::size_t form, std::shared_ptr<const Shape> shape) {
+  auto& was = forms_[form];
+  if (!was || (was != shape && !(*was == *shape))) {
+    was = std::move(shape);
+    renewed_[form] = turn_;
+  }
+  return static_cast<std::uint32_t>(compiled_.shapes.size() + form);
 }
 
 // Makes the drawable's shape. A slow shape without an answer has no points.
@@ -285,8 +311,8 @@ std::shared_ptr<const Shape> Evaluator::made(std::uint32_t drawable, Asking& ask
   const Node& n = compiled_.nodes[drawable];
   Shape shape;
   shape.kind = n.kind;
-  if (beside_ && d.slow >= 0) {
-    const Answer* known = beside_->answer({Question::shape, static_cast<std::uint32_t>(d.slow)});
+  if (deferred_ && d.slow >= 0) {
+    const Answer* known = deferred_->answer({Question::shape, static_cast<std::uint32_t>(d.slow)});
     if (!known || !known->shape) return std::make_shared<const Shape>(std::move(shape));
     asking.say_all(*known);
     return known->shape;
@@ -306,21 +332,45 @@ std::uint32_t Evaluator::shape_of(const Value& v, std::uint32_t drawable, Asking
 
 // Returns the number of a shape on a spline through shapes of one topology, or `nothing` if they differ in topology.
 std::uint32_t Evaluator::splined(const StepTrack& track, const Between& w, std::uint32_t drawable, Asking& asking) {
-  const auto of = [&](const Value& v) { return shape(shape_of(v, drawable, asking)); };
-  const auto alike = [&](const Value& a, const Value& b) { return one_topology(*of(a), *of(b)); };
-  const auto values = track.values();
-  if (!alike(values[w.a], values[w.b])) return nothing;
-  const Weights four = track.weigh(w, alike);
-  std::vector<ShapeShare> shares;
-  for (const std::size_t k : {1u, 0u, 2u, 3u}) {  // properties without numbers come from the first one
-    const Value& v = values[four.values[k]];
-    if (four.weights[k] == 1) return shape_of(v, drawable, asking);
-    if (four.weights[k] != 0) shares.push_back({of(v).get(), four.weights[k]});
+  auto sum = betwixt::splined(track, w, [&](const Value& v) { return shape(shape_of(v, drawable, asking)); });
+  if (!sum) return nothing;
+  if (sum->one) return shape_of(*sum->one, drawable, asking);
+  return put(looks.size() + drawable, std::make_shared<const Shape>(*std::move(sum->sum)));
+}
+
+// Sets the shapes by the answer, if blending them may take long. Without an answer nothing is blended.
+bool Evaluator::take_blend(std::uint32_t drawable, Looks& now, Asking& asking) {
+  const Drawable& d = compiled_.drawables[drawable];
+  if (!deferred_ || d.blend < 0) return false;
+  const Question question{Question::blend, static_cast<std::uint32_t>(d.blend)};
+  if (!may_take_long(compiled_, question, now_)) return false;
+  const Answer* const known = deferred_->answer(question);
+  if (!known || !known->shape) {
+    const LinearTwerpers plain;
+    const StepTrack& track = compiled_.steps_of(*d.geometry);
+    now.shape = shape_of(track.values()[track.at(now_, compiled_.set).a], drawable, asking);
+    return true;
   }
-  const std::uint32_t slot = static_cast<std::uint32_t>(looks.size()) + drawable;
-  auto made = std::make_shared<const Shape>(sum_of(shares));
-  if (!forms_[slot] || !(*forms_[slot] == *made)) forms_[slot] = std::move(made), renewed_[slot] = turn_;
-  return static_cast<std::uint32_t>(compiled_.shapes.size()) + slot;
+  asking.say_all(*known);
+  now.shape = put(looks.size() + drawable, known->shape);
+  if (known->toward) now.toward = put(2 * looks.size() + drawable, known->toward), now.blend = known->blend;
+  return true;
+}
+
+// Sets the shape and the blend.
+void Evaluator::take_shape(std::uint32_t i, Looks& now, Asking& asking) {
+  const Binding& geometry = *compiled_.drawables[i].geometry;
+  if (geometry.steps < 0) {
+    now.shape = shape_of(compiled_.value(geometry, now_, asking), i, asking);
+    return;
+  }
+  if (take_blend(i, now, asking)) return;
+  const Between b = compiled_.between(geometry, now_, asking);
+  const auto values = compiled_.steps_of(geometry).values();
+  if (b.a != b.b && b.splines) now.shape = splined(compiled_.steps_of(geometry), b, i, asking);
+  if (now.shape != nothing) return;
+  now.shape = shape_of(values[b.a], i, asking);
+  if (b.a != b.b && b.s != 0) now.toward = shape_of(values[b.b], i, asking), now.blend = b.s;
 }
 
 void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
@@ -329,17 +379,7 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
   Looks now;
   now.visible = numbers_[n.display] != 0;
   if (now.visible) {
-    const Binding& geometry = *d.geometry;
-    if (geometry.steps < 0) {
-      now.shape = shape_of(compiled_.value(geometry, now_, asking), i, asking);
-    } else {
-      const Between b = compiled_.between(geometry, now_);
-      const auto values = compiled_.steps_of(geometry).values();
-      if (b.a != b.b && b.splines) now.shape = splined(compiled_.steps_of(geometry), b, i, asking);
-      const bool straight = now.shape == nothing;
-      if (straight) now.shape = shape_of(values[b.a], i, asking);
-      if (straight && b.a != b.b && b.s != 0) now.toward = shape_of(values[b.b], i, asking), now.blend = b.s;
-    }
+    take_shape(i, now, asking);
     if (!solids) {
       now.color = vec3(&numbers_[n.color]);
       now.transparency = std::clamp(numbers_[d.transparency], 0.0, 1.0);

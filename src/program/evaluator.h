@@ -22,12 +22,13 @@ using playing::Own;
 
 class Evaluator {
  public:
-  explicit Evaluator(const Program::Compiled&, const Beside* = nullptr);
+  explicit Evaluator(const Program::Compiled&, const DeferredEvaluation* = nullptr);
 
   // `solids`: of the live values, evaluate only those that affect positions and shapes.
   void to(Time, Asking&, bool solids = false);
   void place(Time, Asking&, const Needed&);  // evaluates only what one node's transform needs
   void stay();                               // stays at this time: nothing has changed
+  void change_all();                         // lists all drawables as changed
   bool fresh() const { return fresh_; }
   Time time() const { return now_; }
 
@@ -62,7 +63,8 @@ class Evaluator {
   double focus(std::uint32_t object, const Camera&) const;
 
   const Program::Compiled& compiled() const { return compiled_; }
-  const Beside* beside() const { return beside_; }
+  const DeferredEvaluation* deferred() const { return deferred_; }
+  void defer(const DeferredEvaluation* to) { deferred_ = to; }
 
  private:
   void play_to(Time);
@@ -72,6 +74,8 @@ class Evaluator {
   void play(std::int64_t t);
   bool seek(std::uint32_t source, std::int64_t t);
   void evaluate_lives(Asking&, bool solids);
+  void evaluate_coded(Asking&);
+  void evaluate(const Schedule::LiveSource&, Asking&);
   void take_hold(Asking&);
   void environments(bool own_set);
   void arrange();
@@ -95,6 +99,9 @@ class Evaluator {
   std::shared_ptr<const Mesh> posed(std::int32_t skin) const;
   void restyle(Asking&, bool solids);
   void look(std::uint32_t drawable, Asking&, bool solids);
+  void take_shape(std::uint32_t drawable, Looks&, Asking&);
+  bool take_blend(std::uint32_t drawable, Looks&, Asking&);
+  std::uint32_t put(std::size_t form, std::shared_ptr<const Shape>);
   std::uint32_t form(std::uint32_t drawable, Asking&);
   std::uint32_t shape_of(const Value&, std::uint32_t drawable, Asking&);
   std::shared_ptr<const Shape> made(std::uint32_t drawable, Asking&) const;
@@ -109,8 +116,8 @@ class Evaluator {
   }
 
   const Program::Compiled& compiled_;
-  const Beside* const beside_;    // has the answers of slow questions; null to compute them here
-  const Needed* only_ = nullptr;  // what place() needs; null for everything
+  const DeferredEvaluation* deferred_;  // has the answers of slow questions; null to compute them here
+  const Needed* only_ = nullptr;        // what place() needs; null for everything
   bool fresh_ = true;
   Time now_;
   std::vector<double> numbers_;
@@ -150,10 +157,11 @@ class Evaluator {
   std::vector<std::uint32_t> dirty_places_;
   std::vector<std::vector<Mat4>> palettes_;  // by skin
 
-  std::vector<std::shared_ptr<const Shape>> forms_;  // by drawable: shapes that vary; then those on splines
-  std::vector<std::uint8_t> stale_;                  // … and must be made again
-  std::vector<std::uint32_t> renewed_;               // the step of its last change
-  playing::Marks flags_;  // nodes that have changed; `changed` lists the drawables among them
+  // By drawable: shapes that vary; then those on splines, and those of blends; then what these blend into.
+  std::vector<std::shared_ptr<const Shape>> forms_;
+  std::vector<std::uint8_t> stale_;     // … and must be made again
+  std::vector<std::uint32_t> renewed_;  // the step of its last change
+  playing::Marks flags_;                // nodes that have changed; `changed` lists the drawables among them
 };
 
 }  // namespace betwixt

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/beside.h"
+#include "program/deferred_evaluation.h"
 #include "program/evaluator.h"
 #include "scene/camera_functions.h"
 
@@ -72,8 +72,8 @@ std::optional<std::uint32_t> Program::Compiled::camera_at(Time t) const {
 
 Camera Evaluator::camera() const {
   const auto through = compiled_.camera_at(now_);
-  if (!through && beside_ && compiled_.asks_for_camera()) {
-    const Answer* known = beside_->answer({Question::camera, 0});
+  if (!through && deferred_ && compiled_.asks_for_camera()) {
+    const Answer* known = deferred_->answer({Question::camera, 0});
     Camera somewhere;
     somewhere.aspect = compiled_.document.aspect();
     return known ? known->camera : somewhere;
@@ -107,7 +107,7 @@ Camera Evaluator::camera() const {
 // Returns the distance to the focus along the camera's axis. A focus that is not in front of the camera is ignored.
 double Evaluator::focus(std::uint32_t object, const Camera& c) const {
   Asking asking;
-  asking.beside = beside_;
+  asking.deferred = deferred_;
   const Vec3 eye = translation_of(c.world), back{c.world(0, 2), c.world(1, 2), c.world(2, 2)};
   const auto away = [&](Vec3 at) { return dot(eye - at, back); };
   const auto in_world = [&](std::uint32_t i) { return translation_of(world(i)); };

@@ -97,11 +97,11 @@ Placed Evaluator::own_placed(std::uint32_t node) const { return placed_of(owns_[
 // Returns the transform that the node's own tracks give.
 Own Evaluator::own_of(std::uint32_t node, Asking& asking) const {
   const Node& n = compiled_.nodes[node];
-  Said said = said_by(n, numbers_.data());
+  OwnTransform said = said_by(n, numbers_.data());
   if (n.transform || n.drive >= 0)
     said.own =
         compiled_.driven(n, now_, asking, n.drive >= 0 ? &products_[static_cast<std::size_t>(n.drive)] : nullptr);
-  if (n.moving >= 0) said.motion = compiled_.moved(n, now_);
+  if (n.moving >= 0) said.motion = compiled_.moved(n, now_, asking);
   return own_of_placed(own_place(said));
 }
 

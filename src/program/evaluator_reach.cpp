@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "program/evaluator.h"
+#include "program/ik.h"
 #include "program/placing.h"
-#include "program/reaching.h"
 
 namespace betwixt {
 
@@ -70,7 +70,7 @@ void Evaluator::reach(std::uint32_t hand, Asking& asking) {
   chain.push_back(hand);
   std::vector<Vec3> places;
   for (const std::uint32_t node : chain) places.push_back(joint_place(node));
-  places = reached(std::move(places), {*goal, aim(fn::reach_pole), share, transform_vector(first, {1, 0, 0})});
+  places = solve_ik(std::move(places), {*goal, aim(fn::reach_pole), share, transform_vector(first, {1, 0, 0})});
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
     const Vec3 from = joint_place(chain[i + 1]) - joint_place(chain[i]), to = places[i + 1] - places[i];
     const double numbers[] = {from.x, from.y, from.z, to.x, to.y, to.z};

@@ -40,7 +40,7 @@ Result<Value> holder(const Value& v, const Scene& scene) {
   const auto* off = std::get_if<bool>(&v);
   if (off && !*off) return Value(Attachment{});
   const auto* text = std::get_if<Text>(&v);
-  if (!text) return fail(ErrorCode::type, "it gives no name of what holds it: an object, \"none\" or false");
+  if (!text) return fail(ErrorCode::type, "it must return the name of the parent, \"none\" or false");
   std::string_view name = **text;
   if (name == "none") return Value(Attachment{});
   AttachmentKind kind = AttachmentKind::attach;
@@ -51,7 +51,7 @@ Result<Value> holder(const Value& v, const Scene& scene) {
   const ObjectId id = scene.names.find(name);
   if (!id) return fail(ErrorCode::name, fmt::format("there is no object '{}'", name.substr(0, 60)));
   if (!placed(scene.objects[id.index].kind))
-    return fail(ErrorCode::type, fmt::format("'{}' is nowhere: nothing hangs on it", name));
+    return fail(ErrorCode::type, fmt::format("'{}' has no position, so it cannot be a parent", name));
   return Value(Attachment{kind, id, false});
 }
 
@@ -70,7 +70,7 @@ Result<Value> fit(const Value& v, Type type, const Scene& scene) {
                    : std::holds_alternative<Vec3>(v) ? "a vector"
                    : text                            ? "a text"
                                                      : "something else";
-  return fail(ErrorCode::type, fmt::format("it gives {} where {} is wanted", is, to_string(type)));
+  return fail(ErrorCode::type, fmt::format("it must return {}, not {}", to_string(type), is));
 }
 
 std::optional<Value> laid_over(const Value& a, const Value& b, double w, bool mix) {

@@ -62,8 +62,8 @@ CompiledSpan Program::Compiled::held(std::uint32_t node, Time t, Asking& asking)
   };
   std::string way = name(self);
   for (std::int32_t at = now.parent; at != self && way.size() < 200; at = above(at)) way += " → " + name(at);
-  asking.err(fmt::format("{}.attachment: its code would have it hang on itself, {} → {}: nothing holds it meanwhile",
-                         name(self), way, name(self)),
+  asking.err(fmt::format("{}.attachment: its code would make a cycle, {} → {}, so the object has no parent", name(self),
+                         way, name(self)),
              source_of(document.scene().objects[nodes[node].object], now.from));
   CompiledSpan free;
   free.from = now.from, free.computed = true;

@@ -10,9 +10,9 @@
 #include <tuple>
 #include <utility>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "base/utf8.h"
-#include "program/beside.h"
+#include "program/deferred_evaluation.h"
 #include "scene/kinds.h"
 #include "track/along.h"
 #include "track/operations.h"
@@ -40,7 +40,7 @@ struct Worker {
     const Worker& w;
     Time t;
     bool lacking = false;     // the object lacks a function that objects of other kinds have
-    bool called_off = false;  // the work was cancelled; NotWanted is thrown after the code returns
+    bool called_off = false;  // the work was cancelled; Cancelled is thrown after the code returns
     Talk(const Worker& worker, Time time) : w(worker), t(time) {}
     double seconds() const override { return t.seconds(); }
     Rate rate() const override { return w.scene.rate; }
@@ -53,9 +53,9 @@ struct Worker {
     auto or_called_off(Work&& work) -> decltype(work()) {
       try {
         return work();
-      } catch (const NotWanted&) {
+      } catch (const Cancelled&) {
         called_off = true;
-        return fail(ErrorCode::machine, "this is not wanted any more");
+        return fail(ErrorCode::machine, "cancelled: a newer change replaces this one");
       }
     }
     Result<Value> value(std::string_view text, double seconds, std::uint64_t& cost) override {
@@ -63,7 +63,7 @@ struct Worker {
     }
     Result<Value> value_of(std::string_view text, double seconds, std::uint64_t& cost) {
       if (!std::isfinite(seconds) || std::abs(seconds) > longest_seconds)
-        return fail(ErrorCode::range, fmt::format("value('{}', {}): there is no such time", text, seconds));
+        return fail(ErrorCode::range, fmt::format("value('{}', {}): the time is out of range", text, seconds));
       const auto target = find_target(w.scene, text, {w.live.object});
       if (!target) return lacking = lacking || w.others_have(text), target.error();
       auto& trace = w.asking.read;
@@ -74,7 +74,7 @@ struct Worker {
       Value r = w.c.read(*target, from_seconds(seconds), w.asking);
       cost += w.asking.cost - before + 20;
       w.asking.cost = before;
-      if (w.asking.given_up) return fail(ErrorCode::range, "stopped: the question took too much work");
+      if (w.asking.given_up) return fail(ErrorCode::range, "stopped: reading this value took too much work");
       return r;
     }
     Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) override {
@@ -120,7 +120,7 @@ struct Worker {
     Talk talk(*this, t);
     std::uint64_t cost = 0;
     const auto answer = p.code->value(talk, {}, cost);
-    if (talk.called_off) throw NotWanted{};
+    if (talk.called_off) throw Cancelled{};
     if (asking.work(cost + 300)) return std::nullopt;                      // starting the code costs something too
     if (!answer && talk.lacking && by_definition(p)) return std::nullopt;  // the object has no such value
     const auto say = [&](const std::string& why) {
@@ -139,7 +139,7 @@ struct Worker {
     if (const FunctionSpec& spec = spec_of(scene, live.function); text && !spec.words.empty()) {
       const auto words = choices(spec);
       if (std::find(words.begin(), words.end(), **text) == words.end())
-        return say(fmt::format("'{}' is none of {}", (*text)->substr(0, 40), fmt::join(words, ", ")));
+        return say(fmt::format("'{}' is not one of {}", (*text)->substr(0, 40), fmt::join(words, ", ")));
     }
     if (text && live.function == fn::text && (*text)->size() > most_letters && count_characters(**text) > most_letters)
       return say(fmt::format("its text has more than {} letters", most_letters));
@@ -319,7 +319,7 @@ struct Worker {
     Value look(Time t) {
       try {
         if (!called_off) return w.looked_at(s, stage, t);
-      } catch (const NotWanted&) {
+      } catch (const Cancelled&) {
         called_off = true;
       }
       return w.given_up();
@@ -331,7 +331,7 @@ struct Worker {
   // Returns the input of a filter at a time. Stacked filters sample the same times again, on grids of their own. A
   // cache for this one answer makes their cost the sum, not the product.
   Value looked_at(const LiveStrand& s, std::size_t stage, Time t) const {
-    StillWanted::ask();
+    Cancellation::check();
     if (asking.work(20)) return given_up();
     if (s.filters.size() < 2) return strand_value(s, stage, t);
     const auto key = std::tuple(&s, stage, t.flicks);
@@ -386,7 +386,7 @@ struct Worker {
     if (f.segment && (t < f.segment->first || t > f.segment->second)) return plain;
     Through input(*this, s, stage - 1, f.component);
     const auto made = apply(f, input, t.seconds());
-    if (input.called_off) throw NotWanted{};
+    if (input.called_off) throw Cancelled{};
     const auto pass = [&](const std::string& why) {
       std::string said = fmt::format("{}: the filter '{}' is left out: {}", name(f.component), f.name, why);
       f.code ? asking.err(std::move(said), f.code->source) : asking.say(std::move(said));
@@ -395,10 +395,10 @@ struct Worker {
     if (!made) return pass(made.error().message);
     double n[4];
     if (!finite({n, static_cast<std::size_t>(to_numbers(*made, n))}))
-      return pass("it gives a value that is not finite");
+      return pass("it returns a value that is not finite");
     if (f.component >= 0) {
       const auto* d = std::get_if<double>(&*made);
-      return d ? with_component(plain, f.component, *d) : pass("it does not give a number");
+      return d ? with_component(plain, f.component, *d) : pass("it does not return a number");
     }
     const Type type = spec_of(scene, live.function).type;
     const auto fitting = fit(*made, type, scene);
@@ -460,11 +460,10 @@ namespace {
 
 std::string too_far_back(const std::string& name, std::size_t steps, bool adds_up) {
   std::string said = fmt::format(
-      "{} looks back at its own past through more than {} earlier times. Beyond them its last value without a "
-      "procedure "
-      "counts, so from here on it is not what its code says: look back in longer steps, or say it by t alone",
+      "{} reads its own past through more than {} earlier times. Beyond them it uses its last value without code, so "
+      "from here on the result is wrong: read the past in longer steps, or compute the value from t alone",
       name, steps);
-  return adds_up ? said + fmt::format("; what adds up to it may be {}.velocity", name) : said;
+  return adds_up ? said + fmt::format("; to sum up changes, compute {}.velocity instead", name) : said;
 }
 
 }  // namespace
@@ -472,15 +471,16 @@ std::string too_far_back(const std::string& name, std::size_t steps, bool adds_u
 Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, int component) const {
   const Live& live = lives[static_cast<std::size_t>(index)];
   const Worker worker{*this, live, asking};
-  StillWanted::ask();
-  if (const Beside* beside = asking.open.empty() ? asking.beside : nullptr) {
-    const Question question{Question::live, static_cast<std::uint32_t>(index)};
-    const Answer* known = beside->answer(question);
-    if (t == beside->time() || !beside->quick(question)) {
-      if (!known) return worker.without_asking(t, component);
-      asking.say_all(*known);
-      return component < 0 ? known->value : Value(component_of(known->value, component));
+  Cancellation::check();
+  if (const auto deferred = asking.deferred_answer({Question::live, static_cast<std::uint32_t>(index)}, t);
+      deferred.yes) {
+    if (!deferred.answer) {
+      const LinearTwerpers plain;
+      return worker.without_asking(t, component);
     }
+    asking.say_all(*deferred.answer);
+    const Value& value = deferred.answer->value;
+    return component < 0 ? value : Value(component_of(value, component));
   }
   const Sought key{index, component, t.flicks};
   constexpr std::size_t deepest = 200;  // code that looks back further should add up instead
@@ -490,7 +490,7 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
     asking.cut = std::min(asking.cut, circle ? static_cast<std::size_t>(again - asking.open.begin()) : 0);
     const std::string name = document.name(Target{{live.object}, live.function, -1});
     if (circle)
-      asking.say(name + " reads itself in a circle: inside, its last value without a procedure counts");
+      asking.say(name + " depends on itself: it uses its last value without code there");
     else
       asking.say(too_far_back(name, deepest, has_velocity(spec_of(document.scene(), live.function).type)));
     return worker.without_asking(t, component);
@@ -506,7 +506,7 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
   const bool outermost = asking.open.empty();
   if (outermost && asking.cost > Asking::most_of_a_frame) {
     asking.say(
-        fmt::format("one frame takes more than {} steps: the values that are left count without procedures and filters",
+        fmt::format("one frame takes more than {} steps: the remaining values are shown without code and filters",
                     Asking::most_of_a_frame));
     return worker.without_asking(t, component);
   }
@@ -517,7 +517,7 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
   Value v = worker.value(t, component);
   asking.open.pop_back();
   if (outermost && std::exchange(asking.given_up, false)) {
-    asking.say(fmt::format("{} takes more than {} steps: its value without procedures and filters counts",
+    asking.say(fmt::format("{} takes more than {} steps: its value is shown without code and filters",
                            document.name(Target{{live.object}, live.function, -1}), Asking::most_work));
     working.done();
     return worker.without_asking(t, component);

@@ -10,7 +10,7 @@ namespace {
 
 std::size_t bytes_of(const Schedule& s) {
   return bytes_held(s.sources) + bytes_held(s.events) + bytes_held(s.activities) + bytes_held(s.begins) +
-         bytes_held(s.ends) + bytes_held(s.lives);
+         bytes_held(s.ends) + bytes_held(s.lives) + bytes_held(s.coded);
 }
 
 std::size_t bytes_of(const Live& live) {
@@ -30,7 +30,7 @@ std::size_t bytes_of(const Program& program) {
   const auto add = [&](const auto&... arrays) { ((sum += bytes_held(arrays)), ...); };
   add(c.rest, c.curves, c.steps, c.bindings, c.pieces, c.defaults, c.plains, c.lives, c.reigns, c.nodes, c.drawables);
   add(c.shapes, c.textures, c.lights, c.eyes, c.borrowers, c.spans, c.frozen, c.environments, c.sitings, c.movings);
-  add(c.offsets, c.node_of);
+  add(c.offsets, c.node_of, c.slow_shapes, c.slow_blends);
   for (const auto& steps : c.steps) sum += shared_bytes<StepTrack> + steps->bytes();
   for (const Live& live : c.lives) sum += bytes_of(live);
   for (const Siting& siting : c.sitings)

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "program/compiled.h"
+#include "program/deferred_evaluation.h"
 
 namespace betwixt {
 namespace {
@@ -19,7 +19,7 @@ void place_centres(Program::Compiled& compiled, const Node& node, Motion& motion
     const ObjectId id = compiled.document.find(f.about);
     if (!id || compiled.node_of[id.index] == ObjectId::nothing)
       compiled.notices.push_back("'" + compiled.document.name(ObjectId{node.object}) + "' moves about '" + f.about +
-                                 "', which is not there: about the origin instead");
+                                 "', which does not exist: it moves about the origin instead");
     f.about.clear();
     if (!id || compiled.node_of[id.index] == ObjectId::nothing) continue;
     const Vec3 place = translation_of(compiled.placement(compiled.node_of[id.index], t, asking).in_world());
@@ -27,7 +27,7 @@ void place_centres(Program::Compiled& compiled, const Node& node, Motion& motion
       f.centre = *centre;
     else
       compiled.notices.push_back("'" + compiled.document.name(ObjectId{node.object}) +
-                                 "' is flattened by what it hangs on: its motion about '" + compiled.document.name(id) +
+                                 "' has a parent with a scale of 0: its motion about '" + compiled.document.name(id) +
                                  "' is about the origin instead");
   }
 }
@@ -132,31 +132,46 @@ std::vector<Motion> Program::motions(ObjectId object) const {
   return all;
 }
 
-// M = A_k(u) A_(k-1)(1) ... A_1(1), with u of piece k done. The motions act in the space of the position.
-std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t) const {
-  constexpr double bound = 1e18;
-  if (n.moving < 0) return std::nullopt;
-  const Moving& m = movings[static_cast<std::size_t>(n.moving)];
-  const Extrapolation how = t < m.first ? m.extend_before : t > m.last ? m.extend_after : Extrapolation::hold;
-  if (how >= Extrapolation::cycle) t = {fold(t.flicks, m.first.flicks, m.last.flicks, how == Extrapolation::bounce)};
-  const auto later = std::upper_bound(m.pieces.begin(), m.pieces.end(), t,
-                                      [](Time time, const Moving::Piece& p) { return time < p.from; });
-  auto k = static_cast<std::size_t>(later - m.pieces.begin());
+std::optional<Moving::Place> Moving::place(Time t) const {
+  const Extrapolation how = t < first ? extend_before : t > last ? extend_after : Extrapolation::hold;
+  if (how >= Extrapolation::cycle) t = {fold(t.flicks, first.flicks, last.flicks, how == Extrapolation::bounce)};
+  const auto later =
+      std::upper_bound(pieces.begin(), pieces.end(), t, [](Time time, const Piece& p) { return time < p.from; });
+  if (later != pieces.begin()) return Place{&later[-1], t, how};
   // Linear extrapolation continues backwards before the first piece.
-  const bool ahead = k == 0 && how == Extrapolation::linear && m.pieces[0].from == m.first;
-  if (k == 0 && !ahead) return std::nullopt;
-  k = ahead ? 0 : k - 1;
-  const Moving::Piece& p = m.pieces[k];
-  if (k >= m.placed) {  // while centres are being fixed: starting pieces have done nothing, later ones do not exist yet
-    if (how != Extrapolation::hold) return std::nullopt;
+  const bool ahead = how == Extrapolation::linear && pieces[0].from == first;
+  return ahead ? std::optional(Place{&pieces[0], t, how}) : std::nullopt;
+}
+
+namespace {
+
+// M = A_k(u) A_(k-1)(1) ... A_1(1), with u of piece k done. The motions act in the space of the position.
+std::optional<Mat4> whole_motion(const CurveSet& set, const Moving& m, Time t) {
+  constexpr double bound = 1e18;
+  const auto at = m.place(t);
+  if (!at) return std::nullopt;
+  const Moving::Piece& p = *at->piece;
+  // While centres are being fixed, starting pieces have done nothing, and later ones do not exist yet.
+  if (static_cast<std::size_t>(&p - m.pieces.data()) >= m.placed) {
+    if (at->how != Extrapolation::hold) return std::nullopt;
     return p.before;
   }
-  const bool beyond = t >= p.until && !(how == Extrapolation::linear && p.until == m.last);
+  const bool beyond = at->time >= p.until && !(at->how == Extrapolation::linear && p.until == m.last);
   double done = p.open ? 0 : 1;
-  if (!p.open && !beyond) set.evaluate(p.progress, t, &done);
+  if (!p.open && !beyond) set.evaluate(p.progress, at->time, &done);
   Mat4 whole = betwixt::at(p.motion, done) * p.before;
   for (double& x : whole.m) x = std::isnan(x) ? 0 : std::clamp(x, -bound, bound);
   return whole;
+}
+
+}  // namespace
+
+std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t, Asking& asking) const {
+  if (n.moving < 0) return std::nullopt;
+  const Moving& m = movings[static_cast<std::size_t>(n.moving)];
+  return coded_value(
+      *this, find(n.object, fn::motion), t, asking, [](const Answer& a) { return &a.motion; },
+      [&] { return whole_motion(set, m, t); });
 }
 
 }  // namespace betwixt

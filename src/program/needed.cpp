@@ -38,7 +38,7 @@ struct Following {
     if (b.live >= 0) return need_aim(c.live_value(b.live, t, asking));
     if (b.channels > 0) return;
     if (b.steps < 0) return need_aim(b.constant);
-    const Between w = c.between(b, t);
+    const Between w = c.between(b, t, asking);
     const auto values = c.steps_of(b).values();
     need_aim(values[w.a]), need_aim(values[w.b]);
   }
@@ -107,10 +107,10 @@ bool Needed::wants(const Schedule::LiveSource& live) const {
   return f == fn::rotation || f == fn::scale ? turns[live.node] : places[live.node];
 }
 
-Needed needed(const Program::Compiled& c, std::uint32_t node, bool turned, Time t, Asking& asking) {
+Needed needed(const Program::Compiled& c, std::span<const std::uint32_t> nodes, bool turned, Time t, Asking& asking) {
   const std::vector<bool> none(c.nodes.size());
   Following f{c, t, asking, {none, none, none, none}, {}};
-  f.need(node, turned);
+  for (const std::uint32_t node : nodes) f.need(node, turned);
   f.all();
   return std::move(f.out);
 }

@@ -5,6 +5,7 @@
 // it without a cycle.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "program/compiled.h"
@@ -20,8 +21,8 @@ struct Needed {
   bool wants(const Schedule::LiveSource&) const;
 };
 
-// Returns the needs of a node's whole matrix, or of its position alone if not `turned`.
-Needed needed(const Program::Compiled&, std::uint32_t node, bool turned, Time, Asking&);
+// Returns the needs of the nodes' whole matrices, or of their positions alone if not `turned`.
+Needed needed(const Program::Compiled&, std::span<const std::uint32_t> nodes, bool turned, Time, Asking&);
 // Returns true if a node's rotation and scale do not affect its position.
 bool turns_in_place(const Program::Compiled&, const Node&);
 

@@ -59,7 +59,7 @@ std::optional<Time> Program::next_change(Time t) const {
   for (const CompiledSpan& span : compiled.spans) next.may(span.from);
   for (const auto* cameras : {&*scene.cuts, &*scene.views})
     if (const auto cut = cameras->upper_bound(t); cut != cameras->end()) next.may(cut->first);
-  for (const auto& note : *scene.notes) next.may(note.first);
+  if (const auto note = scene.notes->upper_bound(t); note != scene.notes->end()) next.may(note->first);
   return next.at;
 }
 
@@ -80,7 +80,7 @@ void again(std::span<const std::int64_t> times, Time after, Time until, May&& ma
 
 }  // namespace
 
-std::vector<Time> Program::breaks(Time after, Time until) const {
+std::vector<Time> Program::discontinuities(Time after, Time until) const {
   const Compiled& compiled = *code_;
   const Scene& scene = compiled.document.scene();
   std::vector<Time> all;
@@ -106,8 +106,10 @@ std::vector<Time> Program::breaks(Time after, Time until) const {
     each_of(*edges, [](const Schedule::Edge& e) { return Time{e.time}; });
   for (const auto* cameras : {&*scene.cuts, &*scene.views})
     each_of(*cameras, [](const auto& cut) { return cut.first; });
+  constexpr std::int64_t most_ticks = 1'000'000;  // four hours of 60 a second
+  const std::int64_t first = scene.ticks.whole(after) + 1;
   if (!compiled.environments.empty() && !scene.smooth_ticks)
-    for (std::int64_t tick = scene.ticks.whole(after) + 1; all.size() < 4096; ++tick) {
+    for (std::int64_t tick = first; tick < first + most_ticks; ++tick) {
       const Time t = scene.ticks.span(static_cast<double>(tick));
       if (t > until) break;
       may(t);

@@ -13,7 +13,7 @@ namespace betwixt {
 namespace {
 
 // Scales and rotates about the pivot, then translates.
-Mat4 local(const Said& said) {
+Mat4 local(const OwnTransform& said) {
   Mat4 m = rotation(said.turn);
   for (int c = 0; c < 3; ++c)
     for (int i = 0; i < 3; ++i) m(i, c) *= said.scale[c];
@@ -40,7 +40,7 @@ Quat turn_of(const Mat4& m) {
   return from_matrix(r);
 }
 
-Placed own_place(const Said& said) {
+Placed own_place(const OwnTransform& said) {
   Quat turn = said.own ? said.turn * turn_of(*said.own) : said.turn;
   if (said.motion) turn = turn_of(*said.motion) * turn;
   return {local(said), turn};
@@ -61,7 +61,7 @@ Placed hang(const Placed& own, Vec3 attach, const CompiledSpan* span, const Froz
   return p;
 }
 
-Said said_by(const Node& n, const double* numbers) {
+OwnTransform said_by(const Node& n, const double* numbers) {
   const double* r = numbers + n.rotation;
   return {n.orientation ? Quat{r[0], r[1], r[2], r[3]} : from_angles(vec3(r)),
           vec3(numbers + n.scale),
@@ -72,13 +72,13 @@ Said said_by(const Node& n, const double* numbers) {
           {}};
 }
 
-Said said_at(const Program::Compiled& compiled, const Node& n, Time t, Asking& asking, bool turned) {
+OwnTransform own_transform_at(const Program::Compiled& compiled, const Node& n, Time t, Asking& asking, bool turned) {
   double x[4] = {};
   const auto numbers = [&](FunctionId f) {
     compiled.evaluate(compiled.find(n.object, f), t, asking, x);
     return vec3(x);
   };
-  Said said;
+  OwnTransform said;
   said.scale = {1, 1, 1};
   if (turned || !turns_in_place(compiled, n)) {
     numbers(fn::rotation);
@@ -87,7 +87,7 @@ Said said_at(const Program::Compiled& compiled, const Node& n, Time t, Asking& a
   }
   said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
   said.attach = numbers(fn::attach_position);
-  said.own = compiled.driven(n, t, asking), said.motion = compiled.moved(n, t);
+  said.own = compiled.driven(n, t, asking), said.motion = compiled.moved(n, t, asking);
   return said;
 }
 
@@ -109,7 +109,7 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   CompiledSpan by_code;  // just before this time
   if (before && before->computed) by_code = held(f.node, {now.from.flicks - 1}, asking), before = &by_code;
   const Time t = now.from.flicks == INT64_MIN ? Time{} : now.from;
-  const Said said = said_at(*this, n, t, asking);
+  const OwnTransform said = own_transform_at(*this, n, t, asking);
   const Frozen* kept = before && before->frozen >= 0 ? &frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
   if (kept) thaw(before->frozen, asking);
   Sited old_parent;
@@ -191,8 +191,8 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking, b
     const Node& n = nodes[static_cast<std::size_t>(i)];
     const bool looks = n.looks && (turned || !chain.empty());  // turning does not move its own position
     if (looks || n.bends) {                                    // look-at or inverse kinematics turns it
-      Evaluator some(*this);
-      some.place(t, asking, needed(*this, node, turned, t, asking));
+      Evaluator some(*this, asking.deferred);
+      some.place(t, asking, needed(*this, {&node, 1}, turned, t, asking));
       return {some.placed(node), some.around(node)};
     }
     chain.emplace_back(static_cast<std::uint32_t>(i), held(static_cast<std::uint32_t>(i), t, asking));
@@ -204,7 +204,7 @@ Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking, b
     const Node& n = nodes[chain.back().first];
     const CompiledSpan* h = &chain.back().second;
     if (h->frozen >= 0) thaw(h->frozen, asking);
-    const Said said = said_at(*this, n, t, asking, turned || chain.size() > 1);
+    const OwnTransform said = own_transform_at(*this, n, t, asking, turned || chain.size() > 1);
     const Frozen* f = h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     if (h->kind < AttachmentKind::hang) placed.around = f && f->held ? f->around : Mat4{};
     static_cast<Placed&>(placed) = hang(own_place(said), said.attach, h, f, &placed);
@@ -239,15 +239,15 @@ Kinematics Program::kinematics(ObjectId object, Time t) const {
   b.position = place(t);
   const CompiledSpan h = compiled.held(node, t, asking);
   const bool held = h.kind >= AttachmentKind::hang;
-  if (held) b.to_world = linear_part(compiled.placement(static_cast<std::uint32_t>(h.parent), t, asking).world);
+  if (held) b.track_to_world = linear_part(compiled.placement(static_cast<std::uint32_t>(h.parent), t, asking).world);
   const Mat4 around = linear_part(compiled.placement(node, t, asking).around);
   if (h.frozen >= 0) {
     const Frozen& f = compiled.frozen[static_cast<std::size_t>(h.frozen)];
-    if (!held) b.to_world = linear_part(f.parent);
-    b.to_world = b.to_world * linear_part(f.before);
+    if (!held) b.track_to_world = linear_part(f.parent);
+    b.track_to_world = b.track_to_world * linear_part(f.before);
   }
-  b.to_world = around * b.to_world;
-  if (const auto motion = compiled.moved(n, t)) b.to_world = b.to_world * linear_part(*motion);
+  b.track_to_world = around * b.track_to_world;
+  if (const auto motion = compiled.moved(n, t, asking)) b.track_to_world = b.track_to_world * linear_part(*motion);
   // The position track gives the velocity. If a parent carries the object, or did until now, the velocity is measured
   // by differences instead.
   if (held || h.computed || h.from == t || n.moving >= 0) {
@@ -256,7 +256,7 @@ Kinematics Program::kinematics(ObjectId object, Time t) const {
   } else {
     Target rate{object, fn::position};
     rate.velocity = true;
-    b.velocity = transform_vector(b.to_world, std::get<Vec3>(read(rate, t)));
+    b.velocity = transform_vector(b.track_to_world, std::get<Vec3>(read(rate, t)));
   }
   return b;
 }

@@ -9,18 +9,18 @@
 namespace betwixt {
 
 // The values of an object's own transform.
-struct Said {
+struct OwnTransform {
   Quat turn;
   Vec3 scale, pivot, position, attach;
   std::optional<Mat4> own;     // applied first, in its own space
   std::optional<Mat4> motion;  // applied last, in the space of its position
 };
 
-Said said_by(const Node&, const double* numbers);
+OwnTransform said_by(const Node&, const double* numbers);
 // The same for one node alone. Without `turned`, evaluates only what its position needs.
-Said said_at(const Program::Compiled&, const Node&, Time, Asking&, bool turned = true);
+OwnTransform own_transform_at(const Program::Compiled&, const Node&, Time, Asking&, bool turned = true);
 // Returns the own transform: scales and rotates about the pivot, then translates.
-Placed own_place(const Said&);
+Placed own_place(const OwnTransform&);
 // Applies the attachment. `parent`: the parent's transform at this time, for hang, attach and couple.
 Placed hang(const Placed& own, Vec3 attach, const CompiledSpan*, const Frozen*, const Placed* parent);
 

@@ -4,9 +4,9 @@
 // Reads values, one or many at a time.
 #include <algorithm>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
+#include "program/audible_part.h"
 #include "program/evaluator.h"
-#include "program/hearing.h"
 
 namespace betwixt {
 namespace {
@@ -28,7 +28,7 @@ Value place_in(const Mat4& m, int component) {
 void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const {
   for (const auto& [i, why] : failed.all)
     asking.err(
-        "the twerper '" + (*document.scene().procedures)[i].name + "' gives no number, and is linear there: " + why,
+        "the twerper '" + (*document.scene().procedures)[i].name + "' returned no number and is linear there: " + why,
         (*document.scene().procedures)[i].code->source);
 }
 
@@ -39,7 +39,7 @@ Value Program::Compiled::heard(const Target& target, Time t, Asking& asking) con
   const auto found = sounds.find(*std::get<Text>(read(Target(target.object, fn::sound_file), t, asking)));
   if (found == sounds.end()) return 0.0;
   const Sound& sound = *found->second;
-  const HeardPart part = heard_part(sound.seconds, number);
+  const AudiblePart part = audible_part(sound.seconds, number);
   const double own = part.own_time(t.seconds());
   if (target.query() == Query::onsets)
     return static_cast<double>(sound.onsets_between(part.from, std::min(own, part.end())));
@@ -55,8 +55,8 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
     const std::int64_t tick = document.scene().ticks.whole(t);
     // The generation alive at the tick. If it has been killed, its last A.
     const int generation = e.generation_at(tick).value_or(std::max(0, e.bind(tick).value_or(e.generations()) - 1));
-    if (query == Query::motion) return Matrix(e.matrix(tick).value_or(Mat4{}));
-    if (query == Query::interval) return static_cast<double>(e.interval(tick).value_or(0));
+    if (query == Query::by) return Matrix(e.matrix(tick).value_or(Mat4{}));
+    if (query == Query::every) return static_cast<double>(e.interval(tick).value_or(0));
     if (query == Query::count) return static_cast<double>(e.count(generation, tick));
     return place_in(e.at(generation, tick), target.component);
   }
@@ -85,7 +85,7 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
   if (b.live >= 0) return part(live_value(b.live, t, asking), target.component);
   if (b.channels == 0) {
     if (type == Type::aim && b.steps >= 0) {
-      const Between w = between(b, t);
+      const Between w = between(b, t, asking);
       if (w.a != w.b) {
         // A focus is given as a distance in front of the camera.
         const bool focus = target.function == fn::focus;
@@ -128,7 +128,7 @@ std::vector<Value> read_all(const Program::Compiled& code, const std::vector<Tar
   };
   if (std::count_if(targets.begin(), targets.end(), wants_world) > 4) all.emplace(code).to(t, asking);
   for (const Target& target : targets) {
-    StillWanted::ask();
+    Cancellation::check();
     out.push_back(wants_world(target) && all ? place_in(all->world(code.node_of[target.object.index]), target.component)
                                              : code.read(target, t, asking));
   }

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "program/evaluator.h"
+#include "program/needed.h"
 
 namespace betwixt {
 
@@ -36,18 +37,30 @@ std::optional<Skin> compile_skin(const Program::Compiled& compiled, std::uint32_
   return moved ? std::optional(std::move(skin)) : std::nullopt;
 }
 
+namespace {
+
+// Returns the joint matrices, or none if the mesh is flattened. `world`: returns a node's transform.
+template <class World>
+std::vector<Mat4> palette_of(const Skin& skin, World&& world) {
+  std::vector<Mat4> all;
+  if (skin.joints.empty()) return all;
+  const auto own = inverse(world(skin.drawable));
+  for (std::size_t j = 0; own && j < skin.joints.size(); ++j)
+    all.push_back(skin.joints[j] < 0
+                      ? Mat4{}
+                      : *own * world(static_cast<std::uint32_t>(skin.joints[j])) * skin.rest->rig->inverse_bind[j]);
+  return all;
+}
+
+}  // namespace
+
 // Computes the joint matrices of each skin, and marks the skins whose matrices have changed.
 void Evaluator::follow_joints() {
   palettes_.resize(compiled_.skins.size());
   for (std::size_t i = 0; i < palettes_.size(); ++i) {
     const Skin& skin = compiled_.skins[i];
-    if (skin.joints.empty()) continue;
-    const auto own = inverse(world(skin.drawable));
-    std::vector<Mat4> now;
-    for (std::size_t j = 0; own && j < skin.joints.size(); ++j)
-      now.push_back(skin.joints[j] < 0
-                        ? Mat4{}
-                        : *own * world(static_cast<std::uint32_t>(skin.joints[j])) * skin.rest->rig->inverse_bind[j]);
+    if (deferred_ && compiled_.drawables[skin.drawable].slow >= 0) continue;
+    std::vector<Mat4> now = palette_of(skin, [&](std::uint32_t node) { return world(node); });
     std::vector<Mat4>& was = palettes_[i];
     const auto same = [](const Mat4& a, const Mat4& b) { return std::memcmp(&a, &b, sizeof a) == 0; };
     if (std::equal(now.begin(), now.end(), was.begin(), was.end(), same)) continue;
@@ -61,6 +74,29 @@ std::shared_ptr<const Mesh> Evaluator::posed(std::int32_t skin_number) const {
   std::vector<double> weights;
   for (const Binding* b : skin.weights) weights.push_back(b ? numbers_[b->offset] : 0);
   return deformed(*skin.rest, weights, palettes_[static_cast<std::size_t>(skin_number)]);
+}
+
+std::shared_ptr<const Mesh> Program::Compiled::posed(std::int32_t skin_number, Time t, Asking& asking) const {
+  const Skin& skin = skins[static_cast<std::size_t>(skin_number)];
+  std::vector<double> weights;
+  for (const Binding* b : skin.weights) {
+    double n[4] = {};
+    if (b) evaluate(*b, t, asking, n);
+    weights.push_back(n[0]);
+  }
+  std::optional<Evaluator> all;  // with look-at or inverse kinematics, the joints are cheaper together
+  if (looks && !skin.joints.empty()) {
+    std::vector<std::uint32_t> nodes{skin.drawable};
+    for (const std::int32_t joint : skin.joints)
+      if (joint >= 0) nodes.push_back(static_cast<std::uint32_t>(joint));
+    all.emplace(*this).place(t, asking, needed(*this, nodes, true, t, asking));
+  }
+  const auto world = [&](std::uint32_t node) {
+    if (all) return all->world(node);
+    const Sited placed = placement(node, t, asking);
+    return sited ? placed.in_world() : placed.world;
+  };
+  return deformed(*skin.rest, weights, palette_of(skin, world));
 }
 
 }  // namespace betwixt

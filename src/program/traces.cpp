@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "betwixt/document.h"
 #include "program/compiled.h"
 
@@ -106,7 +106,7 @@ class Tracer {
   void extend(Time t) {
     if (looks_.empty()) looks_.push_back({from_, place(from_)});
     while (done_ < most_frames && from_.flicks + (done_ + 1) * step_ <= t.flicks) {
-      StillWanted::ask();
+      Cancellation::check();
       const std::size_t known = looks_.size();
       const Time next{from_.flicks + (done_ + 1) * step_};
       try {

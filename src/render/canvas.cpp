@@ -45,8 +45,8 @@ void main() {
 }
 )";
 
-// The picture's first row is what is shown on top. A deep one has its opacity multiplied in, as graphics that are laid
-// over others have it; an opacity is at least so much that light without it can be as bright (to_shown).
+// The picture's first row is what is shown on top. A linear one has its opacity multiplied in, as graphics that are
+// laid over others have it; an opacity is at least so much that light without it can be as bright (to_shown).
 const char* const show_fragment = R"(
 uniform sampler2D picture;
 out vec4 color;
@@ -54,7 +54,7 @@ vec3 curve(vec3 c) { return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.0
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 c = texelFetch(picture, ivec2(at.x, textureSize(picture, 0).y - 1 - at.y), 0);
-#ifdef DEEP
+#ifdef LINEAR
   c = clamp(c, 0.0, 1.0);
   float opacity = max(max(c.r, c.g), max(c.b, c.a));
   color = vec4(curve(c.rgb / max(opacity, 1e-6)) * opacity, opacity);
@@ -82,9 +82,9 @@ vec3 encoded(vec3 c) {
 Result<Canvas> Canvas::create(const RenderOptions& options) {
   Canvas c;
   c.width_ = options.width, c.height_ = options.height;
-  c.deep_ = options.deep;
-  c.can_write_encoded_ = !c.deep_ && epoxy_has_gl_extension("GL_EXT_sRGB_write_control");
-  if (c.deep_ && !epoxy_has_gl_extension("GL_EXT_color_buffer_float"))
+  c.linear_ = options.linear;
+  c.can_write_encoded_ = !c.linear_ && epoxy_has_gl_extension("GL_EXT_sRGB_write_control");
+  if (c.linear_ && !epoxy_has_gl_extension("GL_EXT_color_buffer_float"))
     return fail(ErrorCode::machine, "these graphics have no pictures of light (GL_EXT_color_buffer_float)");
   const bool multisampled = options.samples == 4 || options.samples == 16;
   c.side_ = options.samples == 9 ? 3 : options.samples == 16 ? 2 : 1;
@@ -131,7 +131,7 @@ void Canvas::begin(const std::optional<Vec3>& background, bool clear) const {
   write_encoded();
   Vec3 c = background && finite(*background) && !clear ? *background : Vec3{};
   if (can_write_encoded_) c = {encoded(c.x), encoded(c.y), encoded(c.z)};
-  glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), deep_ && clear ? 0 : 1);
+  glClearColor(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), linear_ && clear ? 0 : 1);
   glDepthMask(GL_TRUE);
   // Clear the stencil too, so that whole words are cleared: for depth alone, software GL clears bits, sample by sample.
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -179,7 +179,7 @@ void Canvas::finish() const {
 
 Status Canvas::show() {
   if (show_.id() == 0) {
-    auto made = gl::new_program(gl::fill_vertex, show_fragment, deep_ ? "#define DEEP" : "");
+    auto made = gl::new_program(gl::fill_vertex, show_fragment, linear_ ? "#define LINEAR" : "");
     if (!made) return made.error();
     show_ = *std::move(made);
     gl::set_samplers(show_, {{"picture", 0}});
@@ -206,7 +206,7 @@ void Canvas::read(Picture& out) const {
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, out.rgba.data());
 }
 
-void Canvas::read(DeepPicture& out) const {
+void Canvas::read(LinearPicture& out) const {
   if (StageTimes::listened()) glFinish();
   const InStage stage(Stage::read_back);
   out.width = width_, out.height = height_;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The drawing surface of a style: n×n samples a pixel in linear light with depth and stencil, and a background; and its
-// conversion to a picture of sRGB bytes, or, if it is deep, of light in half floats.
+// conversion to a picture of sRGB bytes, or, if it is linear, of light in half floats.
 #pragma once
 
 #include <optional>
@@ -27,10 +27,10 @@ class Canvas {
   int height() const { return height_; }
   int side() const { return side_; }  // factor of the pixels along a side
 
-  bool deep() const { return deep_; }
-  GLenum format() const { return deep_ ? GL_RGBA16F : GL_SRGB8_ALPHA8; }
+  bool linear() const { return linear_; }
+  GLenum format() const { return linear_ ? GL_RGBA16F : GL_SRGB8_ALPHA8; }
 
-  // Clears colour and depth, to the plain background if given; if `clear` and the canvas is deep, to transparent.
+  // Clears colour and depth, to the plain background if given; if `clear` and the canvas is linear, to transparent.
   void begin(const std::optional<Vec3>& background, bool clear) const;
   // If can_write_encoded(), programs write encoded colours after begin(), which saves the encoding of each sample, and
   // linear light after write_linear(), which can be blended. Otherwise they always write linear light.
@@ -48,14 +48,14 @@ class Canvas {
   Status show();
   // Reads the last finished picture.
   void read(Picture& out) const;
-  void read(DeepPicture& out) const;  // of a deep canvas
+  void read(LinearPicture& out) const;  // of a linear canvas
 
  private:
   void bind_last() const;
   void write_encoded() const;
 
   int width_ = 0, height_ = 0, side_ = 0;
-  bool deep_ = false, can_write_encoded_ = false;
+  bool linear_ = false, can_write_encoded_ = false;
   gl::Multisampled corners_;  // four samples a pixel of `large_`; absent for plain supersampling
   gl::Target large_;          // `side_` times the picture's size
   gl::Target pixels_;         // the picture's size; absent if `large_` has it

@@ -14,7 +14,7 @@ namespace betwixt::gl {
 namespace {
 
 Error no_graphics(const char* why) {
-  return fail(ErrorCode::machine, fmt::format("no graphics to be had: {}", why),
+  return fail(ErrorCode::machine, fmt::format("graphics are not available: {}", why),
               "on Debian: apt install libegl1 libgl1-mesa-dri");
 }
 
@@ -53,7 +53,7 @@ EGLDisplay open_display() {
 
 Result<Context> Context::create() {
   const EGLDisplay display = open_display();
-  if (display == EGL_NO_DISPLAY) return no_graphics("EGL has no surfaceless platform here");
+  if (display == EGL_NO_DISPLAY) return no_graphics("EGL has no surfaceless platform on this machine");
   const EGLenum previous = eglQueryAPI();
   if (!eglBindAPI(EGL_OPENGL_ES_API)) return no_graphics("EGL has no OpenGL ES");
   const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};

@@ -11,8 +11,8 @@ void Module::draw(const Columns& columns) {
 
 Status Module::draw(const Columns& columns, Picture& out) {
   draw(columns);
-  if (canvas_.deep()) {
-    DeepPicture light;
+  if (canvas_.linear()) {
+    LinearPicture light;
     canvas_.read(light);
     to_shown(light, out);
   } else {
@@ -26,8 +26,8 @@ Status Module::draw(const Columns& columns, Shown&) {
   return canvas_.show();
 }
 
-Status Module::draw(const Columns& columns, DeepPicture& out) {
-  if (!canvas_.deep()) return fail(ErrorCode::range, "pictures of light come from a renderer that was made for them");
+Status Module::draw(const Columns& columns, LinearPicture& out) {
+  if (!canvas_.linear()) return fail(ErrorCode::range, "pictures of linear light need a renderer with that option");
   draw(columns);
   canvas_.read(out);
   return Nothing{};

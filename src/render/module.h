@@ -23,7 +23,7 @@ class Module {
   Status draw(const Columns&, Picture& out);
   struct Shown {};  // the surface of the graphics system
   Status draw(const Columns&, Shown& out);
-  Status draw(const Columns&, DeepPicture& out);  // errors: range (the canvas is not deep)
+  Status draw(const Columns&, LinearPicture& out);  // errors: range (the canvas is not linear)
 
  protected:
   Module(Canvas canvas, Purpose purpose)

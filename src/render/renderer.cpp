@@ -7,7 +7,7 @@
 
 #include "base/stages.h"
 #include "betwixt/render.h"
-#include "render/exposure.h"
+#include "render/blur.h"
 #include "render/gl.h"
 #include "render/module.h"
 #include "render/traced.h"
@@ -25,19 +25,19 @@ class SurfacelessRenderer final : public Renderer {
     module_.reset();
   }
   Status render(const Frame& frame, Picture& out) override { return draw(frame, out); }
-  Status render(const Frame& frame, DeepPicture& out) override { return draw(frame, out); }
+  Status render(const Frame& frame, LinearPicture& out) override { return draw(frame, out); }
   Status render(const Evaluation& evaluation, Picture& out) override { return draw(evaluation, out); }
-  Status render(const Evaluation& evaluation, DeepPicture& out) override { return draw(evaluation, out); }
+  Status render(const Evaluation& evaluation, LinearPicture& out) override { return draw(evaluation, out); }
   Status show(const Evaluation& evaluation) override {
     if (!context_.shows()) return Renderer::show(evaluation);
     Module::Shown shown;
     return draw(evaluation, shown);
   }
-  Status expose(Evaluation& evaluation, Time t, const Exposure& how, DeepPicture& out) override {
+  Status render_blurred(Evaluation& evaluation, Time t, const Blur& how, LinearPicture& out) override {
     seen_ = {};
-    return betwixt::expose(
+    return betwixt::render_blurred(
         evaluation, t, how, width_, height_,
-        [&](const Columns& columns, DeepPicture& picture) {
+        [&](const Columns& columns, LinearPicture& picture) {
           const InStage draw(Stage::draw);
           const gl::Current current(context_);
           return module_->draw(columns, picture);
@@ -99,9 +99,8 @@ constexpr Entry table[] = {
     {{"shaded", "lit surfaces with soft shadows, highlights and glass", squares, is_square, 1},
      surfaceless<make_shaded>},
     {{"wireframe", "all edges as fine lines", squares, is_square, 1}, surfaceless<make_wireframe>},
-    {{"hidden-line", "edges as fine lines, without those that surfaces hide", squares, is_square, 1},
-     surfaceless<make_hidden_line>},
-    {{"traced", "light that is followed from thing to thing, for final pictures", any, is_any, 64},
+    {{"hidden-line", "edges as fine lines, without hidden ones", squares, is_square, 1}, surfaceless<make_hidden_line>},
+    {{"traced", "path tracing, for final pictures", any, is_any, 64},
      [](const RenderOptions& options) { return make_traced(options); }},
 };
 
@@ -126,7 +125,7 @@ Error no_such_style(const std::string& name) {
     all += (all.empty() ? "" : ", ") + std::string(e.style.name);
     if (distance(name.substr(0, 64), e.style.name) <= 3) near = &e;
   }
-  return fail(ErrorCode::name, fmt::format("no style is called '{}'", name.substr(0, 64)),
+  return fail(ErrorCode::name, fmt::format("there is no style '{}'", name.substr(0, 64)),
               near != nullptr ? std::string(near->style.name) : "the styles are " + all);
 }
 
@@ -141,7 +140,7 @@ const std::vector<Style>& styles() {
   return all;
 }
 
-bool has_exposure(const Document& document) {
+bool has_blur(const Document& document) {
   const Objects& objects = document.scene().objects;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
     if (objects[i].kind == Kind::camera && (objects[i].find(fn::shutter) || objects[i].find(fn::f_stop))) return true;
@@ -150,22 +149,21 @@ bool has_exposure(const Document& document) {
 
 RenderOptions options_for(const Document& document, RenderOptions made, std::optional<std::pair<int, int>> size,
                           std::optional<int> samples) {
-  int usual = 1;
+  int least = 1;
   for (const Entry& e : table)
-    if (e.style.name == made.style) usual = e.style.usual;
+    if (e.style.name == made.style) least = e.style.least_samples;
   if (const auto pixels = size ? size : document.size()) std::tie(made.width, made.height) = *pixels;
   // A script's samples are for drawn styles; the path tracer needs more.
-  const auto n = samples || usual > 1 ? samples : document.samples();
-  made.samples = n ? *n : std::max(made.samples, usual);
+  const auto n = samples || least > 1 ? samples : document.samples();
+  made.samples = n ? *n : std::max(made.samples, least);
   return made;
 }
 
-std::optional<Exposure> exposure_for(const Document& document, std::optional<double> shutter,
-                                     std::optional<int> subframes) {
-  Exposure made;
+std::optional<Blur> blur_for(const Document& document, std::optional<double> shutter, std::optional<int> subframes) {
+  Blur made;
   made.subframes = subframes.value_or(document.subframes().value_or(made.subframes));
   made.shutter = shutter;
-  const bool blurs = has_exposure(document) || shutter.value_or(0) > 0;
+  const bool blurs = has_blur(document) || shutter.value_or(0) > 0;
   return blurs && made.subframes > 1 ? std::optional(made) : std::nullopt;
 }
 
@@ -176,12 +174,12 @@ Result<const Entry*> find(const RenderOptions& options) {
   if (!fits(options.width) || !fits(options.height))
     return fail(ErrorCode::range,
                 fmt::format("a picture of {}x{} pixels cannot be drawn", options.width, options.height),
-                "each side may have 1 to 8192 pixels");
+                "each side must have from 1 to 8192 pixels");
   const auto* entry =
       std::find_if(std::begin(table), std::end(table), [&](const Entry& e) { return e.style.name == options.style; });
   if (entry == std::end(table)) return no_such_style(options.style);
   if (!entry->style.takes(options.samples))
-    return fail(ErrorCode::range, fmt::format("{} samples a pixel cannot be drawn", options.samples),
+    return fail(ErrorCode::range, fmt::format("{} samples per pixel cannot be drawn", options.samples),
                 std::string(entry->style.samples));
   return entry;
 }
@@ -189,7 +187,7 @@ Result<const Entry*> find(const RenderOptions& options) {
 }  // namespace
 
 Status Renderer::show(const Evaluation&) {
-  return fail(ErrorCode::machine, "these graphics show nothing themselves", "render() gives the picture");
+  return fail(ErrorCode::machine, "this renderer has no window", "use render() to get the picture");
 }
 
 Status check_options(const RenderOptions& options) {

@@ -36,8 +36,8 @@ class Shaded final : public Module {
     const auto shadows =
         shadows_.update(things_, std::span(lighting.lights).first(lighting.casting), around.ground.has_value());
     const bool contact = need_contact();  // making it binds other targets
-    const Surfaces::Circumstances now{view,   lighting, shadows, shadows_.texture(),
-                                      around, metal,    contact, canvas_.deep() && around.clear};
+    const Surfaces::FrameSettings now{view,   lighting, shadows, shadows_.texture(),
+                                      around, metal,    contact, canvas_.linear() && around.clear};
     const bool encoded = canvas_.can_write_encoded();
     canvas_.begin(scenery_.background, around.clear);
     surfaces_.set(now);
@@ -58,7 +58,7 @@ class Shaded final : public Module {
     canvas_.finish();
   }
   // Restores the alpha of the floor and of empty pixels after contact shading; opaque objects have 1.
-  void put_opacity_back(Surfaces::Circumstances now) {
+  void put_opacity_back(Surfaces::FrameSettings now) {
     now.contact = false;
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
     surfaces_.draw_setting(now, {}, false);
@@ -100,7 +100,7 @@ class Shaded final : public Module {
 Result<std::unique_ptr<Module>> make_shaded(const RenderOptions& options) {
   auto canvas = Canvas::create(options);
   if (!canvas) return canvas.error();
-  auto surfaces = Surfaces::create(options.open);
+  auto surfaces = Surfaces::create(options.unclamped);
   if (!surfaces) return surfaces.error();
   auto shadows = Shadows::create();
   if (!shadows) return shadows.error();

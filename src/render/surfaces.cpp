@@ -36,7 +36,7 @@ std::array<float, 2 * shadow_seeds> sunflower() {
 }
 
 // Returns whether the simple programs are not enough.
-bool is_rich(const Surfaces::Circumstances& frame) {
+bool is_rich(const Surfaces::FrameSettings& frame) {
   return (!frame.shadows.empty() && (frame.shadows.back().light > 0 || frame.shadows.front().spread > 0)) ||
          (frame.metal && (frame.around.sky || frame.around.ground));
 }
@@ -62,7 +62,7 @@ Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const
                   shadow_seeds, (variant & rich) != 0 ? Lighting::most_casting : 1,
                   (variant & (rich | levels)) != 0 ? Shadows::most_maps : 1,
                   (variant & rich) != 0 ? "#define RICH\n" : "", (variant & levels) != 0 ? "#define LEVELS\n" : "",
-                  (variant & contact) != 0 ? "#define RECEIVES\n" : "", open_ ? "#define OPEN\n" : "", defines));
+                  (variant & contact) != 0 ? "#define RECEIVES\n" : "", unclamped_ ? "#define OPEN\n" : "", defines));
   if (!program) return program.error();
   Look look;
   look.program = *std::move(program);
@@ -85,9 +85,9 @@ Result<Surfaces::Looks> Surfaces::new_looks(std::size_t variant) const {
   return looks;
 }
 
-Result<Surfaces> Surfaces::create(bool open) {
+Result<Surfaces> Surfaces::create(bool unclamped) {
   Surfaces s;
-  s.open_ = open;
+  s.unclamped_ = unclamped;
   auto simple = s.new_looks(0);
   if (!simple) return simple.error();
   s.variants_[0] = *std::move(simple);
@@ -95,7 +95,7 @@ Result<Surfaces> Surfaces::create(bool open) {
   return s;
 }
 
-void Surfaces::set_program(const Look& look, const Circumstances& frame) {
+void Surfaces::set_program(const Look& look, const FrameSettings& frame) {
   const View& view = frame.view;
   const Lighting& lighting = frame.lighting;
   const Surroundings& around = frame.around;
@@ -126,7 +126,7 @@ void Surfaces::set_program(const Look& look, const Circumstances& frame) {
   set_shadows(look, frame);
 }
 
-void Surfaces::set_shadows(const Look& look, const Circumstances& frame) {
+void Surfaces::set_shadows(const Look& look, const FrameSettings& frame) {
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
   // Without shadow maps, everything is lit.
   std::array<std::array<float, 16>, Shadows::most_maps> clips{};
@@ -149,7 +149,7 @@ void Surfaces::set_shadows(const Look& look, const Circumstances& frame) {
 }
 
 // Sets what metals reflect besides the floor: the sky, or else ambient light, so bright that it looks like metal.
-void Surfaces::set_mirrored(const Look& look, const Circumstances& frame) {
+void Surfaces::set_mirrored(const Look& look, const FrameSettings& frame) {
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
   const auto& [view, lighting, shadows, layers, around, metal, contact, clear] = frame;
   glUseProgram(look.program.id());
@@ -168,7 +168,7 @@ bool Surfaces::use(std::size_t variant) {
   return true;
 }
 
-void Surfaces::set(const Circumstances& frame) {
+void Surfaces::set(const FrameSettings& frame) {
   const std::size_t received = frame.contact ? contact : 0;
   const std::size_t wanted = is_rich(frame) ? rich : frame.shadows.size() > 1 ? levels : 0;
   if (!use(received | wanted) && !use(received)) use(0);  // with as many features as possible
@@ -184,7 +184,7 @@ void Surfaces::set(const Circumstances& frame) {
   glBindSampler(depth_unit, depths_.id());
 }
 
-void Surfaces::draw_setting(const Circumstances& frame, const Gradient& gradient, bool encoded) {
+void Surfaces::draw_setting(const FrameSettings& frame, const Gradient& gradient, bool encoded) {
   Look& ground = looks().ground;
   if (ground.program.id() == 0) {
     auto made = new_look(true, variant_, "#define GROUND");
@@ -238,19 +238,17 @@ void Surfaces::draw_parts(const Batch& batch) {
   }
 }
 
-void Surfaces::write_encoded(bool encoded) {
+void Surfaces::set_everywhere(GLint Look::*uniform, bool on) {
   for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
     glUseProgram(look->program.id());
-    glUniform1f(look->encodes, encoded ? 1 : 0);
+    glUniform1f(look->*uniform, on ? 1 : 0);
   }
 }
 
+void Surfaces::write_encoded(bool encoded) { set_everywhere(&Look::encodes, encoded); }
+
 void Surfaces::receive_contact(bool receives) {
-  if ((variant_ & contact) == 0) return;
-  for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
-    glUseProgram(look->program.id());
-    glUniform1f(look->receives, receives ? 1 : 0);
-  }
+  if ((variant_ & contact) != 0) set_everywhere(&Look::receives, receives);
 }
 
 // Draws the depth alone, so that afterwards only the nearest of the lit surfaces are drawn.

@@ -13,8 +13,8 @@ namespace betwixt {
 
 class Surfaces {
  public:
-  static Result<Surfaces> create(bool open);  // open: light does not roll off
-  struct Circumstances {                      // of a frame
+  static Result<Surfaces> create(bool unclamped);  // unclamped: light does not roll off
+  struct FrameSettings {                           // of a frame
     const View& view;
     const Lighting& lighting;
     std::span<const Shadows::Map> shadows;  // of the first lights
@@ -24,12 +24,12 @@ class Surfaces {
     bool contact;  // whether alpha is the share of ambient light for contact shading
     bool clear;    // whether the background is transparent, and the canvas has alpha
   };
-  void set(const Circumstances&);  // for the calls below
+  void set(const FrameSettings&);  // for the calls below
   void write_encoded(bool);        // see Canvas; otherwise linear light
   void draw_opaque(const Things&, std::span<const std::uint32_t>);
   void draw_transparent(const Things&, std::span<const std::uint32_t>);
   // Draws the infinite floor, and on empty pixels the sky or the gradient.
-  void draw_setting(const Circumstances&, const Gradient&, bool encoded);
+  void draw_setting(const FrameSettings&, const Gradient&, bool encoded);
 
  private:
   struct Look {  // one variant of the program
@@ -48,10 +48,11 @@ class Surfaces {
   void draw_depth(const Batch&);
   Result<Look> new_look(bool fills, std::size_t variant, const char* defines) const;
   Result<Looks> new_looks(std::size_t variant) const;
+  void set_everywhere(GLint Look::*uniform, bool on);  // in all variants
   void receive_contact(bool);
-  static void set_program(const Look&, const Circumstances&);
-  static void set_shadows(const Look&, const Circumstances&);
-  static void set_mirrored(const Look&, const Circumstances&);
+  static void set_program(const Look&, const FrameSettings&);
+  static void set_shadows(const Look&, const FrameSettings&);
+  static void set_mirrored(const Look&, const FrameSettings&);
   // The features of variants beyond the simple one; made on first use. `levels`: one light, hard, has several maps.
   static constexpr std::size_t rich = 1, contact = 2, levels = 4;
   std::array<std::optional<Looks>, 8> variants_;
@@ -59,7 +60,7 @@ class Surfaces {
   gl::Sampler depths_;
   Instances solid_, glass_;
   bool flat_ = false;  // whether everything is unlit
-  bool open_ = false;
+  bool unclamped_ = false;
 };
 
 }  // namespace betwixt

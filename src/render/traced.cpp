@@ -12,38 +12,38 @@
 #include <system_error>
 #include <thread>
 
+#include "base/cancellation.h"
 #include "base/stages.h"
-#include "base/still_wanted.h"
-#include "render/exposure.h"
-#include "render/traced_paths.h"
+#include "render/blur.h"
+#include "render/path_tracer.h"
 
 namespace betwixt {
 namespace {
 
-using traced::Paths;
-using traced::Scattered;
-using traced::Sight;
+using traced::CameraSample;
+using traced::PathTracer;
+using traced::PixelSampler;
 using traced::World;
 
 // Flushes denormal numbers to 0 while rays are traced, since Embree is fast that way, and restores the mode.
-class TinyIsZero {
+class FlushDenormals {
  public:
 #ifdef __SSE__
-  TinyIsZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
-  ~TinyIsZero() { _mm_setcsr(before_); }
+  FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
+  ~FlushDenormals() { _mm_setcsr(before_); }
 #else
-  TinyIsZero() = default;
-  ~TinyIsZero() {}
+  FlushDenormals() = default;
+  ~FlushDenormals() {}
 #endif
-  TinyIsZero(const TinyIsZero&) = delete;
-  TinyIsZero& operator=(const TinyIsZero&) = delete;
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
 
  private:
   [[maybe_unused]] unsigned before_ = 0;
 };
 
 // The last picture.
-class Drawn {
+class PreviousPicture {
  public:
   // Returns whether anything differs from it, and takes over the new state.
   bool differs(const Columns& c) {
@@ -65,14 +65,14 @@ class Drawn {
 };
 
 // A pool of threads that take the next work item. It ends with its work, which it aborts if the work was cancelled.
-class Hands {
+class ThreadPool {
  public:
-  ~Hands() {
+  ~ThreadPool() {
     next = std::numeric_limits<std::size_t>::max() / 2;
     for (std::thread& t : threads_) t.join();
   }
   template <class Work>
-  void lend(const Work& work) {
+  void add(const Work& work) {
     try {
       threads_.emplace_back(work);
     } catch (const std::system_error&) {  // continue with fewer
@@ -90,18 +90,18 @@ class Traced final : public Renderer {
       : width_(options.width),
         height_(options.height),
         samples_(static_cast<std::uint32_t>(options.samples)),
-        deep_(options.deep),
-        open_(options.open),
+        linear_(options.linear),
+        unclamped_(options.unclamped),
         threads_(threads),
         world_(std::move(world)) {}
 
   Status render(const Frame& frame, Picture& out) override { return show(frame, out); }
   Status render(const Evaluation& evaluation, Picture& out) override { return show(evaluation, out); }
-  Status render(const Frame& frame, DeepPicture& out) override { return give(frame, out); }
-  Status render(const Evaluation& evaluation, DeepPicture& out) override { return give(evaluation, out); }
-  Status expose(Evaluation& evaluation, Time t, const Exposure& how, DeepPicture& out) override {
-    const auto draw_part = [&](const Columns& columns, DeepPicture& one) { return give(columns, one); };
-    return betwixt::expose(evaluation, t, how, width_, height_, draw_part, out);
+  Status render(const Frame& frame, LinearPicture& out) override { return give(frame, out); }
+  Status render(const Evaluation& evaluation, LinearPicture& out) override { return give(evaluation, out); }
+  Status render_blurred(Evaluation& evaluation, Time t, const Blur& how, LinearPicture& out) override {
+    const auto draw_part = [&](const Columns& columns, LinearPicture& one) { return give(columns, one); };
+    return betwixt::render_blurred(evaluation, t, how, width_, height_, draw_part, out);
   }
 
  private:
@@ -117,8 +117,8 @@ class Traced final : public Renderer {
     return drawn;
   }
   template <class Source>
-  Status give(const Source& source, DeepPicture& out) {
-    if (!deep_) return fail(ErrorCode::range, "pictures of light come from a renderer that was made for them");
+  Status give(const Source& source, LinearPicture& out) {
+    if (!linear_) return fail(ErrorCode::range, "pictures of linear light need a renderer with that option");
     Status drawn = draw(source);
     if (drawn) out = light_;
     return drawn;
@@ -127,7 +127,7 @@ class Traced final : public Renderer {
   Status draw(const Columns& columns) {
     const InStage draw(Stage::draw);
     try {
-      if (!drawn_.differs(columns) && whole_) return Nothing{};
+      if (!previous_.differs(columns) && whole_) return Nothing{};
       whole_ = false;
       Status made = draw_anew(columns);
       whole_ = static_cast<bool>(made);
@@ -143,30 +143,30 @@ class Traced final : public Renderer {
     if (!good) view = make_view({}, width_, height_, always);  // a view of nothing
     {
       const InStage gather(Stage::gather);
-      const TinyIsZero now;
+      const FlushDenormals now;
       if (Status s = world_.set(columns, good ? columns.looks.size() : 0, view); !s) return s;
     }
-    const Paths paths(world_, view, drawn_.scenery());
+    const PathTracer path_tracer(world_, view, previous_.scenery());
     light_.width = width_, light_.height = height_;
     light_.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     const std::size_t pixels = light_.rgba.size() / 4;
     constexpr std::size_t run = 64;
-    Hands hands;
+    ThreadPool pool;
     const auto work = [&] {
-      const TinyIsZero now;
-      for (std::size_t first; (first = hands.next.fetch_add(run)) < pixels;) {
-        StillWanted::ask();
-        for (std::size_t k = first; k < std::min(first + run, pixels); ++k) draw_pixel(paths, k, columns);
+      const FlushDenormals now;
+      for (std::size_t first; (first = pool.next.fetch_add(run)) < pixels;) {
+        Cancellation::check();
+        for (std::size_t k = first; k < std::min(first + run, pixels); ++k) draw_pixel(path_tracer, k, columns);
       }
     };
-    for (unsigned k = 1; k < threads_; ++k) hands.lend(work);
+    for (unsigned k = 1; k < threads_; ++k) pool.add(work);
     work();
     return Nothing{};
   }
 
   // The highlights of each cell of a pixel roll off separately, so bright edges are smooth and the noise of single
   // samples has little effect.
-  void draw_pixel(const Paths& paths, std::size_t k, const Columns& columns) {
+  void draw_pixel(const PathTracer& path_tracer, std::size_t k, const Columns& columns) {
     // Pictures that are averaged share the samples of one; with fewer than these, highlights would roll off too soon.
     constexpr std::uint32_t fewest = 4;
     const auto parts = static_cast<std::uint32_t>(columns.parts), part = static_cast<std::uint32_t>(columns.part);
@@ -174,33 +174,33 @@ class Traced final : public Renderer {
     const double x = static_cast<double>(k % static_cast<std::size_t>(width_));
     const double y = static_cast<double>(k / static_cast<std::size_t>(width_));
     const int side = samples >= 64 ? 4 : samples >= 4 ? 2 : 1;
-    std::array<Sight, 16> cells;
+    std::array<CameraSample, 16> cells;
     double clear = 0;
     for (std::uint32_t s = 0; s < samples; ++s) {
-      Scattered dice(static_cast<std::uint32_t>(k), part * samples + s, parts * samples);
-      const auto [right, down] = dice.two();
+      PixelSampler sampler(static_cast<std::uint32_t>(k), part * samples + s, parts * samples);
+      const auto [right, down] = sampler.next_2d();
       const auto cell = static_cast<std::size_t>(static_cast<int>(side * down) * side + static_cast<int>(side * right));
-      const Sight seen = paths.seen((x + right) / width_, (y + down) / height_, dice);
+      const CameraSample seen = path_tracer.sample((x + right) / width_, (y + down) / height_, sampler);
       cells[cell].lit = cells[cell].lit + seen.lit, cells[cell].plain = cells[cell].plain + seen.plain;
       cells[cell].share += seen.share, clear += seen.clear;
     }
     Vec3 sum;
-    for (const Sight& c : cells) {
+    for (const CameraSample& c : cells) {
       sum = sum + c.plain;
-      if (c.share > 0) sum = sum + (open_ ? c.lit : c.share * traced::rolled(1 / c.share * c.lit));
+      if (c.share > 0) sum = sum + (unclamped_ ? c.lit : c.share * traced::tone_mapped(1 / c.share * c.lit));
     }
     float* const out = &light_.rgba[4 * k];
     for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(sum[i] / samples);
-    out[3] = deep_ ? static_cast<float>(1 - clear / samples) : 1;
+    out[3] = linear_ ? static_cast<float>(1 - clear / samples) : 1;
   }
 
   const int width_, height_;
   const std::uint32_t samples_;
-  const bool deep_, open_;
+  const bool linear_, unclamped_;
   const unsigned threads_;
   World world_;
-  Drawn drawn_;
-  DeepPicture light_;
+  PreviousPicture previous_;
+  LinearPicture light_;
   bool whole_ = false;  // the last picture is complete
 };
 

@@ -12,8 +12,6 @@ constexpr std::uint64_t kept_for = 2;  // pictures
 constexpr std::uint64_t hairlines_first = std::uint64_t{1} << 63;
 constexpr double hairline_reach = 0.7;  // half the width in pixels
 
-Vec3 wide(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
 Bounds bounds_in(const Box& box, const Mat4& m) {
   const Vec3 half = box.half();
   Bounds b{transform_point(m, box.middle()), {}};
@@ -23,7 +21,7 @@ Bounds bounds_in(const Box& box, const Mat4& m) {
 }
 
 // The inverse transpose up to its length: the cross products of the columns.
-std::array<Vec3, 3> crossed(const Mat4& m) {
+std::array<Vec3, 3> normal_matrix_of(const Mat4& m) {
   const Vec3 x = column(m, 0), y = column(m, 1), z = column(m, 2);
   return {cross(y, z), cross(z, x), cross(x, y)};
 }
@@ -32,7 +30,7 @@ std::array<Vec3, 3> crossed(const Mat4& m) {
 std::optional<Mat4> with_inverse(const Mat4& m) {
   if (inverse(m)) return m;
   // All cross products are along the one direction in which it has no extent.
-  const std::array<Vec3, 3> all = crossed(m);
+  const std::array<Vec3, 3> all = normal_matrix_of(m);
   const Vec3 most = *std::max_element(all.begin(), all.end(), [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); });
   const double size = std::max({length(column(m, 0)), length(column(m, 1)), length(column(m, 2))});
   const Vec3 lost = normalize(most, {0, 0, 0});
@@ -41,42 +39,6 @@ std::optional<Mat4> with_inverse(const Mat4& m) {
   for (int c = 0; c < 3; ++c)
     for (int i = 0; i < 3; ++i) thick(i, c) += 1e-5 * size * lost[i] * pressed[c];
   return inverse(thick) ? std::optional(thick) : std::nullopt;
-}
-
-double decoded(std::uint8_t byte) {
-  static const std::array<double, 256> all = [] {
-    std::array<double, 256> r{};
-    for (std::size_t i = 0; i < r.size(); ++i) {
-      const double s = static_cast<double>(i) / 255;
-      r[i] = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-    }
-    return r;
-  }();
-  return all[byte];
-}
-
-struct Dye {
-  Vec3 color{1, 1, 1};
-  double opacity = 1;
-};
-
-// Interpolates between the four nearest pixels; the picture repeats.
-Dye dye_at(const Picture& p, double u, double v) {
-  const auto area = static_cast<std::size_t>(std::max(p.width, 0)) * static_cast<std::size_t>(std::max(p.height, 0));
-  if (area == 0 || p.rgba.size() < 4 * area || !std::isfinite(u) || !std::isfinite(v)) return {};
-  const double x = (u - std::floor(u)) * p.width - 0.5, y = (v - std::floor(v)) * p.height - 0.5;
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
-  Dye sum{{}, 0};
-  for (int k = 0; k < 4; ++k) {
-    const int i = x0 + k % 2, j = y0 + k / 2;
-    const double share = (1 - std::abs(x - i)) * (1 - std::abs(y - j));
-    const auto at = static_cast<std::size_t>((j + p.height) % p.height) * static_cast<std::size_t>(p.width) +
-                    static_cast<std::size_t>((i + p.width) % p.width);
-    const std::uint8_t* c = &p.rgba[4 * at];
-    sum.color = sum.color + share * Vec3{decoded(c[0]), decoded(c[1]), decoded(c[2])};
-    sum.opacity += share * c[3] / 255;
-  }
-  return sum;
 }
 
 bool indices_fit(const std::vector<std::uint32_t>& indices, std::size_t count) {
@@ -95,37 +57,37 @@ std::vector<MeshPart> usable_parts(const Mesh& mesh) {
   return parts;
 }
 
-RTCRayHit question(const Ray& r, unsigned sorts, double from, double to) {
+RTCRayHit ray_query(const Ray& r, unsigned mask, double from, double to) {
   RTCRayHit q{};
   q.ray.org_x = static_cast<float>(r.from.x), q.ray.org_y = static_cast<float>(r.from.y);
   q.ray.org_z = static_cast<float>(r.from.z), q.ray.tnear = static_cast<float>(from);
   q.ray.dir_x = static_cast<float>(r.along.x), q.ray.dir_y = static_cast<float>(r.along.y);
   q.ray.dir_z = static_cast<float>(r.along.z), q.ray.tfar = static_cast<float>(to);
-  q.ray.mask = sorts;
+  q.ray.mask = mask;
   q.hit.geomID = q.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   return q;
 }
 
-Meeting met(const RTCHit& hit, float distance) {
+Hit hit_of(const RTCHit& hit, float distance) {
   const bool instance = hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
   return {instance ? hit.instID[0] : hit.geomID, hit.primID, distance, hit.u, hit.v, {hit.Ng_x, hit.Ng_y, hit.Ng_z}};
 }
 
 // Returns the distance up to which surfaces are in one plane with that one.
-float end_of(double plane) { return static_cast<float>(plane * (1 + one_plane)); }
+float end_of(double plane) { return static_cast<float>(plane * (1 + coplanar_tolerance)); }
 
 // In a part of a ray, finds the surface with the highest rank below a given one. It reports no hit to Embree, so that
 // the search continues.
 struct Highest : RTCIntersectContext {
   const World* world = nullptr;
   std::uint64_t below = 0, rank = 0;
-  std::optional<Meeting> found;
+  std::optional<Hit> found;
 };
-void look_at_meeting(const RTCFilterFunctionNArguments* a) {
+void keep_highest(const RTCFilterFunctionNArguments* a) {
   if (a->valid[0] == 0) return;
   a->valid[0] = 0;
   auto& search = *static_cast<Highest*>(a->context);
-  const Meeting m = met(rtcGetHitFromHitN(a->hit, a->N, 0), RTCRayN_tfar(a->ray, a->N, 0));
+  const Hit m = hit_of(rtcGetHitFromHitN(a->hit, a->N, 0), RTCRayN_tfar(a->ray, a->N, 0));
   const std::uint64_t rank = search.world->rank(m);
   if (rank >= search.below || (search.found && rank <= search.rank)) return;
   search.found = m, search.rank = rank;
@@ -146,14 +108,14 @@ Result<World> World::create() {
   // With one building thread the result is the same each time. Without the fused products of processors beyond AVX it
   // is the same on all of them, and takes no more time.
   DeviceHandle device(rtcNewDevice("threads=1,max_isa=avx,ignore_config_files=1"));
-  if (!device) return fail(ErrorCode::machine, "rays cannot be traced here: Embree does not start");
+  if (!device) return fail(ErrorCode::machine, "ray tracing is not available: Embree does not start");
   return World(std::move(device));
 }
 
-std::shared_ptr<World::Solid> World::solid(const std::shared_ptr<const Mesh>& mesh) {
-  std::shared_ptr<Solid>& place = solids_[mesh.get()];
+std::shared_ptr<World::MeshScene> World::mesh_scene(const std::shared_ptr<const Mesh>& mesh) {
+  std::shared_ptr<MeshScene>& place = mesh_scenes_[mesh.get()];
   if (place == nullptr) {
-    place = std::make_shared<Solid>();
+    place = std::make_shared<MeshScene>();
     place->mesh = mesh;
     if (mesh != nullptr) {
       place->box = mesh->box();
@@ -168,17 +130,16 @@ std::shared_ptr<World::Solid> World::solid(const std::shared_ptr<const Mesh>& me
 }
 
 bool World::has_holes(const std::shared_ptr<const Picture>& picture) {
-  Cloth& cloth = cloths_[picture.get()];
-  if (cloth.picture == nullptr) {
-    cloth.picture = picture;
-    for (std::size_t i = 3; i < picture->rgba.size() && !cloth.has_holes; i += 4)
-      cloth.has_holes = picture->rgba[i] != 255;
+  TextureUse& use = textures_[picture.get()];
+  if (use.picture == nullptr) {
+    use.picture = picture;
+    for (std::size_t i = 3; i < picture->rgba.size() && !use.has_holes; i += 4) use.has_holes = picture->rgba[i] != 255;
   }
-  cloth.used = picture_;
-  return cloth.has_holes;
+  use.used = picture_;
+  return use.has_holes;
 }
 
-void World::need_scene(Solid& s) const {
+void World::need_scene(MeshScene& s) const {
   if (s.scene != nullptr) return;
   RTCDevice device = device_.get();
   GeometryHandle g;
@@ -209,7 +170,8 @@ void World::need_scene(Solid& s) const {
   rtcCommitScene(s.scene.get());
 }
 
-std::optional<World::Body> World::body_of(const Columns& c, std::uint32_t i, const View& view, unsigned& sorts) {
+std::optional<World::TracedObject> World::object_of(const Columns& c, std::uint32_t i, const View& view,
+                                                    unsigned& mask) {
   const Evaluation::Look& l = c.looks[i];
   if (!l.visible || l.shape == Evaluation::Look::none || !finite(c.worlds[i]) || !finite(l.color) ||
       !std::isfinite(l.transparency) || !std::isfinite(l.shininess) || !std::isfinite(l.blend) || l.transparency >= 1)
@@ -219,7 +181,7 @@ std::optional<World::Body> World::body_of(const Columns& c, std::uint32_t i, con
   const auto realised = [&](const Detail& d) {
     return toward != nullptr ? realise_blend(shape, *toward, l.blend, d) : realise(shape, d);
   };
-  Body b;
+  TracedObject b;
   if (l.texture != Evaluation::Look::none) b.texture = c.texture(l.texture);
   Mat4 world = c.worlds[i];
   for (int k = 0; k < 3; ++k) world(k, 3) -= view.eye[k];
@@ -227,37 +189,37 @@ std::optional<World::Body> World::body_of(const Columns& c, std::uint32_t i, con
   const bool detailed = has_details(shape, toward);
   Geometry g = ball ? Geometry{nullptr, scaling({shape.radius, shape.radius, shape.radius})}
                     : realised(detailed ? Detail{24, true} : Detail{});
-  std::shared_ptr<Solid> body = solid(g.mesh);
-  const Bounds bounds = bounds_in(body->box, world * g.local);
+  std::shared_ptr<MeshScene> object = mesh_scene(g.mesh);
+  const Bounds bounds = bounds_in(object->box, world * g.local);
   const double radius = bounds.radius(), away = length(bounds.center);
   if (!(radius > 0 && radius < far_away && away < far_away) || (!ball && g.mesh->positions.empty())) return {};
   if (detailed && !ball) {
     const double scale = view.sx * view.width * radius;
     g = realised(Detail::for_pixels(view.orthographic ? scale : scale / std::max(away - 0.5 * radius, 0.1 * radius)));
-    body = solid(g.mesh);
+    object = mesh_scene(g.mesh);
   }
   const std::optional<Mat4> place = with_inverse(world * g.local);
-  b.hairline = !ball && body->parts.empty();
+  b.hairline = !ball && object->parts.empty();
   if (!place && !b.hairline) return {};
   b.place = b.hairline ? world * g.local : *place;
-  b.turn = crossed(b.place);
-  const double longest = std::max({length(b.turn[0]), length(b.turn[1]), length(b.turn[2])});
-  for (Vec3& v : b.turn) v = (determinant(b.place) < 0 ? -1 : 1) / longest * v;
+  b.normal_matrix = normal_matrix_of(b.place);
+  const double longest = std::max({length(b.normal_matrix[0]), length(b.normal_matrix[1]), length(b.normal_matrix[2])});
+  for (Vec3& v : b.normal_matrix) v = (determinant(b.place) < 0 ? -1 : 1) / longest * v;
   b.color = {std::clamp(l.color.x, 0.0, 1e4), std::clamp(l.color.y, 0.0, 1e4), std::clamp(l.color.z, 0.0, 1e4)};
   b.opacity = 1 - std::clamp(l.transparency, 0.0, 1.0), b.shine = std::clamp(l.shininess, 0.0, 1.0);
   b.material = l.material, b.line = row_of(shape.kind).line;
-  b.blur = 0.1 * one_plane * (away + radius);
-  const bool holes = b.texture != nullptr ? has_holes(b.texture) : body->has_holes;
-  sorts = looks;
-  if (l.casts && !b.hairline) sorts |= gathers;
+  b.blur = 0.1 * coplanar_tolerance * (away + radius);
+  const bool holes = b.texture != nullptr ? has_holes(b.texture) : object->has_holes;
+  mask = camera_rays;
+  if (l.casts && !b.hairline) mask |= ambient_rays;
   if (l.casts && !b.hairline && b.material != Material::glow && b.opacity > 0.5)
-    sorts |= b.opacity < 1 || holes ? thin_shadows : shadows;
-  if (!b.hairline) need_scene(*body);
-  b.solid = std::move(body);
+    mask |= b.opacity < 1 || holes ? translucent_shadow_rays : shadow_rays;
+  if (!b.hairline) need_scene(*object);
+  b.solid = std::move(object);
   return b;
 }
 
-GeometryHandle World::instance(const Body& b) const {
+GeometryHandle World::instance(const TracedObject& b) const {
   GeometryHandle g(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
   rtcSetGeometryInstancedScene(g.get(), b.solid->scene.get());
   std::array<float, 12> columns;
@@ -267,7 +229,7 @@ GeometryHandle World::instance(const Body& b) const {
 }
 
 // Ribbons that face the eye, as wide everywhere as a line in the picture.
-GeometryHandle World::hairlines(const Body& b, const View& view) const {
+GeometryHandle World::hairlines(const TracedObject& b, const View& view) const {
   const Mesh& mesh = *b.solid->mesh;
   if (mesh.edges.size() < 2 || !indices_fit(mesh.edges, mesh.positions.size())) return {};
   const std::size_t ends = mesh.edges.size() / 2 * 2;
@@ -288,62 +250,62 @@ GeometryHandle World::hairlines(const Body& b, const View& view) const {
 
 Status World::set(const Columns& c, std::size_t count, const View& view) {
   ++picture_;
-  bodies_.clear();
-  bodies_.resize(count);
+  objects_.clear();
+  objects_.resize(count);
   thin_ = false;
   all_.reset(rtcNewScene(device_.get()));
   set_flags(all_.get());
-  for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
-    unsigned sorts = 0;
-    std::optional<Body> body = body_of(c, i, view, sorts);
-    if (!body) continue;
-    const GeometryHandle g = body->hairline ? hairlines(*body, view) : instance(*body);
+  for (std::uint32_t i = 0; i < objects_.size(); ++i) {
+    unsigned mask = 0;
+    std::optional<TracedObject> object = object_of(c, i, view, mask);
+    if (!object) continue;
+    const GeometryHandle g = object->hairline ? hairlines(*object, view) : instance(*object);
     if (g == nullptr) continue;
-    bodies_[i] = *std::move(body);
-    thin_ |= (sorts & thin_shadows) != 0;
-    rtcSetGeometryMask(g.get(), sorts);
+    objects_[i] = *std::move(object);
+    thin_ |= (mask & translucent_shadow_rays) != 0;
+    rtcSetGeometryMask(g.get(), mask);
     rtcCommitGeometry(g.get());
     rtcAttachGeometryByID(all_.get(), g.get(), i);
   }
   rtcCommitScene(all_.get());
-  std::erase_if(solids_, [&](const auto& s) { return s.second->used + kept_for <= picture_; });
-  std::erase_if(cloths_, [&](const auto& s) { return s.second.used + kept_for <= picture_; });
+  std::erase_if(mesh_scenes_, [&](const auto& s) { return s.second->used + kept_for <= picture_; });
+  std::erase_if(textures_, [&](const auto& s) { return s.second.used + kept_for <= picture_; });
   switch (rtcGetDeviceError(device_.get())) {
     case RTC_ERROR_NONE:
       return Nothing{};
     case RTC_ERROR_OUT_OF_MEMORY:
-      return fail(ErrorCode::machine, "there is not enough memory to trace rays among all that is there");
+      return fail(ErrorCode::machine, "there is not enough memory to trace rays in this scene");
     default:
-      return fail(ErrorCode::machine, "rays cannot be traced among what is there: Embree fails");
+      return fail(ErrorCode::machine, "ray tracing failed in Embree");
   }
 }
 
-std::optional<Meeting> World::nearest(const Ray& r, unsigned sorts) const {
+std::optional<Hit> World::nearest(const Ray& r, unsigned mask) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRayHit q = question(r, sorts, 0, INFINITY);
+  RTCRayHit q = ray_query(r, mask, 0, INFINITY);
   rtcIntersect1(all_.get(), &context, &q);
   if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return met(q.hit, q.ray.tfar);
+  return hit_of(q.hit, q.ray.tfar);
 }
 
-std::uint64_t World::rank(const Meeting& m) const {
-  const Body& b = bodies_[m.body];
-  return std::uint64_t{m.body} << 32 | (b.line ? 0 : m.triangle) | (b.hairline ? hairlines_first : 0);
+std::uint64_t World::rank(const Hit& m) const {
+  const TracedObject& b = objects_[m.object];
+  return std::uint64_t{m.object} << 32 | (b.line ? 0 : m.triangle) | (b.hairline ? hairlines_first : 0);
 }
 
-std::optional<Meeting> World::highest(const Ray& r, double plane, std::uint64_t below) const {
+std::optional<Hit> World::highest(const Ray& r, double plane, std::uint64_t below) const {
   Highest search;
   rtcInitIntersectContext(&search);
-  search.filter = look_at_meeting;
+  search.filter = keep_highest;
   search.world = this, search.below = below;
-  RTCRayHit q = question(r, looks, plane, static_cast<double>(end_of(plane)));
+  RTCRayHit q = ray_query(r, camera_rays, plane, static_cast<double>(end_of(plane)));
   rtcIntersect1(all_.get(), &search, &q);
   if (search.found) search.found->plane = plane;
   return search.found;
 }
 
-std::optional<Meeting> World::next_layer(const Ray& r, const std::optional<Meeting>& last) const {
+std::optional<Hit> World::next_layer(const Ray& r, const std::optional<Hit>& last) const {
   double from = 0;
   if (last) {
     if (auto beneath = highest(r, last->plane, rank(*last))) return beneath;
@@ -351,94 +313,33 @@ std::optional<Meeting> World::next_layer(const Ray& r, const std::optional<Meeti
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRayHit q = question(r, looks, from, INFINITY);
+  RTCRayHit q = ray_query(r, camera_rays, from, INFINITY);
   rtcIntersect1(all_.get(), &context, &q);
   if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  Meeting first = met(q.hit, q.ray.tfar);
+  Hit first = hit_of(q.hit, q.ray.tfar);
   first.plane = first.distance;
-  const std::optional<Meeting> top = highest(r, first.plane, ~std::uint64_t{0});
+  const std::optional<Hit> top = highest(r, first.plane, ~std::uint64_t{0});
   return top && rank(*top) > rank(first) ? top : first;
 }
 
-double World::unblocked(const Ray& r, double distance) const {
+double World::transmittance(const Ray& r, double distance) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay solid = question(r, shadows, 0, distance).ray;
+  RTCRay solid = ray_query(r, shadow_rays, 0, distance).ray;
   rtcOccluded1(all_.get(), &context, &solid);
   if (!(solid.tfar >= 0)) return 0;
   double through = 1, from = 0;
   for (int k = 0; thin_ && k < 64 && through > 0; ++k) {
-    RTCRayHit q = question(r, thin_shadows, from, distance);
+    RTCRayHit q = ray_query(r, translucent_shadow_rays, from, distance);
     rtcIntersect1(all_.get(), &context, &q);
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) break;
-    const Meeting m = met(q.hit, q.ray.tfar);
+    const Hit m = hit_of(q.hit, q.ray.tfar);
     // An object that fades out and lets half of the light through casts no shadow.
-    const double solidity = std::clamp(2 * spot(r, m).opacity - 1, 0.0, 1.0);
+    const double solidity = std::clamp(2 * surface_point(r, m).opacity - 1, 0.0, 1.0);
     through *= 1 - solidity;
-    from = m.distance * (1 + 2 * one_plane) + 1e-30;
+    from = m.distance * (1 + 2 * coplanar_tolerance) + 1e-30;
   }
   return through;
-}
-
-// The surface on a triangle. If the triangle approximates a smooth surface, rays to lights start from that, so that
-// facets do not shade each other.
-Spot World::corner_spot(const Body& b, const Meeting& m, bool back) const {
-  const Solid& solid = *b.solid;
-  const Mesh& mesh = *solid.mesh;
-  const std::uint32_t* corner = &solid.corners[3 * std::size_t{m.triangle}];
-  const std::array<double, 3> share{1 - m.u - m.v, m.u, m.v};
-  const bool normals = mesh.normals.size() == mesh.positions.size();
-  Vec3 at, normal, u;
-  for (std::size_t k = 0; k < 3; ++k) {
-    at = at + share[k] * wide(mesh.positions[corner[k]]);
-    normal = normal + share[k] * (normals ? wide(mesh.normals[corner[k]]) : m.across);
-  }
-  Vec3 smooth = at;
-  for (std::size_t k = 0; k < 3 && normals && !back; ++k) {
-    const Vec3 n = wide(mesh.normals[corner[k]]);
-    smooth = smooth + share[k] * std::max(dot(wide(mesh.positions[corner[k]]) - at, n), 0.0) * n;
-  }
-  const MeshPart& part = solid.parts[solid.part_of[m.triangle]];
-  Spot s;
-  s.at = transform_point(b.place, at), s.start = transform_point(b.place, smooth);
-  s.normal = normal;
-  s.color = (part.tinted ? b.color : Vec3{1, 1, 1}) * wide(part.color);
-  s.opacity = b.opacity;
-  const Picture* const picture = b.texture != nullptr ? b.texture.get() : part.texture.get();
-  if (picture == nullptr) return s;
-  if (mesh.uvs.size() == mesh.positions.size())
-    for (std::size_t k = 0; k < 3; ++k) u = u + share[k] * Vec3{mesh.uvs[corner[k]][0], mesh.uvs[corner[k]][1], 0};
-  const Dye dye = dye_at(*picture, u.x, u.y);
-  s.color = s.color * dye.color, s.opacity *= dye.opacity;
-  return s;
-}
-
-Spot World::spot(const Ray& r, const Meeting& m) const {
-  const Body& b = bodies_[m.body];
-  const auto turned = [&](Vec3 v) { return unit(v.x * b.turn[0] + v.y * b.turn[1] + v.z * b.turn[2]); };
-  Spot s;
-  if (b.hairline) {
-    s.at = s.start = r.from + m.distance * r.along;
-    s.beyond = s.at + one_plane * (largest(s.at) + m.distance) * r.along;
-    s.color = {std::min(b.color.x, 1.0), std::min(b.color.y, 1.0), std::min(b.color.z, 1.0)};
-    s.normal = s.face = -r.along, s.opacity = b.opacity, s.material = Material::glow, s.hairline = true;
-    return s;
-  }
-  const Vec3 face = turned(m.across);
-  const bool back = dot(face, r.along) > 0;
-  if (b.solid->mesh != nullptr) {
-    s = corner_spot(b, m, back);
-    s.normal = turned(s.normal);
-  } else {
-    s.at = s.start = transform_point(b.place, unit(m.across));
-    s.normal = face, s.color = b.color, s.opacity = b.opacity;
-  }
-  s.face = back ? -face : face;
-  if (back) s.normal = -s.normal;
-  const Vec3 clear = (one_plane * largest(s.at) + b.blur) * s.face;
-  s.start = s.start + clear, s.beyond = s.at - clear;
-  s.shine = b.shine, s.material = b.material;
-  return s;
 }
 
 }  // namespace betwixt::traced

@@ -8,6 +8,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -19,21 +20,21 @@
 
 namespace betwixt::traced {
 
-struct Release {
+struct RtcRelease {
   void operator()(RTCDevice d) const { rtcReleaseDevice(d); }
   void operator()(RTCScene s) const { rtcReleaseScene(s); }
   void operator()(RTCGeometry g) const { rtcReleaseGeometry(g); }
 };
-using DeviceHandle = std::unique_ptr<RTCDeviceTy, Release>;
-using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
-using GeometryHandle = std::unique_ptr<RTCGeometryTy, Release>;
+using DeviceHandle = std::unique_ptr<RTCDeviceTy, RtcRelease>;
+using SceneHandle = std::unique_ptr<RTCSceneTy, RtcRelease>;
+using GeometryHandle = std::unique_ptr<RTCGeometryTy, RtcRelease>;
 
 // Kinds of rays that meet an object, as bits.
-enum Sort : unsigned {
-  looks = 1,        // from the eye, and reflected
-  gathers = 2,      // for ambient light
-  shadows = 4,      // towards a light, if the object is opaque
-  thin_shadows = 8  // the same, if some light comes through
+enum RayMask : unsigned {
+  camera_rays = 1,             // from the eye, and reflected
+  ambient_rays = 2,            // for ambient light
+  shadow_rays = 4,             // towards a light, if the object is opaque
+  translucent_shadow_rays = 8  // the same, if some light comes through
 };
 
 struct Ray {
@@ -41,15 +42,17 @@ struct Ray {
 };
 
 // The intersection of a ray with an object.
-struct Meeting {
-  unsigned body = 0, triangle = 0;
+struct Hit {
+  unsigned object = 0, triangle = 0;
   double distance = 0, u = 0, v = 0;
   Vec3 across;       // Embree's normal: in mesh space, of any length
   double plane = 0;  // of layers: the distance of the first one in the same plane
 };
 
+inline Vec3 wide(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
 // The surface at an intersection.
-struct Spot {
+struct SurfacePoint {
   Vec3 at;
   Vec3 start, beyond;  // origins of rays that leave it and that pass through it, clear of the object itself
   Vec3 normal, face;   // of the smooth surface and of the triangle, both towards the ray's origin; unit length
@@ -60,7 +63,7 @@ struct Spot {
 };
 
 // Surfaces that are closer to each other than this part of the distance are in one plane; f32 is off by as much.
-inline constexpr double one_plane = 4e-6;
+inline constexpr double coplanar_tolerance = 4e-6;
 
 inline Vec3 unit(Vec3 v) {
   const double square = dot(v, v);
@@ -74,20 +77,20 @@ class World {
   // Takes over the first `count` objects: either all or none of them. Errors: machine.
   Status set(const Columns&, std::size_t count, const View&);
 
-  std::optional<Meeting> nearest(const Ray&, unsigned sorts) const;
+  std::optional<Hit> nearest(const Ray&, unsigned mask) const;
   // Returns what the eye sees behind `last`, or first. Of surfaces in one plane the one drawn last comes first, as if
   // each were drawn over the earlier ones.
-  std::optional<Meeting> next_layer(const Ray&, const std::optional<Meeting>& last) const;
+  std::optional<Hit> next_layer(const Ray&, const std::optional<Hit>& last) const;
   // Returns the share of light that comes through, over this distance.
-  double unblocked(const Ray&, double distance) const;
-  Spot spot(const Ray&, const Meeting&) const;
+  double transmittance(const Ray&, double distance) const;
+  SurfacePoint surface_point(const Ray&, const Hit&) const;
   // Of surfaces in one plane, the one with the higher rank is drawn later. A line that crosses itself has one rank
   // there.
-  std::uint64_t rank(const Meeting&) const;
+  std::uint64_t rank(const Hit&) const;
 
  private:
   // A mesh, or the unit ball if it has none.
-  struct Solid {
+  struct MeshScene {
     std::shared_ptr<const Mesh> mesh;
     Box box;
     std::vector<MeshPart> parts;         // all within bounds
@@ -97,15 +100,15 @@ class World {
     SceneHandle scene;  // made on first use
     std::uint64_t used = 0;
   };
-  struct Cloth {
+  struct TextureUse {
     std::shared_ptr<const Picture> picture;
     bool has_holes = false;
     std::uint64_t used = 0;
   };
-  struct Body {
-    std::shared_ptr<const Solid> solid;  // null if it is not there
-    Mat4 place;                          // mesh space to eye space
-    std::array<Vec3, 3> turn;            // the same for normals, column by column
+  struct TracedObject {
+    std::shared_ptr<const MeshScene> solid;  // null if it is not there
+    Mat4 place;                              // mesh space to eye space
+    std::array<Vec3, 3> normal_matrix;       // the same for normals, column by column
     Vec3 color;
     double opacity = 1, shine = 0;
     Material material = Material::plastic;
@@ -115,21 +118,21 @@ class World {
   };
 
   explicit World(DeviceHandle device) : device_(std::move(device)) {}
-  std::shared_ptr<Solid> solid(const std::shared_ptr<const Mesh>&);
+  std::shared_ptr<MeshScene> mesh_scene(const std::shared_ptr<const Mesh>&);
   bool has_holes(const std::shared_ptr<const Picture>&);
-  void need_scene(Solid&) const;
-  std::optional<Body> body_of(const Columns&, std::uint32_t, const View&, unsigned& sorts);
-  GeometryHandle instance(const Body&) const;
-  GeometryHandle hairlines(const Body&, const View&) const;
-  Spot corner_spot(const Body&, const Meeting&, bool back) const;
-  std::optional<Meeting> highest(const Ray&, double plane, std::uint64_t below) const;
+  void need_scene(MeshScene&) const;
+  std::optional<TracedObject> object_of(const Columns&, std::uint32_t, const View&, unsigned& mask);
+  GeometryHandle instance(const TracedObject&) const;
+  GeometryHandle hairlines(const TracedObject&, const View&) const;
+  SurfacePoint triangle_point(const TracedObject&, const Hit&, bool back) const;
+  std::optional<Hit> highest(const Ray&, double plane, std::uint64_t below) const;
 
   DeviceHandle device_;
   SceneHandle all_;
-  std::unordered_map<const Mesh*, std::shared_ptr<Solid>> solids_;
-  std::unordered_map<const Picture*, Cloth> cloths_;
-  std::vector<Body> bodies_;  // a place for each drawable
-  bool thin_ = false;         // whether some of them let light through
+  std::unordered_map<const Mesh*, std::shared_ptr<MeshScene>> mesh_scenes_;
+  std::unordered_map<const Picture*, TextureUse> textures_;
+  std::vector<TracedObject> objects_;  // a place for each drawable
+  bool thin_ = false;                  // whether some of them let light through
   std::uint64_t picture_ = 0;
 };
 

@@ -20,8 +20,8 @@ inline const FunctionSpec camera_functions[] = {
      .unit = Unit::opening,
      .low = 0,
      .high = 60,
-     .sentence = "How long a picture is exposed, from its time on: motion blur.",
-     .written = "an angle, of which 360deg are a frame; a length of time; or off",
+     .sentence = "The exposure time of each frame, from its time on: motion blur.",
+     .written = "an angle (360deg is a frame), a length of time, or off",
      .example = "set eye.shutter 180deg"},
     {.name = "f-stop",
      .type = Type::scalar,
@@ -29,16 +29,18 @@ inline const FunctionSpec camera_functions[] = {
      .kinds = bit(Kind::camera),
      .low = 1e-4,
      .high = sharp,
-     .sentence = "The opening of a camera: the smaller the number, the stronger the depth of field.",
-     .written = "a number; or off, which is 1e6: all is sharp",
+     .sentence =
+         "The aperture of a camera: the smaller the number, the stronger the depth of field; 1000000, or `off`: "
+         "everything is sharp.",
+     .written = "a number, or off",
      .example = "set eye.f-stop 0.1"},
     {.name = "focus",
      .type = Type::aim,
      .rest = ObjectId{},
      .kinds = bit(Kind::camera),
      .unit = Unit::metres,
-     .sentence = "What is in focus: an object, or a distance; none is the point that the camera looks at.",
-     .written = "a distance or a name",
+     .sentence = "What is in focus: an object, a point, or a distance; none: the point that the camera looks at.",
+     .written = "a name, a point or a distance",
      .example = "set eye.focus ball"},
 };
 

@@ -32,7 +32,7 @@ void each_call(const DisplayList& list, F&& f) {
 // Calls f for all versions of the lists, with the time of each.
 template <class F>
 void each_version(const Scene& s, F&& f) {
-  for (const auto& [name, list] : *s.lists) f(from_the_beginning, name, *list);
+  for (const auto& [name, list] : *s.lists) f(earliest_time, name, *list);
   for (const auto& [from, changed] : *s.later_lists)
     for (const auto& [name, list] : changed) f(from, name, *list);
 }
@@ -90,7 +90,7 @@ const DisplayList* list_at(const Scene& s, std::string_view name, Time t) {
 }
 
 DisplayList& edit_list(Scene& s, const std::string& name, Time from) {
-  if (from == from_the_beginning) return s.lists.edit()[name].edit();
+  if (from == earliest_time) return s.lists.edit()[name].edit();
   const DisplayList* before = list_at(s, name, from);
   const DisplayList copy = before ? *before : DisplayList{};
   const auto [at, fresh] = s.later_lists.edit()[from].try_emplace(name, copy);
@@ -99,7 +99,7 @@ DisplayList& edit_list(Scene& s, const std::string& name, Time from) {
 
 std::vector<Time> versions(const Scene& s, std::string_view name) {
   std::vector<Time> all;
-  if (s.lists->contains(name)) all.push_back(from_the_beginning);
+  if (s.lists->contains(name)) all.push_back(earliest_time);
   for (const auto& [from, changed] : *s.later_lists)
     if (const auto at = changed.find(name); at != changed.end() && at->second->there) all.push_back(from);
   return all;
@@ -114,10 +114,10 @@ std::vector<std::string_view> list_names(const Scene& s) {
 }
 
 void delete_list(Scene& s, const std::string& name, Time from) {
-  if (from == from_the_beginning) s.lists.edit().erase(name);
-  if (from == from_the_beginning && s.later_lists->empty()) return;
+  if (from == earliest_time) s.lists.edit().erase(name);
+  if (from == earliest_time && s.later_lists->empty()) return;
   LaterLists& later = s.later_lists.edit();
-  if (from == from_the_beginning) {
+  if (from == earliest_time) {
     for (auto& [time, changed] : later) changed.erase(name);
   } else {
     DisplayList gone;
@@ -153,14 +153,14 @@ std::vector<std::string> calls(const Scene& s, const std::string& from, const st
   const auto meant = [&](Time t) {
     return std::find(versions_of_to.begin(), versions_of_to.end(), t) != versions_of_to.end();
   };
-  bool looking = meant(from_the_beginning);
+  bool looking = meant(earliest_time);
   if (looking)
     if (auto found = calls(*s.lists, from, to); !found.empty()) return found;
   if (s.later_lists->empty() && looking) return {};
   DisplayLists now = *s.lists;
   LaterLists later = *s.later_lists;
   for (const Time t : versions_of_to)  // a list that is only about to be made changes nothing yet
-    if (t != from_the_beginning) later[t];
+    if (t != earliest_time) later[t];
   for (const auto& [time, changed] : later) {
     change(now, changed);
     if (changed.contains(to) || meant(time)) looking = meant(time);

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "base/cancellation.h"
 #include "base/memory.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "scene/names.h"
 #include "track/curve.h"
 
@@ -36,8 +36,8 @@ Slot& Object::slot(FunctionId f, ObjectId layer) {
 }
 
 std::size_t Objects::add(Object object) {
-  if (size_ % shelf == 0) shelves_.emplace_back();
-  Shelf& last = shelves_.back().edit();
+  if (size_ % files == 0) shelves_.emplace_back();
+  FileSource& last = shelves_.back().edit();
   if (size_ % chunk == 0) last.emplace_back();
   last.back().edit().emplace_back(std::move(object));
   return size_++;
@@ -47,7 +47,7 @@ std::size_t Objects::bytes_apart(const Objects& other) const {
   std::size_t sum = bytes_held(shelves_);
   for (std::size_t s = 0; s < shelves_.size(); ++s)
     if (s >= other.shelves_.size() || !shelves_[s].same(other.shelves_[s]))
-      sum += shared_bytes<Shelf> + bytes_held(*shelves_[s]);
+      sum += shared_bytes<FileSource> + bytes_held(*shelves_[s]);
   each_chunk_apart(
       other, [&](std::size_t, const Chunk& mine, const Chunk*) { sum += shared_bytes<Chunk> + bytes_held(mine); });
   return sum;
@@ -60,9 +60,8 @@ const FunctionSpec& spec_of(const Scene& s, FunctionId f) {
 
 std::optional<FunctionId> find_function(const Scene& s, Kind kind, std::string_view name) {
   if (const auto f = find_built_in(kind, name)) return f;
-  for (std::size_t i = 0; i < s.defined->size(); ++i)
-    if ((*s.defined)[i].name == name) return static_cast<FunctionId>(built_in_functions().size() + i);
-  return std::nullopt;
+  const auto own = s.defined->find(name);
+  return own ? std::optional(static_cast<FunctionId>(built_in_functions().size() + *own)) : std::nullopt;
 }
 
 std::vector<std::string_view> function_names(const Scene& s, Kind kind) {
@@ -80,10 +79,11 @@ template <class Each>
 void add_matching(const Scene& s, std::string_view word, const Each& each_object, std::vector<ObjectId>& out) {
   const auto first = static_cast<std::ptrdiff_t>(out.size());
   each_object([&](ObjectId id) {
-    if (StillWanted::ask(); !s.objects[id.index].removed && matches(word, s.objects[id.index].name)) out.push_back(id);
+    if (Cancellation::check(); !s.objects[id.index].removed && matches(word, s.objects[id.index].name))
+      out.push_back(id);
   });
   std::sort(out.begin() + first, out.end(), [&](ObjectId a, ObjectId b) {
-    StillWanted::ask();
+    Cancellation::check();
     return natural_less(s.objects[a.index].name, s.objects[b.index].name);
   });
 }
@@ -184,7 +184,7 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
   std::vector<Step> steps{{parent, from, until, 0}};
   const std::size_t enough = 4 * s.objects.size() + 10'000;  // a circle made by moving events must not stop us
   for (std::size_t i = 0; i < steps.size() && steps.size() < enough; ++i) {
-    StillWanted::ask();
+    Cancellation::check();
     for (const AttachmentSpan& a : attachments(s.objects[steps[i].at.index])) {
       const Time begin = std::max(a.from, steps[i].from), end = std::min(a.until, steps[i].until);
       if (a.to.kind < AttachmentKind::hang || !find_object(s, a.to.parent) || begin >= end) continue;
@@ -202,11 +202,8 @@ std::vector<ObjectId> circle(const Scene& s, ObjectId child, ObjectId parent, Ti
 }
 
 Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self) {
-  const auto no = [&](const std::string& why, std::string hint = {}) {
-    return fail(ErrorCode::name, "value('" + std::string(text.substr(0, 60)) + "'): " + why, std::move(hint));
-  };
   const auto dot = text.find('.');
-  if (dot == std::string_view::npos) return no("a target has a dot, as in 'ball.position'");
+  if (dot == std::string_view::npos) return fail(ErrorCode::name, "a target has a dot, as in 'ball.position'");
   Target t;
   t.object = dot == 0 ? self : s.names.find(text.substr(0, dot));
   if (!find_object(s, t.object)) {
@@ -214,7 +211,7 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
     for (std::size_t i = 0; i < s.objects.size() && i < 1000; ++i)
       if (!s.objects[i].removed) names.push_back(s.objects[i].name);
     const auto name = text.substr(0, dot);
-    return no("there is no object '" + std::string(name) + "'", did_you_mean(name, names));
+    return unknown_name("object", name, did_you_mean(name, names));
   }
   std::vector<std::string_view> words;
   for (std::string_view rest = text.substr(dot + 1);;) {
@@ -226,13 +223,13 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
   if (const auto query = find_query(s.objects[t.object.index].kind, words[0])) {
     const int part = words.size() > 1 && query == Query::world ? find_component(Type::vector, words[1]) : -1;
     if (words.size() == 1 || (words.size() == 2 && part >= 0)) return Target(t.object, *query, part);
-    return no("this has no such part; a matrix is a table of 16 numbers, with x y z");
+    return fail(ErrorCode::name, "there is no such part; a matrix is a table of 16 numbers, with x y z");
   }
   const Kind kind = s.objects[t.object.index].kind;
   const auto f = find_function(s, kind, words[0]);
   if (!f) {
     const auto names = function_names(s, kind);
-    return no("there is no function '" + std::string(words[0].substr(0, 40)) + "'", did_you_mean(words[0], names));
+    return unknown_name("function", words[0], did_you_mean(words[0], names));
   }
   t.function = *f;
   const Type type = spec_of(s, *f).type;
@@ -243,7 +240,7 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
     else if (component >= 0 && t.component < 0)
       t.component = component;
     else
-      return no("there is no part '" + std::string(words[i].substr(0, 40)) + "'");
+      return unknown_name("part", words[i]);
   }
   return t;
 }
@@ -319,7 +316,7 @@ std::pair<Time, Time> Document::range() const {
       }
   }
   if (!scene_->cuts->empty()) last = std::max(last, scene_->cuts->rbegin()->first);
-  if (!scene_->notes->empty()) last = std::max(last, scene_->notes->back().first);
+  if (!scene_->notes->empty()) last = std::max(last, scene_->notes->rbegin()->first);
   if (!scene_->later_lists->empty()) last = std::max(last, scene_->later_lists->rbegin()->first);
   if (last <= Time{}) return {{}, scene_->rate.frame(std::max(1.0, std::round(scene_->rate.per_second())))};
   return {{}, last};
@@ -354,10 +351,8 @@ std::vector<std::string> Document::names() const {
 ObjectId Document::find(std::string_view name) const { return scene_->names.find(name); }
 
 std::vector<std::pair<Time, std::string>> Document::notes(Time from, Time to) const {
-  std::vector<std::pair<Time, std::string>> out;
-  for (const auto& n : *scene_->notes)
-    if (n.first >= from && n.first <= to) out.push_back(n);
-  return out;
+  if (to < from) return {};
+  return {scene_->notes->lower_bound(from), scene_->notes->upper_bound(to)};
 }
 
 bool operator==(const Document& a, const Document& b) { return a.scene_ == b.scene_ || same(*a.scene_, *b.scene_); }

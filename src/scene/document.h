@@ -19,6 +19,7 @@
 #include "scene/kinds.h"
 #include "scene/name_index.h"
 #include "scene/outline.h"
+#include "scene/own_functions.h"
 #include "scene/quantity.h"
 #include "track/filter.h"
 #include "track/track.h"
@@ -58,7 +59,7 @@ class Objects {
  public:
   std::size_t size() const { return size_; }
   const Object& operator[](std::size_t i) const { return *object(i); }
-  Object& edit(std::size_t i) { return shelves_[i / shelf].edit()[i / chunk % chunk].edit()[i % chunk].edit(); }
+  Object& edit(std::size_t i) { return shelves_[i / files].edit()[i / chunk % chunk].edit()[i % chunk].edit(); }
   std::size_t add(Object object);
   // Returns whether both share the object. If not, the two may still be equal.
   bool same(std::size_t i, const Objects& other) const {
@@ -79,23 +80,23 @@ class Objects {
 
  private:
   using Chunk = std::vector<Cow<Object>>;
-  using Shelf = std::vector<Cow<Chunk>>;
-  static constexpr std::size_t chunk = 128, shelf = chunk * chunk;
-  const Cow<Object>& object(std::size_t i) const { return (*(*shelves_[i / shelf])[i / chunk % chunk])[i % chunk]; }
+  using FileSource = std::vector<Cow<Chunk>>;
+  static constexpr std::size_t chunk = 128, files = chunk * chunk;
+  const Cow<Object>& object(std::size_t i) const { return (*(*shelves_[i / files])[i / chunk % chunk])[i % chunk]; }
   // Calls f(number of its first object, chunk, the other's chunk or null) for chunks that the other does not share.
   template <class F>
   void each_chunk_apart(const Objects& other, F&& f) const {
     for (std::size_t s = 0; s < shelves_.size(); ++s) {
-      const Cow<Shelf> theirs = s < other.shelves_.size() ? other.shelves_[s] : Cow<Shelf>();
+      const Cow<FileSource> theirs = s < other.shelves_.size() ? other.shelves_[s] : Cow<FileSource>();
       if (shelves_[s].same(theirs)) continue;
       for (std::size_t c = 0; c < shelves_[s]->size(); ++c) {
         const Cow<Chunk>& mine = (*shelves_[s])[c];
         const Cow<Chunk>* there = c < theirs->size() ? &(*theirs)[c] : nullptr;
-        if (!there || !mine.same(*there)) f(shelf * s + chunk * c, *mine, there ? &**there : nullptr);
+        if (!there || !mine.same(*there)) f(files * s + chunk * c, *mine, there ? &**there : nullptr);
       }
     }
   }
-  std::vector<Cow<Shelf>> shelves_;
+  std::vector<Cow<FileSource>> shelves_;
   std::size_t size_ = 0;
 };
 
@@ -138,11 +139,11 @@ struct Scene {
 
   Objects objects;
   NameIndex names;
-  Cow<std::vector<FunctionSpec>> defined;  // the user's own functions; ids follow the built-in ones
+  Cow<OwnFunctions> defined;  // the user's own functions; ids follow the built-in ones
   Cow<Aliases> aliases;
-  Cow<Lets> lets;                                        // the names in formulas
-  Cow<std::vector<std::pair<Time, std::string>>> notes;  // sorted by time
-  Cow<std::vector<NamedProcedure>> procedures;           // events refer to own twerpers by their index here
+  Cow<Lets> lets;                               // the names in formulas
+  Cow<std::multimap<Time, std::string>> notes;  // those of one time in the order in which they came
+  Cow<std::vector<NamedProcedure>> procedures;  // events refer to own twerpers by their index here
   Cow<std::vector<Dial>> dials;
   Cow<DisplayLists> lists;                // from the beginning
   Cow<LaterLists> later_lists;            // the versions that edits at a time have made

@@ -48,18 +48,17 @@ Status check_times(const Animate& a) {
   if (from < 0) return fail(ErrorCode::range, "an environment cannot start before its animate");
   if (a.until && *a.until <= from)
     return fail(ErrorCode::range,
-                a.from ? "an environment has to halt after it starts: until " + std::to_string(*a.until) +
+                a.from ? "an environment must halt after it starts: until " + std::to_string(*a.until) +
                              "t is not after from " + std::to_string(from) + "t"
-                       : "an environment has to halt after its animate, not after " + std::to_string(*a.until) + "t");
+                       : "an environment must halt after its animate, not after " + std::to_string(*a.until) + "t");
   if (std::max(from, a.until.value_or(0)) > Environment::furthest)
-    return fail(ErrorCode::range, "a start or a stop so far in the future cannot be counted in ticks");
+    return fail(ErrorCode::range, "a start or a stop is too far in the future");
   return Nothing{};
 }
 
 Status check_motion(const Animate& a) {
   for (double e : a.motion.m)
-    if (!std::isfinite(e))
-      return fail(ErrorCode::range, "the matrix of a motion is made of numbers, and this has an element that is none");
+    if (!std::isfinite(e)) return fail(ErrorCode::range, "the matrix of a motion has an element that is not finite");
   if (const Result<Pace> pace = Pace::make(a.timing); !pace) return pace.error();
   return check_times(a);
 }
@@ -109,8 +108,7 @@ Status Environment::add(const EnvironmentEvent& event, const Environment* like) 
 }
 
 Status Environment::check(const EnvironmentEvent& event) const {
-  if (event.tick > furthest || event.tick < -furthest)
-    return fail(ErrorCode::range, "a time so far away cannot be counted in ticks");
+  if (event.tick > furthest || event.tick < -furthest) return fail(ErrorCode::range, "this time is too far away");
   if (const auto* a = std::get_if<Animate>(&event.what)) return check_motion(*a);
   if (alive()) return Nothing{};
   const std::string verb = std::holds_alternative<Halt>(event.what)   ? "halt"
@@ -201,8 +199,8 @@ void Environment::start(Now& now, const Scheduled& s, Output& out) {
     out.problems.push_back(
         {s.key.number, Severity::warning,
          fail(ErrorCode::range,
-              "this animate comes before the first update of the one before it: repeated like this, nothing moves",
-              "keep-phase keeps the update that was due")});
+              "this animate comes before the first update of the previous one; if it repeats like this, nothing moves",
+              "to keep the update that was due: keep-phase")});
   }
   Span next;
   next.tick = tick;

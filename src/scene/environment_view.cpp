@@ -12,7 +12,7 @@ std::vector<EnvironmentSpan> spans(const Document& d, ObjectId id, FunctionId f)
   if (!o) return out;
   for (const EnvironmentsFrom& e : environments_of(d.scene(), *o, f)) {
     if (!out.empty()) out.back().until = e.from;
-    out.push_back({e.from, for_good, {}});
+    out.push_back({e.from, latest_time, {}});
     for (const Generation& g : e.all) out.back().environments.push_back(g.environment);
   }
   return out;
@@ -48,14 +48,14 @@ std::vector<EnvironmentsFrom> environments_of(const Scene& s, const Object& o, F
   if (!slot) return out;
   const auto add = [&](Time from, const Value& v) {
     EnvironmentsFrom now{from, {}};
-    const std::int64_t tick = from == from_the_beginning ? -Environment::furthest : s.ticks.whole(from);
+    const std::int64_t tick = from == earliest_time ? -Environment::furthest : s.ticks.whole(from);
     for (const std::string& name : *std::get<Names>(v))
       for (const ObjectId id : select(s, name))  // an alias names many
         if (const auto& track = s.objects[id.index].environment)
           if (const auto generation = track->bind(tick)) now.all.push_back({id, *generation});
     out.push_back(std::move(now));
   };
-  if (slot->set || !slot->track->events.empty()) add(from_the_beginning, slot->set.value_or(Names()));
+  if (slot->set || !slot->track->events.empty()) add(earliest_time, slot->set.value_or(Names()));
   slot->track->events.each([&](const Event& e) {
     if (!e.keep) add(e.time, e.value);
   });

@@ -88,16 +88,16 @@ struct Versions {
     std::vector<ExpandedPart> out;
     for (Shown& shown : all) {
       Object& o = shown.part.object;
-      if (drawable(o.kind) && shown.turns != std::vector{from_the_beginning}) {
+      if (drawable(o.kind) && shown.turns != std::vector{earliest_time}) {
         Events& events = o.slot(fn::display).track.edit().events;
         const auto put = [&](Time t, bool on) {
           Event e;
           e.time = t, e.value = on;
           events.put(std::move(e));
         };
-        put(-from_seconds(longest_seconds), shown.turns[0] == from_the_beginning);
+        put(-from_seconds(longest_seconds), shown.turns[0] == earliest_time);
         for (std::size_t i = 0; i < shown.turns.size(); ++i)
-          if (shown.turns[i] != from_the_beginning) put(shown.turns[i], i % 2 == 0);
+          if (shown.turns[i] != earliest_time) put(shown.turns[i], i % 2 == 0);
       }
       out.push_back(std::move(shown.part));
     }
@@ -159,8 +159,8 @@ void put(Scene& s, std::vector<ExpandedPart> parts) {
 }
 
 Error too_many(const Scene& s) {
-  return fail(ErrorCode::range, "'" + s.main + "' would become more than " + std::to_string(most_derived) + " objects",
-              "a film has objects for all that its main list draws");
+  return fail(ErrorCode::range, "'" + s.main + "' would make more than " + std::to_string(most_derived) + " objects",
+              "each thing that the main list draws becomes an object of the film");
 }
 
 Result<Versions> versions_of_main(const Scene& s) {
@@ -172,19 +172,18 @@ Result<Versions> versions_of_main(const Scene& s) {
     const ExpansionSize size = expansion_size(lists, s.main);
     scanned += size.objects;
     if (size.depth > deepest_derived)
-      return fail(ErrorCode::range, "'" + s.main + "' would hold instances and environments more than " +
-                                        std::to_string(deepest_derived) + " deep in one another");
+      return fail(ErrorCode::range, "'" + s.main + "' would have instances and environments nested more than " +
+                                        std::to_string(deepest_derived) + " levels deep");
     if (size.objects > most_derived) return too_many(s);
     if (scanned > most_scanned)
-      return fail(ErrorCode::range, "'" + s.main +
-                                        "' changes too often for its size: all that it draws from edit to edit " +
-                                        "would be more than " + std::to_string(most_scanned) + " objects");
+      return fail(ErrorCode::range, "'" + s.main + "' changes too often for its size: all its versions together " +
+                                        "would make more than " + std::to_string(most_scanned) + " objects");
     Expanded made = expanded(s, lists, s.main);
     called = std::move(made.called);
     versions.add(from, std::move(made.parts));
     return Nothing{};
   };
-  if (Status first = add(from_the_beginning, *s.lists); !first) return first.error();
+  if (Status first = add(earliest_time, *s.lists); !first) return first.error();
   if (versions.one) return versions;
   DisplayLists lists = *s.lists;
   for (const auto& [from, changed] : *s.later_lists) {

@@ -34,7 +34,7 @@ struct FunctionSpec {
   // Puts a value into a shape: numbers as they are held, a double or a Vec3. Null if it is not part of a shape.
   void (*shape)(Shape&, const Value&, const Scene&) = nullptr;
   bool place = false;                                          // whether it affects the place or visibility of objects
-  std::string_view sentence = {}, written = {}, example = {};  // for help; one row has it for all of its name
+  std::string_view sentence = {}, written = {}, example = {};  // for help; each row has its own sentence
   // Returns whether contacts can depend on it.
   bool matters_to_contacts() const { return place || shape != nullptr; }
   friend bool operator==(const FunctionSpec&, const FunctionSpec&) = default;

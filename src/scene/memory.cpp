@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "base/cancellation.h"
 #include "base/memory.h"
 #include "scene/document.h"
+#include "scene/rig.h"
 #include "track/procedure.h"
 
 namespace betwixt {
@@ -187,6 +189,97 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
     }
   }
   return lost.sum.bytes;
+}
+
+namespace {
+
+template <class... T>
+std::size_t bytes_in(const std::vector<T>&... arrays) {
+  return ((arrays.size() * sizeof(T)) + ...);
+}
+
+// Adds up the bytes of values.
+class ValueBytes {
+ public:
+  void object(const Object& o) {
+    for (const Slot& slot : o.slots) {
+      if (slot.set) value(*slot.set);
+      strand(slot), strand(slot.velocity);
+    }
+  }
+  void lists(const DisplayLists& all) {
+    for (const auto& [name, list] : all)
+      if (first(&*list))
+        for (std::size_t i = 0; i < list->commands.size(); ++i) value(list->commands[i].value);
+  }
+  void code(const std::shared_ptr<const Routine>& routine) {
+    if (routine && first(routine.get())) sum_ += 3 * routine->source.size();  // the source and its compiled form
+  }
+  std::size_t sum() const { return sum_; }
+
+ private:
+  void strand(const Strand& s) {
+    track(*s.track);
+    for (const Cow<Track>& t : s.components) track(*t);
+  }
+  void track(const Track& t) {
+    if (!t.events.empty() && first(&t)) t.events.each([&](const Event& e) { value(e.value); });
+  }
+  void value(const Value& v) {
+    if (const auto* text = std::get_if<Text>(&v); text && first(text->at.get())) sum_ += (*text)->size();
+    if (const auto* points = std::get_if<Points>(&v); points && first(points->at.get())) sum_ += bytes_in(**points);
+    if (const auto* names = std::get_if<Names>(&v); names && first(names->at.get()))
+      for (const std::string& name : **names) sum_ += sizeof name + name.size();
+    if (const auto* procedure = std::get_if<Procedure>(&v)) code(procedure->code);
+  }
+  bool first(const void* thing) { return seen_.insert(thing).second; }
+  std::unordered_set<const void*> seen_;
+  std::size_t sum_ = 0;
+};
+
+}  // namespace
+
+std::size_t bytes_of(const Mesh& mesh) {
+  return bytes_in(mesh.positions, mesh.normals, mesh.uvs, mesh.triangles, mesh.edges, mesh.parts);
+}
+std::size_t bytes_of(const Rig& rig) {
+  std::size_t sum = bytes_in(rig.joints, rig.weights, rig.inverse_bind);
+  for (const Rig::Target& target : rig.targets) sum += bytes_in(target.positions, target.normals);
+  return sum;
+}
+
+void ContentBytes::add(const std::shared_ptr<const Mesh>& mesh) {
+  if (!first(mesh.get())) return;
+  sum_ += bytes_of(*mesh);
+  for (const MeshPart& part : mesh->parts) add(part.texture);
+  if (first(mesh->rig.get())) sum_ += bytes_of(*mesh->rig);
+}
+void ContentBytes::add(const std::shared_ptr<const Picture>& picture) {
+  if (first(picture.get())) sum_ += bytes_in(picture->rgba);
+}
+void ContentBytes::add(const std::shared_ptr<const Sound>& sound) {
+  if (first(sound.get())) sum_ += bytes_in(sound->energy, sound->onsets);
+}
+void ContentBytes::add(const std::shared_ptr<const Outline>& outline) {
+  if (!first(outline.get())) return;
+  for (const Contour& contour : outline->contours) sum_ += bytes_in(contour);
+}
+
+std::size_t bytes_of_values(const Scene& scene) {
+  ValueBytes values;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    Cancellation::check();
+    values.object(scene.objects[i]);
+  }
+  values.lists(*scene.lists);
+  for (const auto& [time, lists] : *scene.later_lists) values.lists(lists);
+  for (const NamedProcedure& p : *scene.procedures) values.code(p.code);
+  ContentBytes contents;
+  const auto add = [&](const auto& files) {
+    for (const auto& [path, content] : *files) contents.add(content);
+  };
+  add(scene.meshes), add(scene.pictures), add(scene.sounds), add(scene.formulas);
+  return values.sum() + contents.sum();
 }
 
 }  // namespace betwixt

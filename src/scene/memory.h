@@ -5,8 +5,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <unordered_set>
 
 #include "betwixt/document.h"
+#include "betwixt/mesh.h"
+#include "betwixt/sound.h"
+#include "scene/outline.h"
 
 namespace betwixt {
 
@@ -17,5 +22,26 @@ struct SceneSize {
 SceneSize size_of(const Scene&);
 // Estimates the bytes that only `before` needs, where `after` is the result of an edit of it.
 std::size_t bytes_apart(const Scene& before, const Scene& after);
+
+std::size_t bytes_of(const Mesh&);  // without its pictures and its rig
+std::size_t bytes_of(const Rig&);
+// Adds up the bytes of the contents of files. What several share counts once.
+class ContentBytes {
+ public:
+  void add(const std::shared_ptr<const Mesh>&);  // with its pictures and its rig
+  void add(const std::shared_ptr<const Picture>&);
+  void add(const std::shared_ptr<const Sound>&);
+  void add(const std::shared_ptr<const Outline>&);
+  std::size_t sum() const { return sum_; }
+
+ private:
+  bool first(const void* thing) { return thing != nullptr && seen_.insert(thing).second; }
+  std::unordered_set<const void*> seen_;
+  std::size_t sum_ = 0;
+};
+
+// Returns the bytes of texts, points, lists of names, code and the contents of files. What several share counts once.
+// Reads the whole scene.
+std::size_t bytes_of_values(const Scene&);
 
 }  // namespace betwixt

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "track/along.h"
 
 namespace betwixt {
@@ -76,7 +76,7 @@ void Mentions::look_at(const Object& o, std::uint32_t number) {
 
 void Mentions::follow(const Scene& s) {
   s.objects.each_changed(seen_, [&](std::size_t i) {
-    StillWanted::ask();
+    Cancellation::check();
     look_at(s.objects[i], static_cast<std::uint32_t>(i));
   });
   seen_ = s.objects;

@@ -21,8 +21,8 @@ struct QueryName {
 bool heard(Kind k) { return k == Kind::sound; }
 bool moves_others(Kind k) { return k == Kind::environment; }
 constexpr QueryName query_names[] = {{Query::world, "world", [](Kind) { return true; }},
-                                     {Query::motion, "by", moves_others},
-                                     {Query::interval, "every", moves_others},
+                                     {Query::by, "by", moves_others},
+                                     {Query::every, "every", moves_others},
                                      {Query::count, "count", moves_others},
                                      {Query::touching, "touching", drawable},
                                      {Query::in_view, "in-view", drawable},
@@ -60,7 +60,7 @@ std::string target_name(const Scene& s, const Target& t) {
   return t.velocity ? name + ".velocity" : name;
 }
 
-std::string near_object(const Scene& s, std::string_view word) {
+Hint near_object(const Scene& s, std::string_view word) {
   constexpr std::size_t most = 10'000;
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < s.objects.size() && i < most; ++i)

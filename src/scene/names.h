@@ -14,7 +14,7 @@ std::string object_name(const Scene&, ObjectId);       // "none" if there is no 
 std::string target_name(const Scene&, const Target&);  // "ball.position.x", "ball.position.velocity", "ball.world"
 // "did you mean 'ball'?" if an object or an alias has a similar name, else an empty text. In large films it reads only
 // the first 10,000 objects.
-std::string near_object(const Scene&, std::string_view word);
+Hint near_object(const Scene&, std::string_view word);
 std::string format_time(Time, Rate);  // "24f" where it is on a frame, else seconds: "1.2345s"
 
 // Returns "world"; for environments "by", "every" and "count"; for drawn objects "touching" and "in-view".

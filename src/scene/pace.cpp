@@ -13,15 +13,15 @@ namespace {
 std::string ticks(std::int64_t n) { return std::to_string(n) + (n == 1 ? " tick" : " ticks"); }
 
 Status check(const Timing& t) {
-  if (t.interval < 1) return fail(ErrorCode::range, "an interval is at least 1 tick, and this is " + ticks(t.interval));
+  if (t.interval < 1) return fail(ErrorCode::range, "an interval must be at least 1 tick, not " + ticks(t.interval));
   if (t.change == 0) return Nothing{};
   if (t.period < 1)
-    return fail(ErrorCode::range, "an interval is changed every 1 tick or more, and this is every " + ticks(t.period));
-  if (t.ceiling < 1) return fail(ErrorCode::range, "a limit is at least 1 tick, and this is " + ticks(t.ceiling));
+    return fail(ErrorCode::range, "an interval must change every 1 tick or more, not every " + ticks(t.period));
+  if (t.ceiling < 1) return fail(ErrorCode::range, "a limit must be at least 1 tick, not " + ticks(t.ceiling));
   for (std::int64_t n : {t.interval, t.change, t.period, t.ceiling})
     if (n > Pace::largest || n < -Pace::largest)
       return fail(ErrorCode::range,
-                  "an interval that changes is made of at most " + ticks(Pace::largest) + ", not " + ticks(n));
+                  "an interval that changes can have at most " + ticks(Pace::largest) + ", not " + ticks(n));
   return Nothing{};
 }
 
@@ -62,7 +62,7 @@ Result<Pace> Pace::make(const Timing& t, std::optional<std::int64_t> first) {
   while (true) {
     if (rows.size() == most_rows)
       return fail(ErrorCode::range, "this interval changes more than " + std::to_string(most_rows) + " times",
-                  "let it change by more ticks each time");
+                  "make each change larger");
     rows.push_back(row);
     if (row.ended || t.change == 0 || (t.change < 0 && row.interval == 1)) break;
     // The updates until the next change: those that begin before it, and the one at it or after it.

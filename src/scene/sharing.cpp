@@ -40,19 +40,19 @@ void share(Cow<T>& a, const Cow<T>& b) {
 void Objects::share(const Objects& before) {
   for (std::size_t n = 0; n < shelves_.size() && n < before.shelves_.size(); ++n) {
     if (shelves_[n].same(before.shelves_[n])) continue;
-    Shelf& shelf = shelves_[n].edit();
-    const Shelf& other = *before.shelves_[n];
-    for (std::size_t c = 0; c < shelf.size() && c < other.size(); ++c) {
-      if (shelf[c].same(other[c])) continue;
+    FileSource& files = shelves_[n].edit();
+    const FileSource& other = *before.shelves_[n];
+    for (std::size_t c = 0; c < files.size() && c < other.size(); ++c) {
+      if (files[c].same(other[c])) continue;
       const Chunk& theirs = *other[c];
-      Chunk& ours = shelf[c].edit();
+      Chunk& ours = files[c].edit();
       bool all = ours.size() == theirs.size();
       for (std::size_t k = 0; k < ours.size() && k < theirs.size(); ++k)
         if (exactly(*ours[k], *theirs[k]))
           ours[k] = theirs[k];
         else
           all = false;
-      if (all) shelf[c] = other[c];
+      if (all) files[c] = other[c];
     }
   }
 }

@@ -43,7 +43,11 @@ inline const FunctionSpec text_functions[] = {
      .rest = Text(std::string("regular")),
      .kinds = bit(Kind::text),
      .words = "thin|extralight|light|regular|medium|semibold|bold|extrabold|black",
-     .shape = [](Shape& s, const Value& v, const Scene&) { s.letters.weight = weight_of(v); }},
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.letters.weight = weight_of(v); },
+     .sentence = "How heavy the letters of a text are.",
+     .written = "\"thin\", \"extralight\", \"light\", \"regular\", \"medium\", \"semibold\", \"bold\", \"extrabold\" "
+                "or \"black\"",
+     .example = "create title text\nset title.weight bold"},
     {.name = "slant",
      .type = Type::text,
      .rest = Text(std::string("upright")),

@@ -63,7 +63,7 @@ TrackView view_of(const Scene& s, const Target& t, const Track& track) {
                  extrapolation(track.before),
                  extrapolation(track.after),
                  track.srgb};
-  if (view.events > 0) view.first = track.events.front().time, view.last = track.events.back().time;
+  if (view.event_count > 0) view.first = track.events.front().time, view.last = track.events.back().time;
   return view;
 }
 
@@ -78,7 +78,7 @@ EventView view_of(const Scene& s, const Event& e) {
   view.arguments = e.detail->arguments, view.stops = stops_of(e.detail->arguments);
   view.handle_in = e.detail->handle_in, view.handle_out = e.detail->handle_out;
   view.ease_out = e.detail->ease_out, view.ease_in = e.detail->ease_in;
-  view.before = maybe(e.detail->before);
+  view.cut_from = maybe(e.detail->before);
   view.tangent_in = maybe(e.detail->tangent_in), view.tangent_out = maybe(e.detail->tangent_out);
   return view;
 }
@@ -164,7 +164,7 @@ std::optional<Time> event_before(const Document& d, const Target& t, Time time) 
 
 std::vector<EventView> events(const Document& d, const Target& t) {
   std::vector<EventView> out;
-  each_event(d, t, from_the_beginning, for_good, [&](const EventView& e) { out.push_back(e); });
+  each_event(d, t, earliest_time, latest_time, [&](const EventView& e) { out.push_back(e); });
   return out;
 }
 

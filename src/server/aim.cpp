@@ -17,23 +17,11 @@
 
 #include "server/aim_connect.h"
 #include "server/aim_host.h"
+#include "syntax/texts.h"
 
 namespace {
 
 thread_local std::string connect_error;
-
-// Returns a string literal of the language: in quotes, on one line.
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (c == '\n')
-      out += "\\n";
-    else
-      out += c;
-  }
-  return out + "\"";
-}
 
 // The model multiplies row vectors, the language column vectors: so the columns of `m` become rows.
 std::string matrix_text(const double m[16]) {
@@ -54,7 +42,7 @@ bool finite(const double* numbers, int count) {
 // Runs a call on a handle and catches its exceptions, such as one for an answer that no imaging server gives.
 template <class Call>
 aim_status on(aim* h, Call call) {
-  if (!h) return connect_error = "no handle: aim_connect gave none", AIM_E_CALL;
+  if (!h) return connect_error = "the handle is null: aim_connect failed", AIM_E_CALL;
   try {
     return call(*h);
   } catch (const std::exception& e) {
@@ -73,7 +61,7 @@ aim* aim_connect(const char* where, const char* token) {
       path = std::string(folder) + "/betwixt.sock";
   connect_error.clear();
   if (path.empty()) {
-    connect_error = "no socket is named, and XDG_RUNTIME_DIR is not set";
+    connect_error = "no socket is given, and XDG_RUNTIME_DIR is not set";
     return nullptr;
   }
   auto* h = new aim;
@@ -94,7 +82,7 @@ aim* aim_connect(const char* where, const char* token) {
     connect_error = h->error;
   }
   if (status != AIM_OK) {
-    if (connect_error.empty()) connect_error = "where is to be a path or tcp:HOST:PORT";
+    if (connect_error.empty()) connect_error = "the address must be a path or tcp:HOST:PORT";
     delete h;
     return nullptr;
   }
@@ -108,7 +96,7 @@ const char* aim_warnings(const aim* h) { return h ? h->warnings.c_str() : ""; }
 
 aim_status aim_make_object(aim* h, int* object) {
   return on(h, [&](aim& it) {
-    if (it.open != 0) return it.fail(AIM_E_CALL, "an object is open already");
+    if (it.open != 0) return it.fail(AIM_E_CALL, "an object is already open");
     if (const aim_status status = it.name(object, it.objects); status != AIM_OK) return status;
     return it.opens("make", *object);
   });
@@ -153,7 +141,7 @@ aim_status aim_pop_matrix(aim* h) {
 }
 aim_status aim_multiply_matrix(aim* h, const double m[16]) {
   return on(h, [&](aim& it) {
-    if (!m || !finite(m, 16)) return it.fail(AIM_E_CALL, "a matrix is 16 numbers");
+    if (!m || !finite(m, 16)) return it.fail(AIM_E_CALL, "a matrix must have 16 numbers");
     return it.row("multiply " + matrix_text(m));
   });
 }
@@ -161,54 +149,64 @@ aim_status aim_multiply_matrix(aim* h, const double m[16]) {
 aim_status aim_point(aim* h, double x, double y, double z) {
   return on(h, [&](aim& it) {
     const double p[] = {x, y, z};
-    if (!finite(p, 3)) return it.fail(AIM_E_CALL, "a point is three numbers");
+    if (!finite(p, 3)) return it.fail(AIM_E_CALL, "a point must have three numbers");
     return it.row("point " + point_text(p));
   });
 }
 aim_status aim_vector(aim* h, const double from[3], const double to[3]) {
   return on(h, [&](aim& it) {
-    if (!from || !to || !finite(from, 3) || !finite(to, 3)) return it.fail(AIM_E_CALL, "a point is three numbers");
+    if (!from || !to || !finite(from, 3) || !finite(to, 3))
+      return it.fail(AIM_E_CALL, "a point must have three numbers");
     return it.row("vector " + point_text(from) + " " + point_text(to));
   });
 }
 aim_status aim_polygon(aim* h, int count, const double* xyz) {
   return on(h, [&](aim& it) {
-    if (count < 3 || !xyz || !finite(xyz, 3 * count)) return it.fail(AIM_E_CALL, "a polygon has at least three points");
+    if (count < 3 || !xyz || !finite(xyz, 3 * count))
+      return it.fail(AIM_E_CALL, "a polygon must have at least three points");
     std::string text = "polygon";
     for (int i = 0; i < count; ++i) text += " " + point_text(xyz + 3 * i);
     return it.row(text);
   });
 }
 aim_status aim_text(aim* h, const char* utf8) {
-  return on(h, [&](aim& it) { return utf8 ? it.row("text " + quoted(utf8)) : it.fail(AIM_E_CALL, "no text"); });
+  return on(h, [&](aim& it) {
+    return utf8 ? it.row("text " + betwixt::write_text(utf8)) : it.fail(AIM_E_CALL, "the text is missing");
+  });
 }
 aim_status aim_color(aim* h, double r, double g, double b) {
   return on(h, [&](aim& it) {
     const double c[] = {r, g, b};
-    if (!finite(c, 3)) return it.fail(AIM_E_CALL, "a colour is three numbers");
+    if (!finite(c, 3)) return it.fail(AIM_E_CALL, "a colour must have three numbers");
     return it.row(fmt::format("color rgb({} {} {})", r, g, b));
   });
 }
 aim_status aim_texture(aim* h, const char* file) {
-  return on(h, [&](aim& it) { return file ? it.row("texture " + quoted(file)) : it.fail(AIM_E_CALL, "no file"); });
+  return on(h, [&](aim& it) {
+    return file ? it.row("texture " + betwixt::write_text(file)) : it.fail(AIM_E_CALL, "the file name is missing");
+  });
 }
 aim_status aim_font(aim* h, const char* name) {
-  return on(h, [&](aim& it) { return name ? it.row("font " + quoted(name)) : it.fail(AIM_E_CALL, "no name"); });
+  return on(h, [&](aim& it) {
+    return name ? it.row("font " + betwixt::write_text(name)) : it.fail(AIM_E_CALL, "the name is missing");
+  });
 }
 aim_status aim_view(aim* h, const double eye[3], const double at[3]) {
   return on(h, [&](aim& it) {
-    if (!eye || !at || !finite(eye, 3) || !finite(at, 3)) return it.fail(AIM_E_CALL, "a point is three numbers");
+    if (!eye || !at || !finite(eye, 3) || !finite(at, 3)) return it.fail(AIM_E_CALL, "a point must have three numbers");
     return it.row("view from " + point_text(eye) + " to " + point_text(at));
   });
 }
 aim_status aim_perspective(aim* h, double angle) {
   return on(h, [&](aim& it) {
-    return std::isfinite(angle) ? it.row(fmt::format("perspective {}rad", angle)) : it.fail(AIM_E_CALL, "no angle");
+    return std::isfinite(angle) ? it.row(fmt::format("perspective {}rad", angle))
+                                : it.fail(AIM_E_CALL, "the angle is not finite");
   });
 }
 aim_status aim_orthographic(aim* h, double height) {
   return on(h, [&](aim& it) {
-    return std::isfinite(height) ? it.row(fmt::format("orthographic {}", height)) : it.fail(AIM_E_CALL, "no height");
+    return std::isfinite(height) ? it.row(fmt::format("orthographic {}", height))
+                                 : it.fail(AIM_E_CALL, "the height is not finite");
   });
 }
 
@@ -237,7 +235,7 @@ aim_motion aim_motion_of(long interval, const double m[16]) {
 
 aim_status aim_animate(aim* h, int environment, long interval, const double m[16]) {
   return on(h, [&](aim& it) {
-    if (!m) return it.fail(AIM_E_CALL, "a matrix is 16 numbers");
+    if (!m) return it.fail(AIM_E_CALL, "a matrix must have 16 numbers");
     const aim_motion motion = aim_motion_of(interval, m);
     return aim_animate_motion(&it, environment, &motion);
   });
@@ -245,7 +243,7 @@ aim_status aim_animate(aim* h, int environment, long interval, const double m[16
 
 aim_status aim_animate_motion(aim* h, int environment, const aim_motion* a) {
   return on(h, [&](aim& it) {
-    if (!a || !finite(a->matrix, 16)) return it.fail(AIM_E_CALL, "a matrix is 16 numbers");
+    if (!a || !finite(a->matrix, 16)) return it.fail(AIM_E_CALL, "a matrix must have 16 numbers");
     std::string line = fmt::format("animate E{} every {}t by {}", environment, a->interval, matrix_text(a->matrix));
     if (a->change != 0)
       line += fmt::format(" {} {}t per {}t", a->change > 0 ? "slower" : "faster", std::labs(a->change), a->period);
@@ -269,7 +267,7 @@ aim_status aim_cancel(aim* h, int environment) {
 
 aim_status aim_get_interval(aim* h, int environment, long* interval) {
   return on(h, [&](aim& it) {
-    if (!interval) return it.fail(AIM_E_CALL, "no place for the interval");
+    if (!interval) return it.fail(AIM_E_CALL, "the pointer for the interval is null");
     aim::Json out;
     const aim_status status = it.value(environment, "every", out);
     if (status == AIM_OK) *interval = out.is_number() ? out.get<long>() : 0;
@@ -285,14 +283,16 @@ aim_status aim_get_environment_matrix(aim* h, int environment, double a[16]) {
 aim_status aim_get_slot_counter(aim* h, int* slot) {
   return on(h, [&](aim& it) {
     long n = 0;
-    if (!slot) return it.fail(AIM_E_CALL, "no place for the counter");
+    if (!slot) return it.fail(AIM_E_CALL, "the pointer for the counter is null");
     const aim_status status = it.whole("slot", n);
     if (status == AIM_OK) *slot = static_cast<int>(n);
     return status;
   });
 }
 aim_status aim_get_tick(aim* h, long* tick) {
-  return on(h, [&](aim& it) { return tick ? it.whole("tick", *tick) : it.fail(AIM_E_CALL, "no place for the tick"); });
+  return on(h, [&](aim& it) {
+    return tick ? it.whole("tick", *tick) : it.fail(AIM_E_CALL, "the pointer for the tick is null");
+  });
 }
 
 aim_status aim_begin_bundle(aim* h) {
@@ -303,7 +303,7 @@ aim_status aim_end_bundle(aim* h) {
 }
 aim_status aim_command(aim* h, const char* line, const char** said) {
   return on(h, [&](aim& it) {
-    if (!line || std::strchr(line, '\n')) return it.fail(AIM_E_CALL, "a command is one line");
+    if (!line || std::strchr(line, '\n')) return it.fail(AIM_E_CALL, "a command must be one line");
     const aim_status status = it.command(line);
     it.said = status == AIM_OK && !it.bundling ? it.answer.value("said", std::string()) : std::string();
     if (said) *said = it.said.c_str();

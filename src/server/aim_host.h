@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "betwixt/aim.h"
+#include "syntax/tokens.h"
 
 struct aim {
   using Json = nlohmann::json;
@@ -81,13 +82,13 @@ struct aim {
   aim_status ask(const std::string& line, bool answered_in_bundles = false) {
     error.clear(), warnings.clear();
     if (fd < 0) return fail(AIM_E_CONNECTION, "the connection is closed");
-    if (!send(line + "\n")) return lost("the server has gone");
+    if (!send(line + "\n")) return lost("the server closed the connection");
     return bundling && !answered_in_bundles ? AIM_OK : hear();  // a bundle has one answer, at its end
   }
   aim_status hear() {
     std::string text;
     do {
-      if (!receive(text)) return lost("the server has gone");
+      if (!receive(text)) return lost("the server closed the connection");
       answer = Json::parse(text, nullptr, false);
       if (!answer.is_object()) return lost("this is not an imaging server");
     } while (!answer.contains("ok"));
@@ -99,21 +100,11 @@ struct aim {
 
   // Returns the word of a line that has only one. Otherwise returns an empty string.
   static std::string lone_word(std::string_view line) {
-    constexpr std::string_view blanks = " \t\r,";
-    line = line.substr(0, line.find('#'));
-    const std::size_t from = line.find_first_not_of(blanks), to = line.find_last_not_of(blanks);
-    if (from == std::string_view::npos) return {};
-    line = line.substr(from, to + 1 - from);
-    return line.find_first_of(blanks) == std::string_view::npos ? std::string(line) : std::string();
+    std::vector<std::string> words = betwixt::line_words(line);
+    return words.size() == 1 ? std::move(words[0]) : std::string();
   }
   void note_warnings() {
-    const std::string text = answer.value("said", std::string());
-    for (std::size_t at = 0; at < text.size();) {
-      const std::size_t end = std::min(text.find('\n', at), text.size());
-      const std::string_view line = std::string_view(text).substr(at, end - at);
-      if (line.starts_with("warning: ") || line.starts_with("notice: ")) (warnings += line) += '\n';
-      at = end + 1;
-    }
+    for (const std::string& one : answer.value("warnings", std::vector<std::string>())) warnings += one + '\n';
   }
 
   // Sends a command that is not a row. The server then closes the open display list.
@@ -123,7 +114,7 @@ struct aim {
     return ask(line);
   }
   aim_status opens(const char* verb, int name) {
-    if (open != 0) return fail(AIM_E_CALL, "an object is open already");
+    if (open != 0) return fail(AIM_E_CALL, "an object is already open");
     const aim_status status = say(fmt::format("{} O{}", verb, name), {name});
     open = status == AIM_OK ? name : 0;
     interrupted = replacing = false;
@@ -133,7 +124,7 @@ struct aim {
     if (const aim_status status = named(names); status != AIM_OK) return status;
     if (open == 0) return fail(AIM_E_CALL, "no object is open");
     if (interrupted && replacing)
-      return fail(AIM_E_CALL, "another command came after 'replace': it must be said again");
+      return fail(AIM_E_CALL, "another command came after 'replace', so repeat 'replace' first");
     if (interrupted)
       if (const aim_status status = ask(fmt::format("edit O{}", open)); status != AIM_OK) return status;
     interrupted = false;
@@ -148,7 +139,7 @@ struct aim {
   // Reads one value of an environment. Reads it at the tick at which the last command takes effect, if that is still
   // ahead.
   aim_status value(int environment, const char* what, Json& out) {
-    if (bundling) return fail(AIM_E_CALL, "nothing can be asked in a bundle");
+    if (bundling) return fail(AIM_E_CALL, "a bundle cannot contain questions");
     if (const aim_status status = named({environment}); status != AIM_OK) return status;
     const std::string target = fmt::format("E{}.{}", environment, what);
     if (stamp > now) {
@@ -163,7 +154,7 @@ struct aim {
     return AIM_OK;
   }
   aim_status matrix(int environment, const char* what, double m[16]) {
-    if (!m) return fail(AIM_E_CALL, "no place for the matrix");
+    if (!m) return fail(AIM_E_CALL, "the pointer for the matrix is null");
     Json out;
     if (const aim_status status = value(environment, what, out); status != AIM_OK) return status;
     if (!out.is_array() || out.size() != 16) return fail(AIM_E_REFUSED, "the server gave no matrix");
@@ -171,7 +162,7 @@ struct aim {
     return AIM_OK;
   }
   aim_status begin_bundle() {
-    if (bundling) return fail(AIM_E_CALL, "a bundle is open already");
+    if (bundling) return fail(AIM_E_CALL, "a bundle is already open");
     bundling = true, open_before_bundle = open;
     const aim_status status = say("bundle");
     bundling = status == AIM_OK;
@@ -186,18 +177,18 @@ struct aim {
   aim_status command(const std::string& line) {
     const std::string word = lone_word(line);
     if (word == "bundle") return begin_bundle();
-    if (word == "end" && line.find_first_of(" \t") != 0) return end_bundle();
+    if (word == "end" && !betwixt::indented(line)) return end_bundle();
     return say(line);
   }
   aim_status whole(const char* member, long& out) {
-    if (bundling) return fail(AIM_E_CALL, "nothing can be asked in a bundle");
+    if (bundling) return fail(AIM_E_CALL, "a bundle cannot contain questions");
     if (const aim_status status = ask("time"); status != AIM_OK) return status;
     out = answer.value(member, 0L);
     return AIM_OK;
   }
   // The server gives every number once, a thousand at a time. An object, a tag and an environment may share a number.
   aim_status name(int* out, int& count) {
-    if (!out) return fail(AIM_E_CALL, "no place for the name");
+    if (!out) return fail(AIM_E_CALL, "the pointer for the name is null");
     const auto block = static_cast<std::size_t>(count / names_at_once);
     if (block == blocks.size()) {
       if (const aim_status status = ask("names", true); status != AIM_OK) return status;
@@ -211,7 +202,7 @@ struct aim {
   }
   aim_status named(std::initializer_list<int> names) {
     for (const int n : names)
-      if (n <= 0) return fail(AIM_E_CALL, "names are positive numbers");
+      if (n <= 0) return fail(AIM_E_CALL, "names must be positive numbers");
     return AIM_OK;
   }
 };

@@ -13,18 +13,14 @@ struct Ceilings {
   std::size_t objects = 3'000'000;  // with environments, and with removed objects, because the history still names them
   std::size_t events = 20'000'000;
   std::size_t history = 256 << 20;  // bytes of the accepted commands
-  std::size_t values = 1 << 30;     // bytes of texts, points, lists of names and code
+  std::size_t values = 1 << 30;     // bytes of texts, points, lists of names, code and the contents of files
 };
 
 // Counts the events of `after`, given those of `before`. Reads only the objects that differ.
-std::size_t count_events(const Scene& before, std::size_t events, const Scene& after);
-
-// Returns the bytes of texts, points, lists of names and code; shared values count once. Reads all objects.
-std::size_t bytes_of_values(const Scene&);
-Error too_many_bytes(const Ceilings&);
+std::size_t count_events(const Objects& before, std::size_t events, const Objects& after);
 
 // Checks the limits. A document that exceeded one before may stay as large as it was. Errors: range.
-Status within(const Ceilings&, const Scene& before, std::size_t events_before, const Scene& after,
+Status within(const Ceilings&, const Objects& before, std::size_t events_before, const Objects& after,
               std::size_t events_after);
 
 }  // namespace betwixt

@@ -106,7 +106,8 @@ NewScreen film_screen(const std::string& path, const RenderOptions& picture, Rat
     o.width = picture.width, o.height = picture.height;
     const Result<Output> place = read_output(path);
     if (!place) return place.error();
-    if (!place->format) return fail(ErrorCode::range, "a server makes no single pictures", "a film: " + film_endings());
+    if (!place->format)
+      return fail(ErrorCode::range, "a server cannot make single pictures", "make a film: " + film_endings());
     auto renderer = make_renderer(picture);
     if (!renderer) return renderer.error();
     auto sink = make_sink(o);
@@ -114,7 +115,7 @@ NewScreen film_screen(const std::string& path, const RenderOptions& picture, Rat
     try {
       return std::unique_ptr<Screen>(std::make_unique<Film>(*std::move(renderer), *std::move(sink), rate, trouble));
     } catch (const std::system_error& e) {
-      return fail(ErrorCode::machine, fmt::format("no thread can be had for the film: {}", e.what()));
+      return fail(ErrorCode::machine, fmt::format("cannot start a thread for the film: {}", e.what()));
     }
   };
 }

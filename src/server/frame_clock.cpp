@@ -57,12 +57,12 @@ FrameClock::FrameClock(Options options)
       told_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
       quarantine_({period_ / 8, options_.priority != Priority::ordinary ? maker_nice : 0, monotonic_now, [this] {
                      news_ = true;
-                     maker_.ring();
+                     maker_.signal();
                    }}) {}
 
 Result<std::unique_ptr<FrameClock>> FrameClock::start(Options options) {
   std::unique_ptr<FrameClock> clock(new FrameClock(std::move(options)));
-  if (clock->told_ < 0) return fail(ErrorCode::machine, fmt::format("no clock can be had: {}", std::strerror(errno)));
+  if (clock->told_ < 0) return fail(ErrorCode::machine, fmt::format("cannot make a timer: {}", std::strerror(errno)));
   std::promise<void> in_time;
   std::promise<Status> screen;
   auto has_priority = in_time.get_future();
@@ -81,7 +81,7 @@ Result<std::unique_ptr<FrameClock>> FrameClock::start(Options options) {
       c->screen_.reset();
     });
   } catch (const std::system_error& e) {
-    return fail(ErrorCode::machine, fmt::format("no thread can be had for the clock: {}", e.what()));
+    return fail(ErrorCode::machine, fmt::format("cannot start a thread for the clock: {}", e.what()));
   }
   if (const Status s = has_screen.get(); !s) return s.error();
   return clock;
@@ -89,10 +89,10 @@ Result<std::unique_ptr<FrameClock>> FrameClock::start(Options options) {
 
 FrameClock::~FrameClock() {
   stop_ = true;
-  maker_.ring(), clock_.ring();
+  maker_.signal(), clock_.signal();
   if (making_thread_.joinable()) making_thread_.join();
   over_ = true;
-  clock_.ring();
+  clock_.signal();
   if (clock_thread_.joinable()) clock_thread_.join();
   delete post_.load();
   for (Posted* p = done_.load(); p;) delete std::exchange(p, p->next);
@@ -110,14 +110,14 @@ void FrameClock::take_priority() {
       priority_ = Priority::fifo;
       return;
     }
-    why_ = fmt::format("fifo is not granted: {}", std::strerror(failed));
+    why_ = fmt::format("the system does not allow fifo: {}", std::strerror(failed));
   }
   if (asked(Priority::nice)) {
     if (::setpriority(PRIO_PROCESS, this_thread(), -20) == 0) {
       priority_ = Priority::nice;
       return;
     }
-    why_ += fmt::format("{}nice -20 is not granted: {}", why_.empty() ? "" : ", ", std::strerror(errno));
+    why_ += fmt::format("{}the system does not allow nice -20: {}", why_.empty() ? "" : ", ", std::strerror(errno));
   }
 }
 
@@ -136,8 +136,14 @@ Status FrameClock::open_screen() {
 
 void FrameClock::publish(Edition edition) {
   for (Posted* p = done_.exchange(nullptr); p;) delete std::exchange(p, p->next);
-  delete post_.exchange(new Posted{std::move(edition)});  // not null if the maker never took it
-  maker_.ring();
+  auto next = std::make_unique<Posted>(Posted{std::move(edition)});
+  if (next->edition.large && (next->edition.look || options_.screen)) {
+    const Transport& t = next->edition.transport;
+    next->evaluation.emplace(next->edition.program, quarantine_);
+    next->evaluation->prepare(t.running ? t.time(monotonic_now()) : t.at);
+  }
+  delete post_.exchange(next.release());  // not null if the maker never took it
+  maker_.signal();
 }
 
 std::vector<Shown> FrameClock::shown() {
@@ -219,7 +225,7 @@ void FrameClock::accompany() {
   overdue_ = false;
   if (wanted) show();
   stage_ = Stage::none;
-  maker_.ring();
+  maker_.signal();
 }
 
 // Waits for a moment. A sleep ends a little late, by more the busier the machine is. With fifo priority, the thread

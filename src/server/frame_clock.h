@@ -19,10 +19,10 @@
 #include <thread>
 #include <vector>
 
-#include "server/bell.h"
 #include "server/histogram.h"
 #include "server/quarantine.h"
 #include "server/screen.h"
+#include "server/wake_signal.h"
 
 namespace betwixt {
 
@@ -43,7 +43,8 @@ class FrameClock {
   struct Edition {
     Program program;
     Transport transport;
-    bool look = false;  // a host has subscribed to frames
+    bool look = false;   // a host has subscribed to frames
+    bool large = false;  // publish() evaluates it first, so that its first frame is in time too
   };
 
   // Starts both threads. Errors: the screen's, machine (no thread).
@@ -99,7 +100,7 @@ class FrameClock {
   void doze(std::optional<Nanos> until);
   void make(Making);
   void draw();
-  Nanos patience(Nanos begun) const;
+  Nanos patience(Nanos begun, bool first) const;
   void expect_cost(Nanos took);
   void lose_screen(const Error&);
 
@@ -121,7 +122,7 @@ class FrameClock {
   std::atomic<Posted*> post_{nullptr}, done_{nullptr};
   std::atomic<bool> stop_{false}, over_{false};  // over: the maker thread has ended
 
-  Bell maker_, clock_;
+  WakeSignal maker_, clock_;
   std::atomic<Stage> stage_{Stage::none};
   std::atomic<bool> overdue_{false};  // the clock waits until the frame is ready
   Making making_;

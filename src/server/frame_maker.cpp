@@ -69,10 +69,10 @@ std::optional<FrameClock::Making> FrameClock::plan(Nanos now) const {
 void FrameClock::make(Making m) {
   making_ = std::move(m);
   stage_ = Stage::begun;
-  clock_.ring();
+  clock_.signal();
   draw();
   stage_ = Stage::ready;
-  if (overdue_) clock_.ring();
+  if (overdue_) clock_.signal();
   while (stage_ != Stage::none) doze(std::nullopt);
   if (making_.lost) lose_screen(*making_.lost);
   if (current_->edition.transport.running) last_ = making_.shown.number;
@@ -84,7 +84,7 @@ void FrameClock::draw() {
   const Nanos begun = monotonic_now();
   std::optional<Evaluation>& played = current_->evaluation;
   if (!played) played.emplace(current_->edition.program, quarantine_);
-  quarantine_.wait_until(patience(begun));
+  quarantine_.wait_until(patience(begun, played->revision().times == 0));
   played->to(making_.shown.time);
   making_.shown.problems = played->problems();
   making_.shown.turns = quarantine_.turns();
@@ -93,10 +93,12 @@ void FrameClock::draw() {
   expect_cost(monotonic_now() - begun - quarantine_.waited());
 }
 
-// Returns the moment until which the maker waits for answers. It leaves enough time to draw them.
-Nanos FrameClock::patience(Nanos begun) const {
+// Returns the moment until which the maker waits for answers. It leaves enough time to draw them. The cost of an
+// edition's first frame is not known yet.
+Nanos FrameClock::patience(Nanos begun, bool first) const {
   if (!current_->edition.transport.running) return begun + period_;
-  return std::clamp(making_.deadline - cost_ - period_ / 8, begun + period_ / 8, begun + period_);
+  const Nanos cost = first ? std::max(cost_, period_ / 2) : cost_;
+  return std::clamp(making_.deadline - cost - period_ / 8, begun + period_ / 8, begun + period_);
 }
 
 // Updates the expected cost of a frame, from the median of the last three. So one slow frame alone, such as the first,

@@ -11,13 +11,15 @@
 #include <new>
 #include <tuple>
 
-#include "base/may_make.h"
+#include "base/cancellation.h"
+#include "base/memory_budget.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
+#include "commands/reader.h"
 #include "commands/verbs.h"
 #include "language/json.h"
-#include "language/line_words.h"
+#include "scene/memory.h"
 #include "server/answers.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
@@ -34,7 +36,7 @@ class Effort {
  public:
   Nanos taken() const {
     constexpr long few = 3;  // such as for a lock
-    const auto busy = StillWanted::used() - used_;
+    const auto busy = Cancellation::used() - used_;
     const auto all = std::chrono::steady_clock::now() - begun_;
     return std::chrono::nanoseconds(waits() - waits_ > few ? all : busy).count();
   }
@@ -45,7 +47,7 @@ class Effort {
     ::getrusage(RUSAGE_THREAD, &u);
     return u.ru_nvcsw;
   }
-  const std::chrono::nanoseconds used_ = StillWanted::used();
+  const std::chrono::nanoseconds used_ = Cancellation::used();
   const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   const long waits_ = waits();
 };
@@ -55,10 +57,10 @@ bool at_once(const std::function<void()>& work) {
   static const std::atomic<bool> stays{false};
   static const std::atomic<int> everybody{1};
   try {
-    const StillWanted wanted(stays, stays, everybody, most_at_once);
+    const Cancellation wanted(stays, stays, everybody, most_at_once);
     work();
     return true;
-  } catch (const NotWanted&) {
+  } catch (const Cancelled&) {
     return false;
   }
 }
@@ -77,7 +79,9 @@ Nanos Transport::when(Time t) const {
 }
 
 Imaging::Imaging(Options options)
-    : options_(std::move(options)), editor_(options_.load, options_.undo), history_(options_.ceilings.history) {
+    : options_(std::move(options)),
+      editor_(options_.load, options_.undo),
+      history_(options_.ceilings.history, options_.checkpoint_step) {
   editor_.keep([this](Did what, const Step& step) { return history_.note(what, step); });
   editor_.free_with([this](Point gone) {
     if (large()) discard(std::move(gone));
@@ -129,9 +133,9 @@ Program Imaging::program() {
   Program made;
   std::chrono::nanoseconds took{};
   const auto compile = [&] {
-    const auto begun = StillWanted::used();
+    const auto begun = Cancellation::used();
     made = Program::compile(from, before);
-    took = StillWanted::used() - begun;
+    took = Cancellation::used() - begun;
   };
   if (options_.beside && large())
     options_.beside(compile, Claim::first);
@@ -163,58 +167,62 @@ bool Imaging::speaks_of_many(std::string_view text) const {
 
 // Returns true if a line may do more than change a few things: it names many objects, reads files, runs code or draws
 // lists.
-bool Imaging::takes_long(const Visitor& h, const SaidLine& line) const {
-  static constexpr std::string_view quick[] = {"set",  "at",     "create", "note",    "attach",
-                                               "hang", "couple", "detach", "letgo",   "show",
-                                               "hide", "halt",   "kill",   "animate", "look"};
-  if (line.text.size() > 2000 || line.text.find('"') != std::string_view::npos || speaks_of_many(line.text))
-    return true;
+bool Imaging::takes_long(const HostState& h, const SaidLine& line) const {
+  if (line.text.size() > 2000 || may_hold_text(line.text) || speaks_of_many(line.text)) return true;
   if (line.indented && h.sheet) return speaks_of_many(h.sheet->pattern);
-  return line.verb.find('.') == std::string_view::npos &&
-         std::find(std::begin(quick), std::end(quick), line.verb) == std::end(quick);
+  const Verb* const verb = find_verb(line.verb);
+  return first_dot(line.verb) == std::string_view::npos && !(verb && verb->flags & Verb::quick);
 }
 
-Imaging::Worked Imaging::work_out(Visitor& h, bool takes_long,
+Imaging::Worked Imaging::work_out(HostState& h, bool takes_long,
                                   const std::function<bool(const Point&, std::size_t)>& work) {
   Alone alone(*this);
   bool changes = true;
+  const auto over = [&](Worked how) {
+    h.attempts = 0, h.results.clear();
+    return how;
+  };
   const auto timed = [&](const Point& from, std::size_t events) {
+    const KeptResults kept(h.results);
     const Effort effort;
     changes = work(from, events);
     h.took = effort.taken();
   };
   for (;; ++h.attempts) {
-    if (h.attempts >= most_in_vain && h.took > most_waited) return h.attempts = 0, Worked::in_vain;
+    if (h.attempts >= most_in_vain && h.took > most_waited) return over(Worked::in_vain);
     const bool first = h.attempts >= most_attempts && h.took <= most_waited;
     if (first) alone.ask(h.host);
     const Point from = editor_.now();
     const std::size_t events = event_count_;
-    if (!options_.beside || (!takes_long && at_once([&] { work(from, events); }))) {
+    const auto quick = [&] {
+      const KeptResults kept(h.results);
+      work(from, events);
+    };
+    if (!options_.beside || (!takes_long && at_once(quick))) {
       if (!options_.beside) work(from, events);
       break;
     }
     takes_long = true;
     const Claim claim = first && !alone.others() ? Claim::first : Claim::fair;
-    if (!options_.beside([&] { timed(from, events); }, claim)) return h.attempts = 0, Worked::gone;
+    if (!options_.beside([&] { timed(from, events); }, claim)) return over(Worked::gone);
     if (changes && alone.others()) return Worked::later;
     if (!changes || &from.document.scene() == &document().scene()) break;
   }
-  h.attempts = 0;
-  return Worked::done;
+  return over(Worked::done);
 }
 
-Imaging::Reply Imaging::not_worked(const Visitor& h, Worked how, Nanos now) {
+Imaging::Reply Imaging::not_worked(const HostState& h, Worked how, Nanos now) {
   if (how != Worked::in_vain) return {{}, false, how == Worked::later};
-  return no(h, now,
-            fail(ErrorCode::range,
-                 fmt::format("others changed the document each of {} times that this was worked out", most_in_vain),
-                 "say it in smaller parts, or when they rest"));
+  return no(
+      h, now,
+      fail(ErrorCode::range, fmt::format("other hosts changed the document during each of {} attempts", most_in_vain),
+           "split the command, or repeat it when they are idle"));
 }
 
 // ---- answers
 
 // Takes the members without copying them, because they may be long.
-Imaging::Reply Imaging::yes(const Visitor& h, Nanos now, std::string members, std::optional<std::int64_t> at) {
+Imaging::Reply Imaging::yes(const HostState& h, Nanos now, std::string members, std::optional<std::int64_t> at) {
   members.insert(0, fmt::format("{{\"line\":{},\"ok\":true,\"tick\":{}", h.line, at.value_or(tick(now))));
   members += "}\n";
   return {std::move(members), false};
@@ -237,7 +245,7 @@ Result<std::string> Imaging::asked(const std::function<Result<std::string>(Film&
   return out;
 }
 
-Imaging::Reply Imaging::no(const Visitor& h, Nanos now, const Error& e, const std::string& members) {
+Imaging::Reply Imaging::no(const HostState& h, Nanos now, const Error& e, const std::string& members) {
   ++refused_;
   std::string more = members;
   if (!e.hint.empty()) more = ",\"hint\":" + json_words(e.hint) + more;
@@ -250,17 +258,17 @@ Imaging::Reply Imaging::no(const Visitor& h, Nanos now, const Error& e, const st
 // ---- lines
 
 Imaging::Reply Imaging::enter_too_long(Host host, Nanos now) {
-  Visitor& h = hosts_.at(host);
+  HostState& h = hosts_.at(host);
   ++h.line, ++lines_;
   h.open.clear(), h.open_lines = 0;
-  const Error e = fail(ErrorCode::range, fmt::format("a line is at most {} bytes long", longest_line));
+  const Error e = fail(ErrorCode::range, fmt::format("a line can have at most {} bytes", longest_line));
   if (!h.bundling) return no(h, now, e);
   if (!h.bundle_broken) h.bundle_broken = fail(e.code, fmt::format("line {}: {}", h.line, e.message));
   return {};
 }
 
 Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
-  Visitor& h = hosts_.at(host);
+  HostState& h = hosts_.at(host);
   latest_ = std::max(latest_, now);
   const std::size_t bytes = line.size();
   while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
@@ -277,7 +285,7 @@ Imaging::Reply Imaging::enter(Host host, std::string_view line, Nanos now) {
   return reply;
 }
 
-Imaging::Reply Imaging::enter_next(Visitor& h, std::string_view line, Nanos now) {
+Imaging::Reply Imaging::enter_next(HostState& h, std::string_view line, Nanos now) {
   if (line.size() > longest_line) return enter_too_long(h.host, now);
   ++h.line, ++lines_;
   if (h.bundling) return collect(h, line, now);
@@ -286,8 +294,7 @@ Imaging::Reply Imaging::enter_next(Visitor& h, std::string_view line, Nanos now)
   const SaidLine said = look_at(line, longest_question);
   const int lines = std::exchange(h.open_lines, 0);
   if (line.size() > longest_line || (said.open && lines >= most_open_lines))
-    return no(h, now,
-              fail(ErrorCode::range, "this command goes on for too long", "a bracket or a \"\"\" is never closed"));
+    return no(h, now, fail(ErrorCode::range, "this command has too many lines", "a bracket or a \"\"\" is not closed"));
   if (!said.open) try {
       return enter_whole(h, said, now);
     } catch (const std::bad_alloc&) {  // no harm: the work was done on a copy
@@ -299,13 +306,13 @@ Imaging::Reply Imaging::enter_next(Visitor& h, std::string_view line, Nanos now)
 
 // Returns the server's own word, or nullptr for a command of the language. A name that is both (`notes`, `start`) is a
 // command if more words follow.
-const Imaging::Word* Imaging::word_of(const Visitor& h, const SaidLine& line) {
+const Imaging::Word* Imaging::word_of(const HostState& h, const SaidLine& line) {
   const bool row = line.indented && h.sheet;
   return row || (!line.alone() && is_verb(line.verb)) ? nullptr : find_word(line.verb);
 }
 
 // Returns true if running the line may change the document. A line that is only collected does not.
-bool Imaging::changes_document(const Visitor& h, std::string_view line) {
+bool Imaging::changes_document(const HostState& h, std::string_view line) {
   if (line.size() > longest_line) return false;
   if (h.open_lines > 0 && !h.bundling) return true;
   const SaidLine said = look_at(line, longest_question);
@@ -315,105 +322,18 @@ bool Imaging::changes_document(const Visitor& h, std::string_view line) {
   return !word || !word->run;
 }
 
-Imaging::Reply Imaging::enter_whole(Visitor& h, const SaidLine& line, Nanos now) {
+Imaging::Reply Imaging::enter_whole(HostState& h, const SaidLine& line, Nanos now) {
   const Word* word = word_of(h, line);
   if (!word) return command(h, line, now);
   if (line.text.size() > longest_question)
-    return no(h, now, fail(ErrorCode::range, fmt::format("'{}' has at most {} bytes", word->word, longest_question)));
+    return no(h, now,
+              fail(ErrorCode::range, fmt::format("'{}' can have at most {} bytes", word->word, longest_question)));
   if (line.words.size() > word->most + 1) return no(h, now, one_word_too_many(line.words[word->most + 1], word->usage));
   if (!word->run) return step(h, word->step, now);
   auto done = (this->*word->run)(h, line.words, now);
   if (!done) return no(h, now, done.error());
   if (h.bundling) return {};  // the bundle's end has the answer
   return {yes(h, now, *std::move(done)).line, h.leaving};
-}
-
-Result<Imaging::Carried> Imaging::carry_out(const Point& from, std::size_t events, std::string_view line,
-                                            std::int64_t stamp) const {
-  const Scene& was = from.document.scene();
-  Carried c;
-  try {
-    c.deed = editor_.carry_out(from, line, was.ticks.span(static_cast<double>(stamp)));
-  } catch (const TooMuch&) {
-    return too_many_bytes(options_.ceilings);
-  }
-  for (const Diagnostic& d : c.deed.said) {
-    Error e = d.what;
-    if (!e.place.file.empty() && e.place.line > 0)
-      e.message = fmt::format("{}:{}:{}: {}", e.place.file, e.place.line, e.place.column, e.message);
-    if (!e.place.file.empty() || e.place.line < 1) e.place = {};
-    if (d.severity == Severity::error) {
-      if (e.hint.find("--read-anywhere") != std::string::npos)
-        e.hint = options_.load.read_nothing ? "this server began without a script: it reads no files"
-                                            : "hosts reach files below the script's folder only";
-      if (e.hint.find("--tex") != std::string::npos) e.hint = "hosts show the formulas of the server's script only";
-      return e;
-    }
-    c.said += fmt::format("{}: {}\n", d.severity == Severity::warning ? "warning" : "notice", e.message);
-  }
-  const Scene& is = c.deed.after.document.scene();
-  c.events = count_events(was, events, is);
-  c.bytes = Editor::bytes_kept(from, c.deed.after);
-  c.kept = !c.deed.opens || !is.lists.same(was.lists) || !is.later_lists.same(was.later_lists);
-  if (const Status fits = within(options_.ceilings, was, events, is, c.events); !fits) return fits.error();
-  return c;
-}
-
-// Counts all values ever made, also those since removed. If the sum exceeds the limit, measures the document.
-Result<std::size_t> Imaging::values_in(const Scene& after, std::size_t made) const {
-  const std::size_t before = values_, most = options_.ceilings.values;
-  if (made == 0 || before + made <= most) return before + made;
-  const std::size_t now = bytes_of_values(after);
-  if (now > most && now > before) return too_many_bytes(options_.ceilings);
-  return now;
-}
-
-bool Imaging::starts_show(std::string_view verb) {
-  const Verb* known = find_verb(verb);
-  return known && known->flags & Verb::starts_show;
-}
-
-Imaging::Reply Imaging::command(Visitor& h, const SaidLine& line, Nanos now) {
-  if (line.words.empty()) return yes(h, now, "");
-  const std::int64_t at = stamp(now);
-  Result<Carried> c = Error{};
-  const auto carry = [&](Point from, std::size_t events) {
-    from.script.left = h.sheet;
-    const MayMake share(making_, options_.ceilings.values);
-    c = carry_out(from, events, line.text, at);
-    if (!c) return false;
-    const auto values = values_in(c->deed.after.document.scene(), share.made());
-    if (values)
-      c->values = *values;
-    else
-      c = values.error();
-    return bool(c);
-  };
-  if (const Worked worked = work_out(h, takes_long(h, line), carry); worked != Worked::done) {
-    discard(std::move(c));
-    return not_worked(h, worked, now);
-  }
-  if (!c) {
-    Error e = c.error();
-    if (!line.indented) h.sheet.reset();
-    if (e.message.starts_with("there is no command") && e.hint.empty()) {
-      std::vector<std::string_view> known;
-      for (const Word& w : words()) known.push_back(w.word);
-      e.hint = did_you_mean(line.verb, known);
-    }
-    return no(h, now, e);
-  }
-  Deed& deed = c->deed;
-  deed.after.counts = {c->events, c->values};
-  h.sheet = deed.after.script.left;
-  if (!c->kept) return yes(h, now, said(c->said));
-  if (Status s = editor_.take(std::move(deed.after), {{deed.line}, deed.sheet}, c->bytes); !s)
-    return no(h, now, s.error());
-  ++commands_;
-  event_count_ = c->events, values_ = c->values;
-  if (starts_show(line.verb)) start_clock(now);
-  changed(h.host, json_text(deed.line), now);
-  return yes(h, now, said(c->said), deed.stamped ? std::optional(at) : std::nullopt);
 }
 
 }  // namespace betwixt

@@ -20,14 +20,15 @@
 #include <string_view>
 #include <vector>
 
+#include "base/kept_results.h"
 #include "betwixt/contacts.h"
 #include "betwixt/program.h"
 #include "editor/checkpoint.h"
+#include "editor/crash_recovery.h"
 #include "editor/editor.h"
 #include "editor/history.h"
 #include "editor/said_line.h"
 #include "editor/set_aside.h"
-#include "editor/trial.h"
 #include "server/ceilings.h"
 #include "server/time_file.h"
 
@@ -67,7 +68,7 @@ class Imaging {
   struct Options {
     std::int64_t latency = 1;  // ticks from a command about environments to its effect
     Ceilings ceilings;
-    UndoDepth undo{1000, 128 << 20};    // commands that can be undone, and the bytes kept for them
+    UndoLimits undo{1000, 128 << 20};   // commands that can be undone, and the bytes kept for them
     std::size_t checkpoint = 16 << 20;  // bytes of log between two checkpoints
     bool sweep = false;                 // finds contacts between two frames, too (continuous detection)
     ContactOptions contacts;
@@ -82,6 +83,7 @@ class Imaging {
     // Frees large things on another thread. Without it, they are freed at once.
     std::function<void(std::shared_ptr<const void>)> discard;
     std::function<void(const std::string&)> warn;  // warns the user who runs the server
+    CheckpointStep checkpoint_step;                // for tests
   };
   using Host = std::uint64_t;
   struct Reply {
@@ -124,8 +126,9 @@ class Imaging {
     std::shared_ptr<const std::string> line;
   };
   std::vector<Event> events() { return std::exchange(events_, {}); }
-  void shown(const std::vector<Shown>&);  // in the order they were shown
-  bool frames_wanted() const;             // a host has subscribed to events that come with frames
+  void shown(const std::vector<Shown>&);    // in the order they were shown
+  bool frames_wanted() const;               // a host has subscribed to events that come with frames
+  std::string statistics(Nanos now) const;  // what `stats` answers: a JSON object
 
   const Document& document() const { return editor_.now().document; }
   Program program();   // compiles the document; other threads may change it during the call
@@ -137,22 +140,23 @@ class Imaging {
 
  private:
   enum Topic : unsigned { changes = 1, notes = 2, frames = 4, contacts = 8, slow = 16 };
-  struct Bundled {
+  struct BundleLine {
     std::int64_t number = 0;  // of its line
     std::string text;
     bool alone = false;  // a single word
     bool open = false;   // the command continues on the next line
   };
-  struct Visitor {
+  struct HostState {
     Host host = 0;
     std::int64_t line = 0;
     std::shared_ptr<const OpenSheet> sheet;  // the open sheet that takes the host's rows; null if none is open
     std::string open;                        // the first lines of an unfinished command
     int open_lines = 0;
-    int attempts = 0;  // tries for its current line …
-    Nanos took = 0;    // … and the processor time of the last one
+    int attempts = 0;            // tries for its current line …
+    Nanos took = 0;              // … and the processor time of the last one
+    KeptResults::Store results;  // … and the results that they share
     bool bundling = false, leaving = false;
-    std::vector<Bundled> bundle;
+    std::vector<BundleLine> bundle;
     std::size_t bundle_size = 0;
     std::optional<Error> bundle_broken;
     unsigned topics = 0;
@@ -160,18 +164,18 @@ class Imaging {
   // A bundle's commands, carried out on a copy.
   struct Together;
   // A command carried out on a copy, and its answer.
-  struct Carried {
-    Deed deed;
+  struct CommandOutcome {
+    CommandResult result;
     std::size_t events = 0;  // in the document after it
     std::size_t values = 0;  // bytes of them, an upper bound
     std::size_t bytes = 0;   // kept for undo
-    std::string said;        // warnings
-    bool kept = true;        // false if it only opens a sheet, so the history does not need it
+    std::vector<std::string> warnings;
+    bool kept = true;  // false if it only opens a sheet, so the history does not need it
   };
   struct Word {
     std::string_view word, usage, sentence;
     std::size_t most;  // maximum number of words after it
-    Result<std::string> (Imaging::*run)(Visitor&, const std::vector<std::string>&, Nanos);  // null for undo and redo
+    Result<std::string> (Imaging::*run)(HostState&, const std::vector<std::string>&, Nanos);  // null for undo and redo
     std::string_view more = {};  // the last lines of its help
     Did step = Did::command;     // undo or redo
   };
@@ -180,46 +184,52 @@ class Imaging {
   static bool starts_show(std::string_view verb);  // starts a paused clock
 
   // `from` holds the sheet that takes the host's rows.
-  Result<Carried> carry_out(const Point& from, std::size_t events, std::string_view line, std::int64_t stamp) const;
-  Reply enter_next(Visitor&, std::string_view line, Nanos now);
-  Reply enter_whole(Visitor&, const SaidLine&, Nanos now);
-  static const Word* word_of(const Visitor&, const SaidLine&);
-  static bool changes_document(const Visitor&, std::string_view line);
-  static bool ends_bundle(const Visitor&, const SaidLine&);
-  bool takes_long(const Visitor&, const SaidLine&) const;
+  Result<CommandOutcome> carry_out(const Point& from, std::size_t events, std::string_view line,
+                                   std::int64_t stamp) const;
+  // Returns the first error, in words for hosts. Adds the warnings and notices before it to `warnings`.
+  std::optional<Error> sort_out(const Diagnostics&, std::vector<std::string>& warnings) const;
+  Reply enter_next(HostState&, std::string_view line, Nanos now);
+  Reply enter_whole(HostState&, const SaidLine&, Nanos now);
+  static const Word* word_of(const HostState&, const SaidLine&);
+  static bool changes_document(const HostState&, std::string_view line);
+  static bool ends_bundle(const HostState&, const SaidLine&);
+  bool takes_long(const HostState&, const SaidLine&) const;
   bool speaks_of_many(std::string_view text) const;
   // Computes a result from the present document. If that may take long, other hosts can change the document first; then
   // the work is done again. After some tries other hosts must wait, but only if the work is short.
   // gone: the host has left; later: another host must not be disturbed; in_vain: the document changed during every try.
   enum class Worked { done, gone, later, in_vain };
-  Reply not_worked(const Visitor&, Worked, Nanos now);
+  Reply not_worked(const HostState&, Worked, Nanos now);
   // `work` returns true if its result changes the document. A refusal or a question needs no second try: it holds for
   // the document that it was computed from.
   // values_in() returns the bytes of values in `after`, which adds `made` bytes to the document. Errors: range.
   Result<std::size_t> values_in(const Scene& after, std::size_t made) const;
-  Worked work_out(Visitor&, bool takes_long, const std::function<bool(const Point&, std::size_t events)>& work);
+  Worked work_out(HostState&, bool takes_long, const std::function<bool(const Point&, std::size_t events)>& work);
   class Alone;
-  Reply command(Visitor&, const SaidLine&, Nanos now);
-  Reply step(Visitor&, Did, Nanos now);
-  Reply collect(Visitor&, std::string_view line, Nanos now);
+  Reply command(HostState&, const SaidLine&, Nanos now);
+  Reply step(HostState&, Did, Nanos now);
+  Reply collect(HostState&, std::string_view line, Nanos now);
   void start_clock(Nanos now);
-  Result<Kept> gather(const std::string& from, bool goes_on, bool overwrite);
-  Result<Diagnostics> begin_script(const Kept&, bool goes_on, std::vector<SetAside>& aside);
+  Result<StoredHistory> gather(const std::string& from, bool goes_on, bool overwrite);
+  Result<Diagnostics> begin_script(const StoredHistory&, bool goes_on, std::vector<SetAside>& aside);
   Status begin_steps(StepList, std::vector<SetAside>& aside);
-  Status begin_history(const Kept&, bool mended, bool less);
-  Status begin_time(const Kept&, bool goes_on, Nanos now);
+  Status begin_history(const StoredHistory&, bool mended, bool less);
+  Status begin_time(const StoredHistory&, bool goes_on, Nanos now);
   Status open_time();
   Status keep_time();
   std::size_t checkpoint_every() const;
-  void take_checkpoint();
-  Reply end_bundle(Visitor&, Nanos now);
-  std::optional<Error> carry_out(const Bundled&, Together&, std::int64_t stamp) const;
+  void go_on_with_checkpoint();
+  Status go_over_to_checkpoint();
+  void end_checkpoint(const Status&);
+  void end_change();
+  Reply end_bundle(HostState&, Nanos now);
+  std::optional<Error> carry_out(const BundleLine&, Together&, std::int64_t stamp) const;
   // Answers a question from one version of the film. Other hosts can change the document in the meantime.
   class Film;
   Result<std::string> asked(const std::function<Result<std::string>(Film&)>& answer);
   std::optional<Result<std::string>> known_at_once(const std::vector<std::string>& words, Time now);
-  Reply yes(const Visitor&, Nanos now, std::string members, std::optional<std::int64_t> tick = {});
-  Reply no(const Visitor&, Nanos now, const Error&, const std::string& members = {});
+  Reply yes(const HostState&, Nanos now, std::string members, std::optional<std::int64_t> tick = {});
+  Reply no(const HostState&, Nanos now, const Error&, const std::string& members = {});
   void tell_all(Topic, const std::function<std::string()>& what);  // calls `what` once, if a host subscribed
   void tell(const Shown&);
   void tell_contacts(const Shown&);
@@ -232,25 +242,25 @@ class Imaging {
   }
   std::int64_t stamp(Nanos now) const { return tick(now) + options_.latency; }
 
-  Result<std::string> eval(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> look(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> help(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> time(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> stats(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> bundle(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> quit(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> history_word(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> subscribe(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> unsubscribe(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> start(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> pause(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> go(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> seek(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> save(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> names(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> set_aside_word(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> end(Visitor&, const std::vector<std::string>&, Nanos);
-  Result<std::string> not_for_hosts(Visitor&, const std::vector<std::string>&, Nanos);
+  Result<std::string> eval(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> look(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> help(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> time(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> stats(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> bundle(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> quit(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> history_word(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> subscribe(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> unsubscribe(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> start(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> pause(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> go(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> seek(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> save(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> names(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> set_aside_word(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> end(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> not_for_hosts(HostState&, const std::vector<std::string>&, Nanos);
 
   Options options_;
   std::string name_, save_;
@@ -280,7 +290,7 @@ class Imaging {
   bool long_to_compile_ = false;  // the last time
   std::optional<Host> alone_;     // the host that has the document to itself …
   std::set<Host> later_;          // … and the hosts that wait for that
-  std::map<Host, Visitor> hosts_;
+  std::map<Host, HostState> hosts_;
   Host last_host_ = 0;
   std::deque<Shown> shown_;              // frames whose events have not been sent …
   bool telling_ = false;                 // … and whether a thread is sending them

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 
-#include "base/may_make.h"
+#include "base/memory_budget.h"
 #include "language/json.h"
-#include "language/line_words.h"
 #include "server/answers.h"
 #include "server/imaging.h"
+#include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
@@ -20,13 +20,16 @@ constexpr std::size_t largest_bundle = 16 << 20;  // bytes
 }  // namespace
 
 struct Imaging::Together {
-  Point point;
+  std::optional<Editor::Draft> draft;  // while they are carried out …
+  Point point;                         // … and the result
   std::size_t events = 0, values = 0;  // in the document after it
   std::size_t bytes = 0;               // kept for undo
   std::vector<std::string> lines;      // in the form of the history
-  std::string warnings, errors, told;
+  std::vector<std::string> warnings;
+  std::string errors, told;
   std::optional<Error> first;
   bool stamped = false, starts = false;
+  bool full = false;  // a limit was exceeded, so the rest is not carried out
 
   void note(std::int64_t number, Error e) {
     errors += fmt::format("{}{{\"line\":{},\"error\":{}{}{}}}", errors.empty() ? "" : ",", number,
@@ -38,12 +41,12 @@ struct Imaging::Together {
 };
 
 // Display lists have an `end` of their own: an indented one does not end the bundle.
-bool Imaging::ends_bundle(const Visitor& h, const SaidLine& said) {
+bool Imaging::ends_bundle(const HostState& h, const SaidLine& said) {
   const bool goes_on = !h.bundle.empty() && h.bundle.back().open;
   return said.alone() && !said.indented && !goes_on && said.verb == "end";
 }
 
-Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
+Imaging::Reply Imaging::collect(HostState& h, std::string_view line, Nanos now) {
   const bool goes_on = !h.bundle.empty() && h.bundle.back().open;
   const SaidLine said = look_at(line, longest_question);
   const bool lone = said.alone() && !said.indented && !goes_on;
@@ -54,10 +57,10 @@ Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
     return given ? yes(h, now, *given) : no(h, now, given.error());
   }
   if (lone && said.verb == "bundle" && !h.bundle_broken)
-    h.bundle_broken = fail(ErrorCode::syntax, fmt::format("line {}: a bundle is open already", h.line));
+    h.bundle_broken = fail(ErrorCode::syntax, fmt::format("line {}: a bundle is already open", h.line));
   h.bundle_size += line.size() + 64;
   if (h.bundle_size > largest_bundle && !h.bundle_broken)
-    h.bundle_broken = fail(ErrorCode::range, fmt::format("a bundle is at most {} bytes long", largest_bundle));
+    h.bundle_broken = fail(ErrorCode::range, fmt::format("a bundle can have at most {} bytes", largest_bundle));
   if (h.bundle_broken) {
     h.bundle.clear();
     return {};
@@ -66,7 +69,7 @@ Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
     h.bundle.push_back({h.line, std::string(line), said.alone(), said.open});
     return {};
   }
-  Bundled& before = h.bundle.back();
+  BundleLine& before = h.bundle.back();
   before.text += "\n" + std::string(line);
   const SaidLine whole = look_at(before.text, longest_question);
   before.alone = whole.alone(), before.open = whole.open && before.text.size() <= longest_line;
@@ -74,30 +77,42 @@ Imaging::Reply Imaging::collect(Visitor& h, std::string_view line, Nanos now) {
 }
 
 // Carries out a bundle's command after the ones before it. Returns an error if it is refused.
-std::optional<Error> Imaging::carry_out(const Bundled& line, Together& all, std::int64_t stamp) const {
+std::optional<Error> Imaging::carry_out(const BundleLine& line, Together& all, std::int64_t stamp) const {
+  Editor::Draft& draft = *all.draft;
   const std::string_view verb = first_word(line.text);
-  auto& sheet = all.point.script.left;
-  const bool row = indented(line.text) && sheet;
+  const bool row = indented(line.text) && draft.sheet_is_open();
   if (!row && (verb == "quit" || (line.alone && find_word(verb)))) {
-    sheet.reset();
-    return fail(ErrorCode::syntax, fmt::format("'{}' cannot be part of a bundle", verb),
-                "a bundle holds commands of the language");
+    draft.close_sheet();
+    return fail(ErrorCode::syntax, fmt::format("a bundle cannot contain '{}'", verb),
+                "a bundle can contain only commands of the language");
   }
   if (line_words(line.text).empty()) return {};
-  Result<Carried> c = carry_out(all.point, all.events, line.text, stamp);
-  if (!c) {
-    if (!row) sheet.reset();
-    return c.error();
+  const Objects before = draft.scene().objects;
+  CommandResult result;
+  try {
+    result = draft.carry_out(line.text, draft.scene().ticks.span(static_cast<double>(stamp)));
+  } catch (const OverBudget&) {
+    all.full = true;
+    return too_many_bytes(options_.ceilings.values);
   }
-  all.stamped = all.stamped || c->deed.stamped;
+  if (auto error = sort_out(result.said, all.warnings)) {
+    if (!row) draft.close_sheet();
+    return error;
+  }
+  const Objects& after = draft.scene().objects;
+  const std::size_t events = count_events(before, all.events, after);
+  if (const Status fits = within(options_.ceilings, before, all.events, after, events); !fits) {
+    all.full = true;
+    return fits.error();
+  }
+  all.stamped = all.stamped || result.stamped;
   all.starts = all.starts || starts_show(verb);
-  all.warnings += c->said;
-  all.point = std::move(c->deed.after), all.events = c->events;
-  all.lines.push_back(std::move(c->deed.line));
+  all.events = events;
+  all.lines.push_back(std::move(result.line));
   return {};
 }
 
-Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
+Imaging::Reply Imaging::end_bundle(HostState& h, Nanos now) {
   auto lines = std::exchange(h.bundle, {});
   const auto broken = std::exchange(h.bundle_broken, {});
   const std::size_t size = std::exchange(h.bundle_size, 0);
@@ -107,11 +122,13 @@ Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
   Together all;
   const auto carry = [&](const Point& from, std::size_t events) {
     all = {};
-    const MayMake share(making_, options_.ceilings.values);
-    all.point = from, all.events = events;
-    all.point.script.left.reset();
-    for (const Bundled& line : lines)
-      if (auto e = carry_out(line, all, at)) all.note(line.number, *std::move(e));
+    const MemoryBudget share(making_, options_.ceilings.values, values_);
+    all.draft.emplace(editor_, from), all.events = events;
+    all.draft->close_sheet();
+    for (std::size_t i = 0; i < lines.size() && !all.full; ++i)
+      if (auto e = carry_out(lines[i], all, at)) all.note(lines[i].number, *std::move(e));
+    all.point = std::move(*all.draft).point();
+    all.draft.reset();
     if (const auto values = values_in(all.point.document.scene(), share.made()); values)
       all.values = *values;
     else if (!all.first)
@@ -119,10 +136,9 @@ Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
     if (all.first) all.point = {};  // frees a large copy here, on the worker's thread
     if (!all.first) all.bytes = Editor::bytes_kept(from, all.point);
     if (!all.first) all.told = json_text(fmt::format("{}\n", fmt::join(all.lines, "\n")));
-    all.warnings = said(all.warnings);
     return !all.first;
   };
-  const bool takes_time = lines.size() > 20 || std::any_of(lines.begin(), lines.end(), [&](const Bundled& l) {
+  const bool takes_time = lines.size() > 20 || std::any_of(lines.begin(), lines.end(), [&](const BundleLine& l) {
                             return takes_long(h, look_at(l.text, longest_question));
                           });
   const Worked worked = work_out(h, takes_time, carry);
@@ -141,7 +157,7 @@ Imaging::Reply Imaging::end_bundle(Visitor& h, Nanos now) {
   event_count_ = all.events, values_ = all.values;
   if (all.starts) start_clock(now);
   changed(h.host, all.told, now);
-  return yes(h, now, std::move(all.warnings), all.stamped ? std::optional(at) : std::nullopt);
+  return yes(h, now, warned(all.warnings), all.stamped ? std::optional(at) : std::nullopt);
 }
 
 }  // namespace betwixt

@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <numeric>
 
+#include "base/free_beside.h"
 #include "language/json.h"
+#include "scene/memory.h"
 #include "server/answers.h"
 #include "server/imaging.h"
 
@@ -51,7 +53,7 @@ Diagnostic remark(const std::string& text) { return {Severity::warning, fail(Err
 }  // namespace
 
 // Reads the script to start with, and the history that an earlier server left.
-Result<Kept> Imaging::gather(const std::string& from, bool goes_on, bool overwrite) {
+Result<StoredHistory> Imaging::gather(const std::string& from, bool goes_on, bool overwrite) {
   std::optional<std::string> text = "";
   if (!from.empty()) {
     const auto there = read_script(from);
@@ -59,15 +61,15 @@ Result<Kept> Imaging::gather(const std::string& from, bool goes_on, bool overwri
     if (!*there && !goes_on) return fail(ErrorCode::file, fmt::format("there is no file '{}'", from));
     text = *there;
   }
-  Kept kept;
+  StoredHistory kept;
   kept.base = text.value_or("");
   if (save_.empty()) return kept;
   if (!goes_on && !overwrite) {
     const auto there = read_script(save_);
     if (!there) return there.error();
     if (*there && !(*there)->empty())
-      return fail(ErrorCode::file, fmt::format("--save: '{}' is there already", save_),
-                  fmt::format("--overwrite lets it go; to go on with it: betwixt serve {} --save {}", save_, save_));
+      return fail(ErrorCode::file, fmt::format("--save: '{}' already exists", save_),
+                  fmt::format("to replace it: --overwrite; to continue it: betwixt serve {} --save {}", save_, save_));
   }
   if (Status s = history_.hold(save_); !s) return s.error();
   if (!goes_on && overwrite) return kept;
@@ -82,8 +84,8 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
                                                       : real(file) == real(save));
   const std::string from = goes_on ? save : file;
   if (!save.empty() && !from.empty() && real(from).parent_path() != real(save).parent_path())
-    return fail(ErrorCode::file, fmt::format("--save: '{}' is not beside '{}'", save, from),
-                "the paths of files in a script count from its folder, so its history must be there too");
+    return fail(ErrorCode::file, fmt::format("--save: '{}' is not in the same folder as '{}'", save, from),
+                "a script's file names are relative to its folder, so its history must be in the same folder");
   name_ = save.empty() ? from : save, save_ = save;
   const auto kept = gather(from, goes_on, overwrite);
   if (!kept) return kept.error();
@@ -103,7 +105,7 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
     all->push_back(remark(set_aside_message(save, aside)));
   }
   find_names(history(), names_given_);
-  event_count_ = count_events({}, 0, document().scene());
+  event_count_ = count_events({}, 0, document().scene().objects);
   values_ = bytes_of_values(document().scene());
   editor_.count({event_count_, values_});
   if (Status s = begin_history(*kept, mended, !aside.empty()); !s) return s.error();
@@ -114,7 +116,7 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
 }
 
 // An earlier server's text had no errors then. Lines that have one now are set aside.
-Result<Diagnostics> Imaging::begin_script(const Kept& kept, bool goes_on, std::vector<SetAside>& aside) {
+Result<Diagnostics> Imaging::begin_script(const StoredHistory& kept, bool goes_on, std::vector<SetAside>& aside) {
   std::string text = kept.base;
   Diagnostics all = editor_.begin(text, name_);
   if (!has_errors(all) || !goes_on) return all;
@@ -147,18 +149,18 @@ Status Imaging::begin_steps(StepList steps, std::vector<SetAside>& aside) {
   while (const auto culprit = mark.found() ? find_culprit(steps.all.size(), carry_out) : std::nullopt) {
     const auto n = static_cast<std::ptrdiff_t>(culprit->number);
     aside.push_back({where(numbers[culprit->number]), steps.all[culprit->number],
-                     fmt::format("it ends the program ({})", culprit->how)});
+                     fmt::format("it crashes the program ({})", culprit->how)});
     numbers.erase(numbers.begin() + n), steps.all.erase(steps.all.begin() + n);
     if (culprit->number < steps.standing) --steps.standing;
   }
-  for (LeftOut& l : carry_out(steps.all.size()))
+  for (FailedStep& l : carry_out(steps.all.size()))
     aside.push_back({where(numbers[l.number]), std::move(l.step), why_refused(l.why)});
   compiled_ = version_;
   return Nothing{};
 }
 
 // Brings the files in line with the document. `mended`: the script has lost lines. `less`: the journal has lost steps.
-Status Imaging::begin_history(const Kept& kept, bool mended, bool less) {
+Status Imaging::begin_history(const StoredHistory& kept, bool mended, bool less) {
   if (save_.empty()) return Nothing{};
   if (!kept.goes_on) {
     if (Status s = history_.keep(kept.base); !s) return s;
@@ -169,7 +171,7 @@ Status Imaging::begin_history(const Kept& kept, bool mended, bool less) {
   }
   if (!mended) return Nothing{};
   const auto beside = write_beside(save_, editor_.base());
-  return beside ? history_.checkpoint(*beside, 0, editor_.steps(), editor_.undone()) : Status(beside.error());
+  return beside ? history_.replace(*beside, editor_.steps(), editor_.undone()) : Status(beside.error());
 }
 
 Status Imaging::open_time() {
@@ -181,7 +183,7 @@ Status Imaging::open_time() {
 }
 
 // The clock starts from the history: at its time, running or paused as the last server left it.
-Status Imaging::begin_time(const Kept& kept, bool goes_on, Nanos now) {
+Status Imaging::begin_time(const StoredHistory& kept, bool goes_on, Nanos now) {
   transport_ = {!options_.wait, now, Time{}};
   if (Status s = open_time(); !s || !time_file_) return s;
   const auto& was = time_file_->found();
@@ -211,33 +213,53 @@ std::size_t Imaging::checkpoint_every() const { return std::min(options_.checkpo
 
 Status Imaging::sync(Nanos now) {
   latest_ = std::max(latest_, now);
-  if (checkpoint_ && checkpoint_->done()) {
-    take_checkpoint();
-    checkpoint_.reset();
-    checkpoint_at_ = history_.length() + checkpoint_every();
-  }
-  if (!checkpoint_ && history_.length() > checkpoint_at_ && editor_.settled() > 0)
-    checkpoint_.emplace(editor_.settled_document(), editor_.settled(), name_, save_, author_);
+  go_on_with_checkpoint();
   if (Status s = keep_time(); !s) return s;
   return history_.sync();
 }
 
-// Takes over the finished checkpoint. Steps accepted since it began follow it.
-void Imaging::take_checkpoint() {
-  const std::size_t n = checkpoint_->steps();
-  const auto& script = checkpoint_->script();
-  Status done = script ? history_.checkpoint(checkpoint_->beside(), n, editor_.steps().subspan(n), editor_.undone())
-                       : script.error();
+// Takes the next step of a checkpoint. All that takes long happens on other threads.
+void Imaging::go_on_with_checkpoint() {
+  if (!checkpoint_) {
+    if (history_.length() > checkpoint_at_ && editor_.settled() > 0)
+      checkpoint_.emplace(editor_.settled_document(), editor_.settled(), name_, save_, author_,
+                          options_.checkpoint_step);
+  } else if (history_.goes_over()) {
+    if (const auto done = history_.gone_over()) end_checkpoint(*done);
+  } else if (checkpoint_->done()) {
+    if (const Status s = go_over_to_checkpoint(); !s || save_.empty()) end_checkpoint(s);
+  }
+}
+
+// The checkpoint is written. Steps accepted since it began follow it.
+Status Imaging::go_over_to_checkpoint() {
+  if (!checkpoint_->script()) return checkpoint_->script().error();
+  if (auto next = checkpoint_->take_next()) return history_.go_over_to(*std::move(next));
+  history_.measure(editor_.steps().subspan(checkpoint_->steps()), editor_.undone());
+  return Nothing{};
+}
+
+void Imaging::end_checkpoint(const Status& done) {
   if (done)
-    Checkpoint::free_beside(editor_.settle(checkpoint_->take_script(), n));
+    free_beside(editor_.settle(checkpoint_->take_script(), checkpoint_->steps()));
   else if (options_.warn)
-    options_.warn(fmt::format("the history stays as long as it is: {}", done.error().message));
+    options_.warn(fmt::format("the journal cannot be shortened: {}", done.error().message));
+  checkpoint_.reset();
+  checkpoint_at_ = history_.length() + checkpoint_every();
+}
+
+// Waits until the files of a checkpoint are in place, if that has begun.
+void Imaging::end_change() {
+  history_.wait();
+  if (const auto done = history_.gone_over()) end_checkpoint(*done);
 }
 
 Status Imaging::finish(Nanos now) {
   if (save_.empty()) return Nothing{};
   latest_ = std::max(latest_, now);
-  if (Status s = history_.save(editor_.base(), editor_.steps()); !s) return s;
+  end_change();
+  checkpoint_.reset();
+  if (Status s = history_.save(editor_.base(), editor_.steps(), editor_.undone()); !s) return s;
   if (Status s = time_file_->write({transport_.running, transport_.time(latest_)}, history_.known()); !s) return s;
   history_.finish();
   return Nothing{};
@@ -245,11 +267,11 @@ Status Imaging::finish(Nanos now) {
 
 // ---- words
 
-Result<std::string> Imaging::history_word(Visitor&, const std::vector<std::string>&, Nanos) {
+Result<std::string> Imaging::history_word(HostState&, const std::vector<std::string>&, Nanos) {
   return asked([text = history()](const Film&) { return said(text); });
 }
 
-Imaging::Reply Imaging::step(Visitor& h, Did what, Nanos now) {
+Imaging::Reply Imaging::step(HostState& h, Did what, Nanos now) {
   const Point before = editor_.now();
   if (Status s = what == Did::undo ? editor_.undo() : editor_.redo(); !s) return no(h, now, s.error());
   if (const auto& counts = editor_.now().counts)
@@ -264,27 +286,30 @@ Imaging::Reply Imaging::step(Visitor& h, Did what, Nanos now) {
 void Imaging::recount(const Document& before) {
   const Scene &was = before.scene(), &is = document().scene();
   if (is.objects.size() >= was.objects.size())
-    event_count_ = count_events(was, event_count_, is);
+    event_count_ = count_events(was.objects, event_count_, is.objects);
   else
-    event_count_ -= count_events(is, 0, was);  // events of the objects that are gone
+    event_count_ -= count_events(is.objects, 0, was.objects);  // events of the objects that are gone
   values_ = bytes_of_values(is);
 }
 
-Result<std::string> Imaging::save(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w.size() > 1) return fail(ErrorCode::name, "a host cannot choose the file", "betwixt serve --save FILE does");
-  if (save_.empty()) return fail(ErrorCode::name, "this server keeps no history", "betwixt serve --save FILE does");
-  if (Status s = history_.save(editor_.base(), editor_.steps()); !s) return s.error();
+Result<std::string> Imaging::save(HostState&, const std::vector<std::string>& w, Nanos) {
+  if (w.size() > 1)
+    return fail(ErrorCode::name, "a host cannot choose the file", "choose it by betwixt serve --save FILE");
+  if (save_.empty())
+    return fail(ErrorCode::name, "this server saves no history", "choose it by betwixt serve --save FILE");
+  end_change();
+  if (Status s = history_.save(editor_.base(), editor_.steps(), editor_.undone()); !s) return s.error();
   return said(fmt::format("saved '{}'", save_));
 }
 
-Result<std::string> Imaging::set_aside_word(Visitor&, const std::vector<std::string>&, Nanos) {
+Result<std::string> Imaging::set_aside_word(HostState&, const std::vector<std::string>&, Nanos) {
   const auto text = save_.empty() ? Result(std::optional<std::string>()) : read_script(set_aside_path(save_));
   if (!text) return text.error();
   return said(text->value_or(""));
 }
 
 // Gives a thousand numbers. Never gives one twice, nor one that a name in the document already uses.
-Result<std::string> Imaging::names(Visitor&, const std::vector<std::string>&, Nanos) {
+Result<std::string> Imaging::names(HostState&, const std::vector<std::string>&, Nanos) {
   const Scene& scene = document().scene();
   const auto taken = [&](std::int64_t thousand) {
     if (names_given_.contains(thousand)) return true;
@@ -297,7 +322,7 @@ Result<std::string> Imaging::names(Visitor&, const std::vector<std::string>&, Na
   };
   while (taken(next_names_)) ++next_names_;
   const std::int64_t first = next_names_ * names_at_once;
-  if (first + names_at_once - 1 > last_name) return fail(ErrorCode::range, "all numbers for names have been given");
+  if (first + names_at_once - 1 > last_name) return fail(ErrorCode::range, "there are no more numbers for names");
   ++next_names_;
   return fmt::format(",\"first\":{},\"last\":{}", first, first + names_at_once - 1);
 }

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "base/cancellation.h"
 #include "base/names.h"
-#include "base/still_wanted.h"
 #include "editor/describe.h"
 #include "editor/help.h"
 #include "language/json.h"
@@ -33,8 +33,7 @@ Result<unsigned> topics_of(const std::vector<std::string>& w) {
   for (std::size_t i = 1; i < w.size(); ++i) {
     const auto found = std::find(std::begin(names), std::end(names), w[i]);
     if (found == std::end(names))
-      return fail(ErrorCode::name, fmt::format("there are no events called '{}'", w[i].substr(0, 60)),
-                  "changes, contacts, frames, notes or slow");
+      return unknown_name("kind of event", w[i], "kinds are changes, contacts, frames, notes and slow");
     topics |= 1u << (found - std::begin(names));
   }
   return topics;
@@ -70,23 +69,23 @@ Result<Question> question(const std::vector<std::string>& w, const Document& doc
     q.time = *asked, end -= 2;
   }
   if (end > 2 && w.back() == "at")
-    return fail(ErrorCode::syntax, "a time is missing behind 'at'",
+    return fail(ErrorCode::syntax, "a time is missing after 'at'",
                 fmt::format("as in eval {} at 24f", w[1].substr(0, 60)));
-  if (end < 2) return fail(ErrorCode::syntax, "what shall be evaluated?", "usage: eval TARGET… [at TIME]");
+  if (end < 2) return fail(ErrorCode::syntax, "a target is missing here", "usage: eval TARGET… [at TIME]");
   std::unordered_set<Target, HashTarget> seen;
   for (std::size_t i = 1; i < end; ++i) {
     const auto found = find_targets(w[i], document);
     if (!found) return found.error();
     bool killed = false;
     for (const Target& target : *found) {
-      StillWanted::ask();
+      Cancellation::check();
       if (killed_by(document.scene(), target, q.time))
         killed = true;
       else if (seen.insert(target).second)
         q.targets.push_back(target);
     }
     if (killed && !is_pattern(w[i]))
-      return fail(ErrorCode::name, fmt::format("there is no environment '{}' any more: it was killed",
+      return fail(ErrorCode::name, fmt::format("the environment '{}' no longer exists: it was killed",
                                                w[i].substr(0, std::min<std::size_t>(w[i].find('.'), 60))));
   }
   return q;
@@ -100,7 +99,7 @@ class Values {
   void add(std::span<const Target> targets, const std::vector<Value>& values,
            const std::vector<std::string>& problems) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
-      StillWanted::ask();
+      Cancellation::check();
       if (too_long()) return;
       out_ += fmt::format("{}{}:{}", first_ ? "" : ",", json_text(document_.name(targets[i])),
                           json(values[i], targets[i], document_));
@@ -142,41 +141,40 @@ Result<std::string> values_of(const Program& film, const Question& q) {
 
 std::span<const Imaging::Word> Imaging::words() {
   static constexpr Word all[] = {
-      {"eval", "eval TARGET… [at TIME]", "Values, now or at a time.", any_number, &Imaging::eval},
-      {"list", "list [PATTERN]", "The objects, their kinds and how many events they have.", 1, &Imaging::look},
-      {"describe", "describe NAME|TARGET", "What an object is, has and hangs on; of a target, its events.", 1,
-       &Imaging::look},
-      {"notes", "notes", "The notes and their times.", 0, &Imaging::look},
-      {"help", "help [WORD]", "Explains a word; without one, lists all.", 1, &Imaging::help},
-      {"time", "time", "The tick, the seconds and the slot of now.", 0, &Imaging::time},
-      {"stats", "stats", "How the server is doing: frames, lateness, hosts.", 0, &Imaging::stats},
-      {"history", "history", "The document as a script: every command that was accepted.", 0, &Imaging::history_word},
-      {"undo", "undo", "Takes back the last command of all hosts, whoever gave it.", 0, nullptr, {}, Did::undo},
-      {"redo", "redo", "Does again what was taken back.", 0, nullptr, {}, Did::redo},
-      {"subscribe", "subscribe changes|contacts|frames|notes|slow", "Events come by themselves from now on.",
-       any_number, &Imaging::subscribe,
-       "  changes   what was carried out, and which host said it\n"
-       "  contacts  what begins or ends to touch, what enters or leaves the view\n"
-       "  frames    the number and time of each frame that was shown, and how late in µs it was\n"
-       "  notes     notes whose time has come\n"
-       "  slow      a value that takes longer than frames have, or does so no longer\n"
-       "  example: subscribe changes contacts\n"},
-      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes|slow]", "No events any more.", any_number,
-       &Imaging::unsubscribe},
-      {"start", "start", "The time goes on, if it stood; with --wait it begins at 0.", 0, &Imaging::start},
-      {"pause", "pause", "The time stands.", 0, &Imaging::pause},
-      {"go", "go", "The time goes on.", 0, &Imaging::go},
-      {"seek", "seek TIME", "The time is another one now.", any_number, &Imaging::seek},
-      {"save", "save", "Writes the history as a script, and says where. (It is kept without that, too.)", any_number,
+      {"eval", "eval TARGET… [at TIME]", "Prints values, now or at a time.", any_number, &Imaging::eval},
+      {"list", "list [PATTERN]", "Lists the objects, their kinds and how many events they have.", 1, &Imaging::look},
+      {"describe", "describe NAME|TARGET",
+       "Describes an object: its kind, its values, its parent; of a target, its events.", 1, &Imaging::look},
+      {"notes", "notes", "Lists the notes and their times.", 0, &Imaging::look},
+      {"help", "help [WORD]", "Explains a word; without one, lists all words.", 1, &Imaging::help},
+      {"time", "time", "Prints the current tick, seconds and slot.", 0, &Imaging::time},
+      {"stats", "stats", "Prints statistics of the server: frames, lateness, hosts.", 0, &Imaging::stats},
+      {"history", "history", "Prints the document as a script, with all accepted commands.", 0, &Imaging::history_word},
+      {"undo", "undo", "Undoes the last command of all hosts.", 0, nullptr, {}, Did::undo},
+      {"redo", "redo", "Repeats the last undone command.", 0, nullptr, {}, Did::redo},
+      {"subscribe", "subscribe changes|contacts|frames|notes|slow", "Starts sending events to this host.", any_number,
+       &Imaging::subscribe,
+       "  changes   each accepted command and its host\n  contacts  objects that begin or stop to touch, or that enter "
+       "or leave the view\n  frames    the number and time of each shown frame, and how many µs it was late\n  notes   "
+       "  notes whose time has come\n  slow      a value that begins or stops to take longer than a frame\n  example: "
+       "subscribe changes contacts\n"},
+      {"unsubscribe", "unsubscribe [changes|contacts|frames|notes|slow]", "Stops sending events to this host.",
+       any_number, &Imaging::unsubscribe},
+      {"start", "start", "Starts the clock if it is paused; with --wait it begins at 0.", 0, &Imaging::start},
+      {"pause", "pause", "Pauses the clock.", 0, &Imaging::pause},
+      {"go", "go", "Continues the clock.", 0, &Imaging::go},
+      {"seek", "seek TIME", "Sets the clock to another time.", any_number, &Imaging::seek},
+      {"save", "save",
+       "Writes the history as a script and prints its file name. (The server also keeps it without that.)", any_number,
        &Imaging::save},
-      {"set-aside", "set-aside", "What an earlier server did and this one could not do again, and why.", 0,
+      {"set-aside", "set-aside", "Lists commands of an earlier server that failed in this one, and why.", 0,
        &Imaging::set_aside_word},
-      {"names", "names", "A thousand numbers that nobody has: for hosts that make names of them.", 0, &Imaging::names},
+      {"names", "names", "Reserves a thousand unused numbers, for hosts that make names of them.", 0, &Imaging::names},
       {"bundle", "bundle, then commands, then end",
-       "The commands up to end are done together, all at one moment or none; end has the answer.", 0, &Imaging::bundle,
+       "Runs the commands up to end together, at one moment: all or none; end has the answer.", 0, &Imaging::bundle,
        "  example: bundle\n           create ball sphere\n           set ball.environments (spin)\n           end\n"},
-      {"end", "end", "Ends a bundle: all that stands in it is done, or nothing.", any_number, &Imaging::end},
-      {"quit", "quit", "Ends the connection; all else goes on.", 0, &Imaging::quit},
+      {"end", "end", "Ends a bundle and runs its commands: all or none.", any_number, &Imaging::end},
+      {"quit", "quit", "Ends the connection; the server continues.", 0, &Imaging::quit},
       {"open", "open", "", any_number, &Imaging::not_for_hosts},
       {"load", "load", "", any_number, &Imaging::not_for_hosts},
       {"plot", "plot", "", any_number, &Imaging::not_for_hosts},
@@ -192,15 +190,16 @@ const Imaging::Word* Imaging::find_word(std::string_view word) {
   return nullptr;
 }
 
-Result<std::string> Imaging::not_for_hosts(Visitor&, const std::vector<std::string>& w, Nanos) {
-  if (w[0] == "open") return fail(ErrorCode::name, "'open' is not for hosts: a server has one document");
+Result<std::string> Imaging::not_for_hosts(HostState&, const std::vector<std::string>& w, Nanos) {
+  if (w[0] == "open") return fail(ErrorCode::name, "hosts cannot use 'open': a server has one document");
   if (w[0] == "load")
-    return fail(ErrorCode::name, "'load' is not for hosts: plug-ins are programs",
-                "betwixt serve --load PLUGIN loads one");
+    return fail(ErrorCode::name, "hosts cannot use 'load': plug-ins are programs",
+                "load plug-ins with betwixt serve --load PLUGIN");
   if (w[0] == "plot")
-    return fail(ErrorCode::name, "'plot' is not for hosts: they write no files here", "eval gives values");
-  return fail(ErrorCode::name, fmt::format("'{}' is not for hosts: a server always plays", w[0]),
-              "see start, pause, go, seek");
+    return fail(ErrorCode::name, "hosts cannot use 'plot': it would write a file on the server",
+                "use eval to read values");
+  return fail(ErrorCode::name, fmt::format("hosts cannot use '{}': a server always plays", w[0]),
+              "use start, pause, go or seek");
 }
 
 // Answers an `eval` of a few named targets if that needs no code and no pass over all objects. Otherwise returns
@@ -222,7 +221,7 @@ std::optional<Result<std::string>> Imaging::known_at_once(const std::vector<std:
   return std::move(out).members();
 }
 
-Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, Nanos now) {
+Result<std::string> Imaging::eval(HostState&, const std::vector<std::string>& w, Nanos now) {
   const Time t = transport_.time(now);
   if (auto answer = known_at_once(w, t)) return *std::move(answer);
   return asked([&w, t](Film& film) -> Result<std::string> {
@@ -232,7 +231,7 @@ Result<std::string> Imaging::eval(Visitor&, const std::vector<std::string>& w, N
   });
 }
 
-Result<std::string> Imaging::help(Visitor& h, const std::vector<std::string>& w, Nanos now) {
+Result<std::string> Imaging::help(HostState& h, const std::vector<std::string>& w, Nanos now) {
   if (w.size() < 2) {
     const Scene& scene = document().scene();
     if (!overview_ || !overview_->defined.same(scene.defined) || !overview_->procedures.same(scene.procedures)) {
@@ -250,7 +249,7 @@ Result<std::string> Imaging::help(Visitor& h, const std::vector<std::string>& w,
   return asked([&w](Film& film) { return said_of(look_up(film.document(), w[1])); });
 }
 
-Result<std::string> Imaging::look(Visitor&, const std::vector<std::string>& w, Nanos) {
+Result<std::string> Imaging::look(HostState&, const std::vector<std::string>& w, Nanos) {
   return asked([&w](Film& film) -> Result<std::string> {
     if (w[0] == "notes") return said(list_notes(film.document()));
     const std::string word = w.size() > 1 ? w[1] : "";
@@ -258,34 +257,40 @@ Result<std::string> Imaging::look(Visitor&, const std::vector<std::string>& w, N
   });
 }
 
-Result<std::string> Imaging::time(Visitor& h, const std::vector<std::string>&, Nanos now) {
+Result<std::string> Imaging::time(HostState& h, const std::vector<std::string>&, Nanos now) {
   const Time t = transport_.time(now);
   const std::int64_t slot = ((tick(now) % slots) + slots) % slots;
   return fmt::format(",\"seconds\":{},\"slot\":{},\"running\":{},\"host\":{}", json_number(t.seconds()), slot,
                      transport_.running, h.host);
 }
 
-Result<std::string> Imaging::stats(Visitor&, const std::vector<std::string>&, Nanos now) {
+Result<std::string> Imaging::stats(HostState&, const std::vector<std::string>&, Nanos now) {
+  return ",\"stats\":" + statistics(now);
+}
+
+std::string Imaging::statistics(Nanos now) const {
   std::string more = options_.stats ? options_.stats() : "";
   if (!more.empty()) more = "," + more;
   return fmt::format(
-      ",\"stats\":{{\"uptime\":{:.3f},\"hosts\":{},\"lines\":{},\"commands\":{},\"refused\":{},\"bytes\":{},"
+      "{{\"uptime\":{:.3f},\"hosts\":{},\"lines\":{},\"commands\":{},\"refused\":{},\"bytes\":{},"
       "\"steps\":{},\"objects\":{},\"events\":{},\"history\":{}{}}}",
       static_cast<double>(now - begun_) / 1e9, hosts_.size(), lines_, commands_, refused_, bytes_,
       editor_.steps().size(), document().scene().objects.size(), event_count_, history_.bytes(), more);
 }
 
-Result<std::string> Imaging::subscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
+Result<std::string> Imaging::subscribe(HostState& h, const std::vector<std::string>& w, Nanos) {
   const auto topics = topics_of(w);
   if (!topics) return topics.error();
-  if (*topics == 0) return fail(ErrorCode::syntax, "to what?", "usage: subscribe changes|contacts|frames|notes|slow");
+  if (*topics == 0)
+    return fail(ErrorCode::syntax, "a kind of event is missing here",
+                "usage: subscribe changes|contacts|frames|notes|slow");
   // Starts anew, so that the new subscriber gets the contacts of now.
   if (*topics & contacts && !(h.topics & contacts)) watch_.reset();
   h.topics |= *topics;
   return std::string();
 }
 
-Result<std::string> Imaging::unsubscribe(Visitor& h, const std::vector<std::string>& w, Nanos) {
+Result<std::string> Imaging::unsubscribe(HostState& h, const std::vector<std::string>& w, Nanos) {
   const auto topics = topics_of(w);
   if (!topics) return topics.error();
   h.topics &= *topics == 0 ? 0u : ~*topics;
@@ -299,26 +304,26 @@ void Imaging::start_clock(Nanos now) {
   told_ = transport_.at - Time{1};
 }
 
-Result<std::string> Imaging::start(Visitor&, const std::vector<std::string>&, Nanos now) {
+Result<std::string> Imaging::start(HostState&, const std::vector<std::string>&, Nanos now) {
   start_clock(now);
   changed(0, json_text("start"), now);
   return std::string();
 }
 
-Result<std::string> Imaging::pause(Visitor&, const std::vector<std::string>&, Nanos now) {
+Result<std::string> Imaging::pause(HostState&, const std::vector<std::string>&, Nanos now) {
   transport_ = {false, now, transport_.time(now)};
   changed(0, json_text("pause"), now);
   return std::string();
 }
 
-Result<std::string> Imaging::go(Visitor&, const std::vector<std::string>&, Nanos now) {
+Result<std::string> Imaging::go(HostState&, const std::vector<std::string>&, Nanos now) {
   transport_ = {true, now, transport_.time(now)};
   changed(0, json_text("go"), now);
   return std::string();
 }
 
-Result<std::string> Imaging::seek(Visitor&, const std::vector<std::string>& w, Nanos now) {
-  if (w.size() != 2) return fail(ErrorCode::syntax, "to which time?", "usage: seek TIME, as in seek 2.5s");
+Result<std::string> Imaging::seek(HostState&, const std::vector<std::string>& w, Nanos now) {
+  if (w.size() != 2) return fail(ErrorCode::syntax, "a time is missing here", "usage: seek TIME, as in seek 2.5s");
   const auto to = parse_time(w[1], document());
   if (!to) return to.error();
   transport_.since = now, transport_.at = *to;
@@ -327,18 +332,18 @@ Result<std::string> Imaging::seek(Visitor&, const std::vector<std::string>& w, N
   return std::string();
 }
 
-Result<std::string> Imaging::bundle(Visitor& h, const std::vector<std::string>&, Nanos) {
+Result<std::string> Imaging::bundle(HostState& h, const std::vector<std::string>&, Nanos) {
   h.bundling = true;
   return std::string();
 }
 
-Result<std::string> Imaging::quit(Visitor& h, const std::vector<std::string>&, Nanos) {
+Result<std::string> Imaging::quit(HostState& h, const std::vector<std::string>&, Nanos) {
   h.leaving = true;
   return std::string();
 }
 
-Result<std::string> Imaging::end(Visitor&, const std::vector<std::string>&, Nanos) {
-  return fail(ErrorCode::syntax, "no bundle is open", "the end of an environment in a display list is indented");
+Result<std::string> Imaging::end(HostState&, const std::vector<std::string>&, Nanos) {
+  return fail(ErrorCode::syntax, "no bundle is open", "to end an environment in a display list, indent 'end'");
 }
 
 }  // namespace betwixt

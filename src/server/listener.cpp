@@ -50,12 +50,12 @@ Error system_said(ErrorCode code, const std::string& what, int why) {
 Status make_room(const std::string& path, const sockaddr_un& address) {
   struct stat there {};
   if (::lstat(path.c_str(), &there) != 0) return Nothing{};
-  if (!S_ISSOCK(there.st_mode)) return fail(ErrorCode::file, fmt::format("'{}' is there already, and no socket", path));
+  if (!S_ISSOCK(there.st_mode))
+    return fail(ErrorCode::file, fmt::format("'{}' already exists and is not a socket", path));
   const File probe(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const int answer = ::connect(probe.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
   if (answer == 0 || errno == EAGAIN || errno == EINPROGRESS)
-    return fail(ErrorCode::file, fmt::format("another server listens at '{}'", path),
-                "--socket PATH names another place");
+    return fail(ErrorCode::file, fmt::format("another server uses '{}'", path), "choose another path: --socket PATH");
   if (errno != ECONNREFUSED) return system_said(ErrorCode::file, fmt::format("'{}' cannot be used", path), errno);
   if (::unlink(path.c_str()) != 0)
     return system_said(ErrorCode::file, fmt::format("the socket '{}' cannot be removed", path), errno);
@@ -86,11 +86,11 @@ Result<Listener> Listener::unix_socket(const std::string& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   if (path.empty() || path.size() >= sizeof address.sun_path)
-    return fail(ErrorCode::range, fmt::format("--socket: a path has 1 to {} bytes", sizeof address.sun_path - 1));
+    return fail(ErrorCode::range, fmt::format("--socket: a path must have 1 to {} bytes", sizeof address.sun_path - 1));
   std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
   if (Status s = make_room(path, address); !s) return s.error();
   File file(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  if (file.get() < 0) return system_said(ErrorCode::machine, "no socket can be had", errno);
+  if (file.get() < 0) return system_said(ErrorCode::machine, "cannot make a socket", errno);
   const mode_t before = ::umask(0177);  // so that the socket never exists with wider permissions
   const int bound = ::bind(file.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
   const int why = errno;
@@ -109,12 +109,12 @@ Result<Listener> Listener::tcp(const std::string& where, bool anywhere) {
   std::string host = colon == std::string::npos ? "" : where.substr(0, colon);
   if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
   if (host.empty() || colon + 1 == where.size())
-    return fail(ErrorCode::range, fmt::format("--tcp: \"{}\" is no address", where), "such as 127.0.0.1:9100");
+    return fail(ErrorCode::range, fmt::format("--tcp: \"{}\" is not an address", where), "as in 127.0.0.1:9100");
   unsigned port = 0;
   const auto [end, wrong] = std::from_chars(where.data() + colon + 1, where.data() + where.size(), port);
   if (wrong != std::errc() || end != where.data() + where.size() || port > 65535)
-    return fail(ErrorCode::range, fmt::format("--tcp: '{}' is no port", where.substr(colon + 1, 60)),
-                "a number from 0, any that is free, to 65535");
+    return fail(ErrorCode::range, fmt::format("--tcp: '{}' is not a port", where.substr(colon + 1, 60)),
+                "write a number from 0 (any free port) to 65535");
   addrinfo wanted{}, *found = nullptr;
   wanted.ai_socktype = SOCK_STREAM;
   wanted.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
@@ -123,7 +123,7 @@ Result<Listener> Listener::tcp(const std::string& where, bool anywhere) {
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owned(found, ::freeaddrinfo);
   if (!loopback(found->ai_addr) && !anywhere)
     return fail(ErrorCode::range, fmt::format("--tcp: other machines can reach {}", where),
-                "--anywhere says that they may; what goes over the wire is not encrypted");
+                "to allow that: --anywhere; the connection is not encrypted");
   File file(::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const int on = 1;
   if (file.get() >= 0) ::setsockopt(file.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
@@ -164,7 +164,7 @@ std::string default_socket() {
 Result<std::string> new_token() {
   std::array<unsigned char, 16> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    return system_said(ErrorCode::machine, "no token can be made", errno);
+    return system_said(ErrorCode::machine, "cannot make a token", errno);
   return fmt::format("{:02x}", fmt::join(bytes, ""));
 }
 

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <tuple>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "exchange/geometry.h"
 #include "language/json.h"
 #include "server/frame_clock.h"
@@ -23,7 +23,6 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t all_workers = 10;
 constexpr std::size_t slow_workers = 2;  // workers that answer slow questions again
 constexpr std::size_t kept_free = 3;     // workers reserved for values known to be quick
 constexpr int quick_again = 3;           // quick answers in a row before a value leaves the quarantine
@@ -43,7 +42,7 @@ Quarantine::Quarantine(Options options) : options_(std::move(options)) {}
 
 Quarantine::~Quarantine() {
   over_ = true;
-  for (const auto& w : workers_) w->bell.ring();
+  for (const auto& w : workers_) w->bell.signal();
   for (const auto& w : workers_) w->thread.join();
 }
 
@@ -52,43 +51,50 @@ Quarantine::~Quarantine() {
 bool Quarantine::ask(const Program& program, Time t) {
   waited_ = 0;
   const Program::Compiled& c = program.compiled();
-  if (c.lives.empty() && c.slow_shapes.empty()) return forget(), false;
+  if (!c.may_take_long()) return forget(), false;
   if (sources_.empty() || &program_.compiled() != &c) adopt(program);
   time_ = t, ++turn_;
-  for (const auto& w : workers_)  // it may still work on a question of the last frame
-    if (!w->slow && overstays(*w)) leave_behind(*w);
+  for (Source& s : sources_) {
+    s.due = may_take_long(c, s.question, t);
+    if (!s.due && s.pace == Pace::slow) set_pace(s, Pace::unknown);
+  }
+  for (const auto& w : workers_)  // it may still work on a question of an earlier frame
+    if (overstays(*w)) w->slow ? find_slow(*w) : leave_behind(*w);
   const bool came = gather(), answered = ask_quick();
   ask_slow();
   count_late();
   return came || answered;
 }
 
-// A function of an object keeps its pace and its last answer in the next program.
+// A function of an object keeps its pace and its last answer in the next program. If the object was edited, or another
+// one that its code has read, the maker does not compute it itself before a worker has answered again.
 void Quarantine::adopt(const Program& program) {
   const Program::Compiled& c = program.compiled();
   const Scene& scene = c.document.scene();
+  const Scene& old = sources_.empty() ? scene : program_.document().scene();
+  const auto same_object = [&](std::uint32_t i) { return scene.objects.same(i, old.objects); };
   std::map<std::tuple<Question::What, std::uint32_t, FunctionId>, std::size_t> before;
   for (std::size_t i = 0; i < sources_.size(); ++i)
     before[{sources_[i].question.what, sources_[i].object, sources_[i].function}] = i;
   std::vector<Source> now;
+  first_.fill(nobody);
   for (const Question& q : questions_of(c)) {
+    if (q.index == 0) first_[q.what] = now.size();
     Source s;
-    if (q.what == Question::live) s.object = c.lives[q.index].object, s.function = c.lives[q.index].function;
-    if (q.what == Question::shape) s.object = c.nodes[c.slow_shapes[q.index]].object;
+    std::tie(s.object, s.function) = subject_of(c, q);
     const auto known = before.find({q.what, s.object, s.function});
     if (known != before.end()) {
       Source& was = sources_[known->second];
-      const Scene& old = program_.document().scene();
       const auto spec = [&](const Scene& in) -> const FunctionSpec& { return spec_of(in, s.function); };
-      const bool alike =
-          q.what != Question::live || (spec(old).name == spec(scene).name && spec(old).type == spec(scene).type);
-      const bool same = q.what == Question::camera ||
-                        (scene.objects.same(s.object, old.objects) && scene.procedures.same(old.procedures));
+      const bool alike = spec(old).name == spec(scene).name && spec(old).type == spec(scene).type;
+      const bool same = q.what == Question::camera || (same_object(s.object) && scene.procedures.same(old.procedures));
       if (alike) {
         if (was.pending && !same) was.pending->items[was.item].unwanted = true, was.pending.reset();
         s = std::move(was);
         was.pending.reset();
         if (s.pending) s.pending->items[s.item].source = now.size();
+        const auto& read = s.answer.read;
+        s.edited = s.edited || !same || !std::all_of(read.begin(), read.end(), same_object);
       }
     }
     s.question = q, s.current = false;
@@ -99,7 +105,6 @@ void Quarantine::adopt(const Program& program) {
     if (s.pending) s.pending->items[s.item].unwanted = true, s.pending->items[s.item].source = nobody;
   sources_ = std::move(now);
   engage();
-  lives_ = c.lives.size(), shapes_ = c.slow_shapes.size();
   ++edition_;
   release(std::exchange(program_, program));
 }
@@ -124,7 +129,7 @@ void Quarantine::release(Program program) {
 }
 
 std::size_t Quarantine::place_of(const Question& q) const {
-  return q.what == Question::live ? q.index : q.what == Question::shape ? lives_ + q.index : lives_ + shapes_;
+  return first_[q.what] == nobody ? nobody : first_[q.what] + q.index;
 }
 
 const Answer* Quarantine::answer(const Question& q) const {
@@ -134,7 +139,7 @@ const Answer* Quarantine::answer(const Question& q) const {
 
 bool Quarantine::quick(const Question& q) const {
   const std::size_t i = place_of(q);
-  return i < sources_.size() && sources_[i].pace == Pace::quick;
+  return i < sources_.size() && sources_[i].pace == Pace::quick && !sources_[i].edited;
 }
 
 // Takes the late answers that have arrived.
@@ -153,9 +158,10 @@ bool Quarantine::take(Source& s, Item& item, const Batch& batch) {
   s.answer = std::move(item.answer);
   s.known = true, s.at = batch.time, s.asked = turn_;
   s.current = item.edition == edition_;
+  s.edited = s.edited && !s.current;
   s.streak = item.took <= options_.share ? s.streak + 1 : 0;
   const bool quick = s.pace == Pace::unknown ? item.took <= 2 * options_.share : s.streak >= quick_again;
-  if (s.pace == Pace::unknown || quick) set_pace(s, quick ? Pace::quick : Pace::slow);
+  if (s.due && (s.pace == Pace::unknown || quick)) set_pace(s, quick ? Pace::quick : Pace::slow);
   return true;
 }
 
@@ -168,17 +174,17 @@ std::shared_ptr<Quarantine::Batch> Quarantine::batch_of(const std::vector<std::s
   return batch;
 }
 
-// Returns the questions to ask, the one with the oldest answer first. Those never answered come last, because they may
-// be slow.
+// Returns the questions to ask, the one with the oldest answer first. Those never answered or edited come last, because
+// they may be slow.
 std::vector<std::size_t> Quarantine::quick_ones() {
   std::vector<std::size_t> quick, unknown;
   const bool room = busy_slow() + kept_free < workers_.size();
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const Source& s = sources_[i];
     if (s.pending || s.pace == Pace::slow || answered(s)) continue;
-    if (s.pace == Pace::quick)
+    if (s.pace == Pace::quick && !s.edited)
       quick.push_back(i);
-    else if (room)
+    else if (room || s.pace == Pace::quick)
       unknown.push_back(i);
   }
   if (std::exchange(left_out_, false)) {
@@ -240,6 +246,14 @@ void Quarantine::leave_behind(Worker& w) {
   if (source < sources_.size()) set_pace(sources_[source], Pace::slow);
 }
 
+// On a busy machine the first question about a value may be asked in the background at once.
+void Quarantine::find_slow(Worker& w) {
+  const std::unique_lock lock(w.mutex, std::try_to_lock);  // the maker waits for no slow worker
+  if (!lock || !w.at || w.item >= w.at->items.size()) return;
+  const std::size_t source = w.at->items[w.item].source;
+  if (source < sources_.size() && sources_[source].pace == Pace::unknown) set_pace(sources_[source], Pace::slow);
+}
+
 // Closes the batch and takes its answers. Questions already begun stay pending.
 bool Quarantine::close(const std::shared_ptr<Batch>& batch) {
   batch->closed = true;
@@ -285,8 +299,8 @@ void Quarantine::set_pace(Source& s, Pace pace) {
 
 std::string Quarantine::name(const Source& s) const {
   const Document& film = program_.document();
-  return s.question.what == Question::live ? film.name(Target{{s.object}, s.function, -1})
-                                           : film.name(ObjectId{s.object});
+  return s.question.what == Question::shape ? film.name(ObjectId{s.object})
+                                            : film.name(Target{{s.object}, s.function, -1});
 }
 
 void Quarantine::count_late() {
@@ -315,104 +329,9 @@ std::vector<std::string> Quarantine::late() const {
   std::vector<std::string> all;
   for (const Source& s : sources_)
     if (named(s) && all.size() < most_named)
-      all.push_back(
-          fmt::format("{} takes longer than a frame has: it is worked out beside, and shown when it comes", name(s)));
+      all.push_back(fmt::format(
+          "{} takes longer than a frame: it is computed in the background and shown when it is ready", name(s)));
   return all;
-}
-
-// ---- workers
-
-std::size_t Quarantine::busy_slow() {
-  return static_cast<std::size_t>(
-      std::count_if(workers_.begin(), workers_.end(), [](const auto& w) { return w->slow && !w->rests(); }));
-}
-
-// Returns nullptr if all are busy.
-Quarantine::Worker* Quarantine::idle_worker() {
-  for (const auto& w : workers_)
-    if (w->rests()) return w.get();
-  return nullptr;
-}
-
-// Starts all workers at once: a new thread may block on the process's memory lock, and later frames must not.
-void Quarantine::engage() {
-  if (!workers_.empty()) return;
-  for (std::size_t i = 0; i < all_workers; ++i) {
-    auto made = std::make_unique<Worker>();
-    try {
-      made->thread = std::thread([this, w = made.get()] { work(*w); });
-    } catch (const std::system_error&) {
-      return;
-    }
-    workers_.push_back(std::move(made));
-  }
-}
-
-// Sets a worker's priority. A slow one ranks below hosts' lines, but only a little: a thread that hardly runs would
-// keep the process's memory locked. If the system refuses to raise a priority again, it stays unchanged.
-void Quarantine::step(const Worker& w) const {
-  constexpr int slow_nice = 5;
-  if (w.steps) ::setpriority(PRIO_PROCESS, static_cast<id_t>(w.id.load()), w.slow ? slow_nice : options_.nice);
-}
-
-void Quarantine::give(Worker& w, std::shared_ptr<Batch> batch) {
-  ++batch->users;
-  {
-    const std::lock_guard lock(w.mutex);
-    w.given.swap(batch), w.idle = false;
-  }
-  if (batch) batch->leave();  // the worker had not started it
-  w.bell.ring();
-}
-
-void Quarantine::work(Worker& w) {
-  w.id = static_cast<int>(::syscall(SYS_gettid));
-  w.steps = options_.nice < 0 && ::setpriority(PRIO_PROCESS, static_cast<id_t>(w.id.load()), options_.nice) == 0;
-  while (!over_) {
-    w.bell.wait();
-    std::shared_ptr<Batch> batch;
-    {
-      const std::lock_guard lock(w.mutex);
-      w.at = std::move(w.given), batch = w.at;
-      w.given.reset();
-    }
-    if (!batch) continue;
-    step(w);
-    serve(w, *batch);
-    batch->leave();
-    const bool late = (w.slow || batch->closed) && !batch->items.empty();
-    {
-      const std::lock_guard lock(w.mutex);
-      w.at.reset(), w.idle = !w.given;
-    }
-    done_.ring();
-    if (late && options_.heard) options_.heard();
-  }
-}
-
-void Quarantine::serve(Worker& w, Batch& batch) {
-  const std::size_t size = batch.items.size();
-  for (std::size_t i; !over_ && (i = batch.next++) < size;) {
-    Item& item = batch.items[i];
-    w.item = i, w.begun = options_.now();
-    const Nanos before = size == 1 ? StillWanted::used().count() : w.begun.load();
-    work_out_item(item, batch);
-    item.took = (size == 1 ? StillWanted::used().count() : options_.now()) - before;
-    w.begun = 0;
-    item.done = true;
-    if (w.slow) return;  // the next worker takes the rest
-  }
-}
-
-void Quarantine::work_out_item(Item& item, const Batch& batch) const {
-  try {
-    const StillWanted wanted(item.unwanted, over_, nobody_, {});
-    item.answer = work_out(batch.program.compiled(), item.question, batch.time);
-    if (item.answer.shape) item.answer.mesh = realise(*item.answer.shape).mesh;
-    item.answered = true;
-  } catch (const NotWanted&) {
-  } catch (const std::exception&) {  // out of memory: keeps the last answer
-  }
 }
 
 }  // namespace betwixt

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The workers of a film that is being shown: they answer the questions that may take long (program/beside.h), beside
-// the thread that makes frames.
+// The workers of a film that is being shown: they answer the questions that may take long
+// (program/deferred_evaluation.h), beside the thread that makes frames.
 //
 // Before each frame the maker puts all quick questions into a batch. One worker answers them in turn, and the maker
 // waits as long as the frame allows. If a question takes more than its share of processor time, the maker lowers that
@@ -14,19 +14,20 @@
 // their values are exact.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
 
-#include "program/beside.h"
-#include "server/bell.h"
+#include "program/deferred_evaluation.h"
 #include "server/imaging.h"
+#include "server/wake_signal.h"
 
 namespace betwixt {
 
-class Quarantine final : public Beside {
+class Quarantine final : public DeferredEvaluation {
  public:
   struct Options {
     Nanos share = 2'000'000;      // processor time for one answer
@@ -82,7 +83,7 @@ class Quarantine final : public Beside {
     std::mutex mutex;
     std::shared_ptr<Batch> given, at;  // the next one; the one in hand
     bool idle = true;                  // it has no batch
-    Bell bell;
+    WakeSignal bell;
     std::atomic<bool> slow{false};     // the maker does not wait for its answer
     std::atomic<Nanos> begun{0};       // when it began its question; 0: it has no question
     std::atomic<std::size_t> item{0};  // that question's
@@ -101,6 +102,8 @@ class Quarantine final : public Beside {
     FunctionId function = 0;
     Pace pace = Pace::unknown;
     bool constant = false;                // the same at all times
+    bool due = true;                      // it may take long at the present time
+    bool edited = false;                  // it may have become slow since the last answer
     bool known = false, current = false;  // current: of this program
     Answer answer;
     Time at;                         // the answer's
@@ -122,11 +125,12 @@ class Quarantine final : public Beside {
   void await(const std::shared_ptr<Batch>&);
   bool overstays(Worker&);
   void leave_behind(Worker&);
+  void find_slow(Worker&);
   bool close(const std::shared_ptr<Batch>&);
   void ask_slow();
   void set_pace(Source&, Pace);
   void count_late();
-  bool answered(const Source& s) const { return s.current && (s.constant || s.at == time_); }
+  bool answered(const Source& s) const { return !s.due || (s.current && (s.constant || s.at == time_)); }
   bool late(const Source& s) const { return s.pace == Pace::slow && !answered(s); }
   bool named(const Source& s) const { return s.pace == Pace::slow && s.question.what != Question::camera; }
   std::size_t busy_slow();
@@ -144,13 +148,13 @@ class Quarantine final : public Beside {
   Program program_;
   Time time_;
   Nanos until_ = 0, waited_ = 0;
-  std::size_t lives_ = 0, shapes_ = 0;
-  std::vector<Source> sources_;  // lives, shapes, the camera
+  std::array<std::size_t, Question::kinds> first_{};  // the first source of each kind
+  std::vector<Source> sources_;
   std::uint64_t turn_ = 0, edition_ = 0;
   bool left_out_ = false;  // the last frame came before all its questions were begun
   std::vector<SlowTurn> turns_;
   std::vector<std::unique_ptr<Worker>> workers_;
-  Bell done_;
+  WakeSignal done_;
   std::atomic<bool> over_{false};
   const std::atomic<int> nobody_{0};
   mutable std::mutex told_in_use_;

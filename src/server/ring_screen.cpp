@@ -79,7 +79,7 @@ class Ring final : public Screen {
 };
 
 Error not_had(const std::string& name) {
-  return fail(ErrorCode::machine, fmt::format("the ring '{}' cannot be had: {}", name.substr(1), std::strerror(errno)));
+  return fail(ErrorCode::machine, fmt::format("cannot open the ring '{}': {}", name.substr(1), std::strerror(errno)));
 }
 
 // Creates shared memory of this name and locks its file while the server runs. Replaces what a killed server left
@@ -88,8 +88,7 @@ Result<int> take_name(const std::string& name) {
   if (const int old = ::shm_open(name.c_str(), O_RDWR, 0); old >= 0) {
     const bool held = ::flock(old, LOCK_EX | LOCK_NB) != 0;
     ::close(old);
-    if (held)
-      return fail(ErrorCode::file, fmt::format("another server shows its frames in the ring '{}'", name.substr(1)));
+    if (held) return fail(ErrorCode::file, fmt::format("another server uses the ring '{}'", name.substr(1)));
     ::shm_unlink(name.c_str());
   }
   const int file = ::shm_open(name.c_str(), O_RDWR | O_CREAT | O_EXCL, 0600);
@@ -106,7 +105,7 @@ Result<int> take_name(const std::string& name) {
 NewScreen ring_screen(const std::string& plain, const RenderOptions& picture) {
   return [=]() -> Result<std::unique_ptr<Screen>> {
     if (plain.empty() || plain.size() > 200 || plain.find('/') != std::string::npos)
-      return fail(ErrorCode::range, fmt::format("\"{}\" is no name of a ring", plain), "such as ring:stage");
+      return fail(ErrorCode::range, fmt::format("\"{}\" is not the name of a ring", plain), "as in ring:stage");
     const std::string name = "/" + plain;
     auto renderer = make_renderer(picture);
     if (!renderer) return renderer.error();

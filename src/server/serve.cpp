@@ -11,34 +11,28 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 #include <set>
-#include <thread>
 #include <unordered_map>
 
-#include "base/still_wanted.h"
 #include "base/tell_user.h"
 #include "server/answers.h"
-#include "server/discarded.h"
+#include "server/clock_link.h"
+#include "server/deferred_free.h"
 #include "server/guest.h"
-#include "server/lanes.h"
-#include "server/leaders.h"
+#include "server/multilevel_queue.h"
 
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_events_waiting = 1
-                                            << 20;  // bytes that a host has not read; above this it gets no more events
-constexpr int turn_lines = 64;                      // from one host in a turn …
-constexpr Nanos turn_time = 4'000'000;              // … unless they take longer than this, …
-constexpr Nanos all_turns = 20'000'000;             // … or all turns of a round take longer than this
+constexpr std::size_t most_events_waiting = 1 << 20;  // bytes; a host that has not read so many gets no more events
+constexpr int turn_lines = 64;                        // from one host in a turn …
+constexpr Nanos turn_time = 4'000'000;                // … unless they take longer than this, …
+constexpr Nanos all_turns = 20'000'000;               // … or all turns of a round take longer than this
 constexpr Nanos patience = 10'000'000'000;   // with a stranger's token, and with a host that does not read its answers
 constexpr Nanos parting_time = 200'000'000;  // from one probe of a half-closed connection to the next
-// For the thread that compiles for the clock.
-constexpr std::chrono::nanoseconds longest_rest = std::chrono::milliseconds(100);
 constexpr std::size_t longest_token_line = 4096;
 constexpr int most_guesses = 3;
 constexpr std::size_t most_strangers = 64;  // connections that have sent no token yet
@@ -47,11 +41,11 @@ class Server {
  public:
   Server(Imaging& imaging, FrameClock& clock, const std::vector<Listener>& listeners, const ServeOptions& options)
       : imaging_(imaging),
-        clock_(clock),
         listeners_(listeners),
         options_(options),
         epoll_(::epoll_create1(EPOLL_CLOEXEC)),
-        wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+        wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+        clock_(imaging, clock, leaders_, options.report) {}
   ~Server() {
     if (wake_ >= 0) ::close(wake_);
     for (auto& [file, guest] : guests_) ::close(file);
@@ -62,12 +56,12 @@ class Server {
 
   Status run() {
     if (epoll_ < 0 || wake_ < 0)
-      return fail(ErrorCode::machine, fmt::format("no server can be had: {}", std::strerror(errno)));
+      return fail(ErrorCode::machine, fmt::format("cannot start the server: {}", std::strerror(errno)));
     for (const Listener& l : listeners_) watch(l.file(), EPOLLIN, EPOLL_CTL_ADD);
     if (options_.stop >= 0) watch(options_.stop, EPOLLIN, EPOLL_CTL_ADD);
-    watch(clock_.shown_file(), EPOLLIN, EPOLL_CTL_ADD);
+    watch(clock_.shown(), EPOLLIN, EPOLL_CTL_ADD);
     watch(wake_, EPOLLIN, EPOLL_CTL_ADD);
-    clock_.publish(edition());
+    clock_.begin();
     imaging_.work_beside([this](const auto& work, Imaging::Claim claim) { return beside(work, claim); },
                          [this](std::shared_ptr<const void> gone) { discarded_.take(std::move(gone)); });
     const bool served = leaders_.run(options_.give_up ? [this] {
@@ -75,7 +69,7 @@ class Server {
       options_.give_up();
     } : std::function<void()>());
     imaging_.work_beside({}, {});
-    if (!served) return fail(ErrorCode::machine, "no thread can be had for the hosts");
+    if (!served) return fail(ErrorCode::machine, "cannot start a thread for the hosts");
     return failed_ ? Status(*failed_) : imaging_.sync(monotonic_now());
   }
 
@@ -111,7 +105,7 @@ class Server {
     [[maybe_unused]] const ssize_t n = ::write(wake_, &one, sizeof one);
   }
 
-  void round(Leaders::Lock& lock) {
+  void round(LeaderFollowerPool::Lock& lock) {
     wait(lock);
     const Nanos most = std::min<Nanos>(turn_time, all_turns / static_cast<Nanos>(busy_.size() + 1));
     for (const int file : std::set(busy_)) {
@@ -133,7 +127,8 @@ class Server {
     }
     if (!imaging_.waits()) let_on();
     if (!busy_.empty() && !leaders_.leads()) wake();
-    publish();  // last, so that the answers are sent before a large film is compiled
+    clock_.publish();  // after the answers are sent, because a large film takes long to compile
+    clock_.report();
   }
 
   void watch(int file, std::uint32_t events, int how) {
@@ -146,14 +141,15 @@ class Server {
   int patience_now() const {
     if (!busy_.empty()) return 0;
     int most = !parting_.empty() ? 100 : strangers_ > 0 || resting_ || !full_.empty() ? 500 : -1;
-    if (const auto again = imaging_.sync_again()) {
-      const auto left = static_cast<int>(std::max<Nanos>(0, *again - monotonic_now()) / 1'000'000 + 1);
+    for (const std::optional<Nanos> next : {imaging_.sync_again(), clock_.next_report()}) {
+      if (!next) continue;
+      const auto left = static_cast<int>(std::max<Nanos>(0, *next - monotonic_now()) / 1'000'000 + 1);
       most = most < 0 ? left : std::min(most, left);
     }
     return most;
   }
 
-  void wait(Leaders::Lock& lock) {
+  void wait(LeaderFollowerPool::Lock& lock) {
     std::array<epoll_event, 256> events;
     const int timeout = patience_now();
     lock.unlock();
@@ -169,7 +165,7 @@ class Server {
         [[maybe_unused]] const ssize_t ignored = ::read(wake_, &rung, sizeof rung);
         continue;
       }
-      if (file == clock_.shown_file()) {
+      if (file == clock_.shown()) {
         shown = true;
         continue;
       }
@@ -182,7 +178,7 @@ class Server {
     if (strangers_ > 0) tire();
     if (!parting_.empty()) ask_the_parting();
     // Last: other threads may lead while it computes contacts, and the events above would be out of date.
-    if (shown) hear_clock();
+    if (shown) clock_.hear();
   }
 
   // If a thread works for a guest, or the guest waits for another host, only the end of its connection matters. An
@@ -366,7 +362,7 @@ class Server {
     if (g.waiting() < before) g.moved = monotonic_now();
     if (g.waiting() == 0 && g.last_word) return leave(g);
     if (stops_reading(g)) {
-      tell_user("betwixt: warning: a host that does not read its answers is cut off\n");
+      tell_user("betwixt: warning: a host that does not read its answers was disconnected\n");
       return leave(g);
     }
     if (g.in_hand) return;
@@ -387,46 +383,7 @@ class Server {
     return false;
   }
 
-  // ---- the clock
-
-  void hear_clock() {
-    const std::vector<Shown> all = clock_.shown();
-    for (const Shown& s : all)
-      for (const std::string& p : s.problems)
-        if (problems_.size() < 100 && problems_.insert(p).second) tell_user(fmt::format("betwixt: warning: {}\n", p));
-    imaging_.shown(all);
-    if (const auto trouble = clock_.trouble())
-      tell_user(fmt::format("betwixt: warning: frames go nowhere any more: {}\n", trouble->message));
-  }
-
-  // Returns the newest document for the clock.
-  FrameClock::Edition edition() {
-    published_ = imaging_.version(), looked_ = imaging_.frames_wanted();
-    Program film = imaging_.program();  // other threads can lead during this call
-    return {std::move(film), imaging_.transport(), looked_};
-  }
-  // Publishes to the clock; only one thread at a time does. For a large film another thread leads until it is done.
-  // Then this thread rests as long as it worked, so that a host that keeps changing a large document does not take a
-  // whole processor.
-  void publish() {
-    if (publishing_) return;
-    publishing_ = true;
-    while (!leaders_.stopped() && (published_ != imaging_.version() || looked_ != imaging_.frames_wanted())) {
-      const auto begun = StillWanted::used();
-      FrameClock::Edition next = edition();
-      if (imaging_.large())
-        leaders_.beside([&] {
-          clock_.publish(std::move(next));  // frees the editions that the clock has used
-          std::this_thread::sleep_for(std::min(StillWanted::used() - begun, longest_rest));
-        });
-      else
-        clock_.publish(std::move(next));
-    }
-    publishing_ = false;
-  }
-
   Imaging& imaging_;
-  FrameClock& clock_;
   const std::vector<Listener>& listeners_;
   const ServeOptions& options_;
   const int epoll_, wake_;
@@ -436,14 +393,13 @@ class Server {
   std::set<int> kept_;     // hold back their next line
   std::set<int> full_;     // must read their answers before they may send more
   std::set<int> parting_;  // closed their side while a thread works for them
-  Lanes lanes_;
-  Discarded discarded_;
-  Leaders leaders_{[this](Leaders::Lock& lock) { round(lock); }};
+  MultilevelQueue lanes_;
+  DeferredFree discarded_;
+  LeaderFollowerPool leaders_{[this](LeaderFollowerPool::Lock& lock) { round(lock); }};
+  ClockLink clock_;
   std::optional<Error> failed_;
   std::size_t strangers_ = 0;
-  bool resting_ = false, looked_ = false, publishing_ = false;
-  std::uint64_t published_ = 0;
-  std::set<std::string> problems_;
+  bool resting_ = false;
 };
 
 }  // namespace

@@ -16,6 +16,8 @@ struct ServeOptions {
   std::size_t hosts = 1000;  // at once; the next one is refused with a reason
   std::string token;         // for TCP connections
   int stop = -1;             // a file that becomes readable when the server must end
+  // Receives the statistics once a second. May block without delaying hosts.
+  std::function<void(const std::string&)> report = {};
   // Ends the process if unfinished work takes too long at the end. All answered commands are on the disk then.
   std::function<void()> give_up = {};
 };

@@ -12,6 +12,7 @@ namespace betwixt {
 namespace {
 
 thread_local TwerperFailures* listening = nullptr;
+thread_local bool all_linear = false;
 
 using Numbers = std::array<double, 4>;
 
@@ -89,6 +90,9 @@ TwerperFailures::~TwerperFailures() { listening = outer_; }
 void TwerperFailures::say(std::size_t twerper, const std::string& why) {
   if (listening) listening->all.emplace(twerper, why);
 }
+
+LinearTwerpers::LinearTwerpers() : outer_(std::exchange(all_linear, true)) {}
+LinearTwerpers::~LinearTwerpers() { all_linear = outer_; }
 
 double ease(double u, double a, double b) {
   if (a + b > 1) {
@@ -201,10 +205,10 @@ double CurveSet::factor(Twerper t, double s, const CurveDetail* from) const {
     return row ? row(s, said) : said.stops ? through(*said.stops, s) : s;
   }
   const auto i = static_cast<std::size_t>(t) - first_own_twerper;
-  if (i >= own.size() || !own[i]) return s;
+  if (all_linear || i >= own.size() || !own[i]) return s;
   const auto f = own[i]->blend(s);
   if (f && std::isfinite(*f)) return *f;
-  TwerperFailures::say(i, f ? "it gave a number that is not finite" : f.error().message);
+  TwerperFailures::say(i, f ? "it returned a number that is not finite" : f.error().message);
   return s;
 }
 
@@ -304,6 +308,20 @@ void CurveSet::find(const Curve& c, std::int64_t t, double* out) const {
     std::copy_n(&c.columns->values[c.values + k * c.channels], c.channels, out);
   else
     segment(c, k, static_cast<double>(t - first[k]), out);
+}
+
+bool CurveSet::runs_code(const Curve& c, Time time) {
+  const std::int64_t *first = &c.columns->times[c.first], *last = first + c.count - 1;
+  std::int64_t t = time.flicks;
+  const auto own = [&](std::uint32_t k) { return is_own(static_cast<Twerper>(c.columns->twerpers[c.first + k])); };
+  if (t < *first || t >= *last) {
+    const Extrapolation how = t < *first ? c.before : c.after;
+    if (how == Extrapolation::hold || c.count < 2) return false;
+    if (how == Extrapolation::linear) return own(t < *first ? 0 : c.count - 2);
+    t = fold(t, *first, *last, how == Extrapolation::bounce);
+    if (t >= *last) return false;
+  }
+  return own(CurveEvents::before(first, c.count, t, 0));
 }
 
 void CurveSet::evaluate(const Curve& c, Time time, double* out) const {

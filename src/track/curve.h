@@ -83,6 +83,18 @@ class TwerperFailures {
   TwerperFailures* const outer_;
 };
 
+// During its lifetime, the author's twerpers count as linear on this thread, and none of their code runs.
+class LinearTwerpers {
+ public:
+  LinearTwerpers();
+  ~LinearTwerpers();
+  LinearTwerpers(const LinearTwerpers&) = delete;
+  LinearTwerpers& operator=(const LinearTwerpers&) = delete;
+
+ private:
+  const bool outer_;
+};
+
 class CurveSet {
  public:
   // Adds a track of numbers (not text, names, shapes, points, nor aims at objects) with at least one event that has a
@@ -106,6 +118,8 @@ class CurveSet {
   void derivative(const Curve& curve, Time t, double* out, bool coming = false) const;
   // Appends the times in which the curve changes, in order.
   void activities(const Curve& curve, std::vector<Activity>& out) const;
+  // Returns true if evaluate() runs a twerper of the author's at t.
+  static bool runs_code(const Curve& curve, Time t);
   std::size_t bytes() const;
   std::pair<Time, Time> span(const Curve& c) const {  // of its events
     return {{c.columns->times[c.first]}, {c.columns->times[c.first + c.count - 1]}};
@@ -164,6 +178,12 @@ class StepTrack {
   // Returns the weights for a blend that uses the neighbours. Leaves out those that are not `alike`.
   Weights weigh(const Between&, const std::function<bool(const Value&, const Value&)>& alike) const;
   std::span<const Value> values() const { return values_; }
+  // Returns true if at() runs a twerper of the author's at t.
+  bool runs_code(Time t) const;
+  // Returns true if some values blend into the next one.
+  bool blends() const;
+  // Returns true if a result of at() of an earlier version of the track can be used with this one.
+  bool fits(const Between&) const;
   // Like Program::next_change.
   std::optional<Time> next_change(Time t) const;
   void activities(std::vector<Activity>& out) const;  // as of a curve
@@ -176,6 +196,8 @@ class StepTrack {
     std::uint8_t twerper = 0;
     DetailBox detail;
   };
+  std::int64_t folded(std::int64_t t) const;
+
   std::vector<Key> keys_;
   std::vector<Value> values_;
   Extrapolation before_ = Extrapolation::hold, after_ = Extrapolation::hold;

@@ -66,21 +66,25 @@ double css(double s, const Arguments&) {
   return bezier_factor(s, {x1 / 100.0, y1 / 100.0, x2 / 100.0, y2 / 100.0});
 }
 
-constexpr std::string_view by_sine = "Eases by a sine: -in begins slowly, -out ends slowly, -in-out does both.";
-constexpr std::string_view by_quad = "Eases by a square: -in begins slowly, -out ends slowly, -in-out does both.";
-constexpr std::string_view by_cubic = "Eases by a cube: -in begins slowly, -out ends slowly, -in-out does both.";
+constexpr std::string_view by_sine =
+    "Eases along a part of a sine: -in begins slowly, -out ends slowly, -in-out does both.";
+constexpr std::string_view by_quad = "Eases along a parabola: -in begins slowly, -out ends slowly, -in-out does both.";
+constexpr std::string_view by_cubic =
+    "Eases along a cubic curve, t³: -in begins slowly, -out ends slowly, -in-out does both.";
 constexpr std::string_view by_quart =
-    "Eases by a fourth power: -in begins slowly, -out ends slowly, -in-out does both.";
-constexpr std::string_view by_quint = "Eases by a fifth power: -in begins slowly, -out ends slowly, -in-out does both.";
-constexpr std::string_view by_expo = "Eases by powers of two: -in begins slowly, -out ends slowly, -in-out does both.";
+    "Eases along a curve of the fourth degree, t⁴: -in begins slowly, -out ends slowly, -in-out does both.";
+constexpr std::string_view by_quint =
+    "Eases along a curve of the fifth degree, t⁵: -in begins slowly, -out ends slowly, -in-out does both.";
+constexpr std::string_view by_expo =
+    "Eases along an exponential curve, 2^(10t): -in begins slowly, -out ends slowly, -in-out does both.";
 constexpr std::string_view by_circ =
-    "Eases by a quarter of a circle: -in begins slowly, -out ends slowly, -in-out does both.";
+    "Eases along a quarter of a circle: -in begins slowly, -out ends slowly, -in-out does both.";
 constexpr std::string_view by_back =
-    "Eases by a cube that first goes back, or too far: -in begins slowly, -out ends slowly, -in-out does both.";
+    "Eases along a cubic curve that overshoots: -in begins slowly, -out ends slowly, -in-out does both.";
 constexpr std::string_view by_elastic =
-    "Eases by swings that die away: -in begins slowly, -out ends slowly, -in-out does both.";
+    "Eases like an elastic band: -in begins slowly, -out ends slowly, -in-out does both.";
 constexpr std::string_view by_bounce =
-    "Eases by hops that die away: -in begins slowly, -out ends slowly, -in-out does both.";
+    "Eases like a bouncing ball: -in begins slowly, -out ends slowly, -in-out does both.";
 constexpr TwerperArgument of_steps[] = {{"how many steps", 1, 1e6, true}};
 constexpr std::string_view where_steps_jump[] = {"end", "start", "none", "both"};
 
@@ -90,12 +94,13 @@ inline constexpr TwerperRow rows[] = {
      .example = "at 12f ball.radius 2 ease",
      .factor = css<25, 10, 25, 100>},
     {.name = "ease-in",
-     .sentence = "Begins slowly, as in CSS; with a length, ease-in=4f, an option of the event: it arrives slowly.",
+     .sentence =
+         "Begins slowly, as in CSS. (Not the option ease-in=4f, with which a track arrives slowly at its event.)",
      .example = "at 12f ball.radius 2 ease-in",
      .factor = css<42, 0, 100, 100>,
      .reversed = "ease-out"},
     {.name = "ease-out",
-     .sentence = "Ends slowly, as in CSS; with a length, ease-out=4f, an option of the event: it leaves slowly.",
+     .sentence = "Ends slowly, as in CSS. (Not the option ease-out=4f, with which a track leaves its event slowly.)",
      .example = "at 12f ball.radius 2 ease-out",
      .factor = css<0, 0, 58, 100>,
      .reversed = "ease-in"},
@@ -105,7 +110,9 @@ inline constexpr TwerperRow rows[] = {
      .factor = css<42, 0, 58, 100>,
      .reversed = "ease-in-out"},
     {.name = "steps",
-     .sentence = "In equal steps; each jumps at its end, its start, or as the word says, as in CSS.",
+     .sentence = "In n equal steps, as `steps()` of CSS: the value jumps at the end of each step (the default), at its "
+                 "start, at neither "
+                 "end or at both.",
      .written = "steps(n) or steps(n start|end|none|both)",
      .example = "at 12f ball.radius 2 steps(4)",
      .factor = steps,

@@ -5,7 +5,7 @@
 namespace betwixt {
 namespace {
 
-Error wrong_role(const char* what) { return fail(ErrorCode::type, std::string("this procedure is no ") + what); }
+Error wrong_role(const char* what) { return fail(ErrorCode::type, std::string("this procedure is not a ") + what); }
 
 }  // namespace
 

@@ -21,13 +21,17 @@ StepTrack::StepTrack(const Track& track, Type type) : before_(track.before), aft
   });
 }
 
-Between StepTrack::at(Time time, const CurveSet& set) const {
-  std::int64_t t = time.flicks;
+// Returns where a time falls if the track repeats.
+std::int64_t StepTrack::folded(std::int64_t t) const {
   const std::int64_t first = keys_.front().time.flicks, last = keys_.back().time.flicks;
   const Extrapolation how = t < first ? before_ : after_;
   const bool seam = t == last && how == Extrapolation::cycle && keys_.size() > 1;  // at the seam the first value holds
-  if ((t < first || t > last || seam) && how >= Extrapolation::cycle)
-    t = fold(t, first, last, how == Extrapolation::bounce);
+  const bool outside = t < first || t > last || seam;
+  return outside && how >= Extrapolation::cycle ? fold(t, first, last, how == Extrapolation::bounce) : t;
+}
+
+Between StepTrack::at(Time time, const CurveSet& set) const {
+  const std::int64_t t = folded(time.flicks);
   const auto next =
       std::upper_bound(keys_.begin(), keys_.end(), t, [](std::int64_t at, const Key& k) { return at < k.time.flicks; });
   if (next == keys_.begin()) return {next->comes_to, next->comes_to, 0};
@@ -43,6 +47,28 @@ Between StepTrack::at(Time time, const CurveSet& set) const {
   between.splines = !is_own(twerper) && row_of(twerper).cubics;
   between.key = static_cast<std::size_t>(&key - keys_.data()), between.eased = s;
   return between;
+}
+
+bool StepTrack::runs_code(Time time) const {
+  const std::int64_t t = folded(time.flicks);
+  const auto next =
+      std::upper_bound(keys_.begin(), keys_.end(), t, [](std::int64_t at, const Key& k) { return at < k.time.flicks; });
+  return next != keys_.begin() && next != keys_.end() && is_own(static_cast<Twerper>(next[-1].twerper));
+}
+
+bool StepTrack::blends() const {
+  for (std::size_t k = 0; k + 1 < keys_.size(); ++k)
+    if (static_cast<Twerper>(keys_[k].twerper) != Twerper::hold && keys_[k].goes_on != keys_[k + 1].comes_to)
+      return true;
+  return false;
+}
+
+bool StepTrack::fits(const Between& w) const {
+  if (w.a >= values_.size() || w.b >= values_.size()) return false;
+  if (!w.splines) return true;
+  if (w.key + 1 >= keys_.size()) return false;
+  const auto twerper = static_cast<Twerper>(keys_[w.key].twerper);
+  return !is_own(twerper) && row_of(twerper).cubics != nullptr;
 }
 
 // The weights are the values of the cubics for numbers that are 1 at one of the four and 0 at the others.

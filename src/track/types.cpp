@@ -216,9 +216,9 @@ bool fits(Twerper twerper, Type type, std::string* why) {
   const Changes changes = row_of(type).changes;
   const std::string who = is_own(twerper) ? "a twerper" : fmt::format("'{}'", name_of(twerper));
   if (changes == Changes::in_steps)
-    return no(fmt::format("{} cannot blend {}: it changes at its events only", who, to_string(type)));
+    return no(fmt::format("{} cannot blend {}: it changes only at its events", who, to_string(type)));
   if (!is_own(twerper) && row_of(twerper).for_numbers != Twerper::unset && changes != Changes::by_turning)
-    return no(fmt::format("{} turns orientations; this is {}", who, to_string(type)));
+    return no(fmt::format("{} is for orientations; this is {}", who, to_string(type)));
   return true;
 }
 

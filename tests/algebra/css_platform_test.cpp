@@ -52,7 +52,7 @@ void expect_agreed(const Agreed& a) {
   const auto from = composed(a.under, a.from), to = composed(a.under, a.to);
   if (a.near == "page") {
     ASSERT_TRUE(!from || !to) << a.line;
-    EXPECT_EQ((from ? to : from).error().hint, "px: what others come to depends on the page") << a.line;
+    EXPECT_EQ((from ? to : from).error().hint, "use px: other units depend on the page") << a.line;
     return;
   }
   ASSERT_TRUE(from && to) << a.line << ": " << (from ? to : from).error().message;

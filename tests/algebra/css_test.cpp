@@ -111,50 +111,51 @@ TEST(CssRead, WhatCannotBeReadIsToldWithItsPlace) {
     const char* message;
     const char* hint;
   };
-  const char* what = "what is read: translate(), rotate() and scale(), with X, Y, Z or 3d behind the name";
-  const char* px = "px: what others come to depends on the page";
+  const char* what = "supported: translate(), rotate() and scale(), also with X, Y, Z or 3d after the name";
+  const char* px = "use px: other units depend on the page";
   const char* units = "units are deg, grad, rad, turn";
   const Bad all[] = {
       {"rotate(1turn) matrix(1, 0, 0, 1, 0, 0)", 15, 6, ErrorCode::type,
-       "matrix() is no translation, rotation or scaling", what},
-      {"Matrix3D(1)", 1, 8, ErrorCode::type, "matrix3d() is no translation, rotation or scaling", what},
-      {"skew(1deg)", 1, 4, ErrorCode::type, "skew() is no translation, rotation or scaling", what},
-      {"skewx(1deg)", 1, 5, ErrorCode::type, "skewX() is no translation, rotation or scaling", what},
-      {"skewY(1deg)", 1, 5, ErrorCode::type, "skewY() is no translation, rotation or scaling", what},
-      {"perspective(1px)", 1, 11, ErrorCode::type, "perspective() is no translation, rotation or scaling", what},
-      {"spin(1deg)", 1, 4, ErrorCode::name, "'spin' is no CSS transform", what},
-      {"/* ä */ größe(2)", 9, 5, ErrorCode::name, "'größe' is no CSS transform", what},
-      {"none rotate(1deg)", 1, 4, ErrorCode::syntax, "'none' stands alone or not at all", ""},
-      {"rotate(1deg) none", 14, 4, ErrorCode::syntax, "'none' stands alone or not at all", ""},
-      {"rotate(1deg), scale(2)", 13, 1, ErrorCode::syntax, "a CSS transform is wanted here",
+       "matrix() is not a translation, rotation or scaling", what},
+      {"Matrix3D(1)", 1, 8, ErrorCode::type, "matrix3d() is not a translation, rotation or scaling", what},
+      {"skew(1deg)", 1, 4, ErrorCode::type, "skew() is not a translation, rotation or scaling", what},
+      {"skewx(1deg)", 1, 5, ErrorCode::type, "skewX() is not a translation, rotation or scaling", what},
+      {"skewY(1deg)", 1, 5, ErrorCode::type, "skewY() is not a translation, rotation or scaling", what},
+      {"perspective(1px)", 1, 11, ErrorCode::type, "perspective() is not a translation, rotation or scaling", what},
+      {"spin(1deg)", 1, 4, ErrorCode::name, "'spin' is not a CSS transform", what},
+      {"/* ä */ größe(2)", 9, 5, ErrorCode::name, "'größe' is not a CSS transform", what},
+      {"none rotate(1deg)", 1, 4, ErrorCode::syntax, "'none' must be alone", ""},
+      {"rotate(1deg) none", 14, 4, ErrorCode::syntax, "'none' must be alone", ""},
+      {"rotate(1deg), scale(2)", 13, 1, ErrorCode::syntax, "expected a CSS transform here",
        "as in translate(10px, 20px) rotate(90deg)"},
-      {"rotate(1deg);", 13, 1, ErrorCode::syntax, "a CSS transform is wanted here",
+      {"rotate(1deg);", 13, 1, ErrorCode::syntax, "expected a CSS transform here",
        "as in translate(10px, 20px) rotate(90deg)"},
-      {"rotate (1deg)", 7, 1, ErrorCode::syntax, "'(' is missing right behind rotate", ""},
-      {"rotate", 7, 1, ErrorCode::syntax, "'(' is missing right behind rotate", ""},
+      {"rotate (1deg)", 7, 1, ErrorCode::syntax, "'(' is missing directly after rotate", ""},
+      {"rotate", 7, 1, ErrorCode::syntax, "'(' is missing directly after rotate", ""},
       {"rotate(1deg", 12, 1, ErrorCode::syntax, "')' is missing", ""},
-      {"scale(2 3)", 9, 1, ErrorCode::syntax, "',' or ')' is wanted here", ""},
-      {"scale(,2)", 7, 1, ErrorCode::syntax, "a number is wanted here", ""},
-      {"scale(2,)", 9, 1, ErrorCode::syntax, "a number is wanted here", ""},
-      {"scale(two)", 7, 3, ErrorCode::syntax, "a number is wanted here", ""},
-      {"scale(inf)", 7, 3, ErrorCode::syntax, "a number is wanted here", ""},
-      {"scale(-)", 7, 1, ErrorCode::syntax, "a number is wanted here", ""},
-      {"scale(+ 2)", 7, 1, ErrorCode::syntax, "a number is wanted here", ""},
-      {"scale(2.)", 8, 1, ErrorCode::syntax, "',' or ')' is wanted here", ""},
-      {"scale(var(--a))", 7, 3, ErrorCode::type, "var() is not worked out here",
-       "write the number; calc(), min(), max() and clamp() are"},
-      {"scale(1e999)", 7, 5, ErrorCode::range, "'1e999' is too large or too small a number", ""},
-      {"scale(1e-999)", 7, 6, ErrorCode::range, "'1e-999' is too large or too small a number", ""},
-      {"rotate(1e308turn)", 8, 9, ErrorCode::range, "'1e308turn' is too large or too small a number", ""},
-      {"scale(50%)", 9, 1, ErrorCode::type, "a number without a unit is wanted here, not '%'", "50% is 0.5"},
-      {"scale(2px)", 8, 2, ErrorCode::type, "a number without a unit is wanted here, not 'px'", ""},
+      {"scale(2 3)", 9, 1, ErrorCode::syntax, "expected ',' or ')' here", ""},
+      {"scale(,2)", 7, 1, ErrorCode::syntax, "expected a number here", ""},
+      {"scale(2,)", 9, 1, ErrorCode::syntax, "expected a number here", ""},
+      {"scale(two)", 7, 3, ErrorCode::syntax, "expected a number here", ""},
+      {"scale(inf)", 7, 3, ErrorCode::syntax, "expected a number here", ""},
+      {"scale(-)", 7, 1, ErrorCode::syntax, "expected a number here", ""},
+      {"scale(+ 2)", 7, 1, ErrorCode::syntax, "expected a number here", ""},
+      {"scale(2.)", 8, 1, ErrorCode::syntax, "expected ',' or ')' here", ""},
+      {"scale(var(--a))", 7, 3, ErrorCode::type, "var() is not supported",
+       "write the number, or use calc(), min(), max() or clamp()"},
+      {"scale(1e999)", 7, 5, ErrorCode::range, "'1e999' is too large or too small", ""},
+      {"scale(1e-999)", 7, 6, ErrorCode::range, "'1e-999' is too large or too small", ""},
+      {"rotate(1e308turn)", 8, 9, ErrorCode::range, "'1e308turn' is too large or too small", ""},
+      {"scale(50%)", 9, 1, ErrorCode::type, "expected a number without a unit here, not '%'",
+       "write 0.5 instead of 50%"},
+      {"scale(2px)", 8, 2, ErrorCode::type, "expected a number without a unit here, not 'px'", ""},
       {"translate(10px, 50%)", 19, 1, ErrorCode::type, "'%' is not a unit of length here",
-       "px, or the size of what is moved: percentages are of it"},
+       "use px, or give the size of the element, to which percentages refer"},
       {"translate(1em)", 12, 2, ErrorCode::type, "'em' is not a unit of length here", px},
       {"translateY(20)", 12, 2, ErrorCode::type, "a length needs its unit: 20", "px"},
       {"rotate(35)", 8, 2, ErrorCode::type, "an angle needs its unit: 35", units},
       {"rotate(35px)", 10, 2, ErrorCode::type, "'px' is not a unit of angle", units},
-      {"rotate3d(0, 1px, 0, 1deg)", 14, 2, ErrorCode::type, "a number without a unit is wanted here, not 'px'", ""},
+      {"rotate3d(0, 1px, 0, 1deg)", 14, 2, ErrorCode::type, "expected a number without a unit here, not 'px'", ""},
       {"rotate3d(0, 1, 0, 1)", 19, 1, ErrorCode::type, "an angle needs its unit: 1", units},
       {"scale(2) rotate3d(0, 0, 0, 1deg)", 10, 23, ErrorCode::range, "this axis has no direction", ""},
       {"rotate3d(1e308, 1e308, 1e308, 1deg)", 1, 35, ErrorCode::range, "this axis has no direction", ""},
@@ -187,7 +188,7 @@ TEST(CssRead, AListHasAnEnd) {
   EXPECT_TRUE(from_css(list));
   const auto motion = from_css(list + "scale(1)");
   ASSERT_FALSE(motion);
-  EXPECT_EQ(motion.error().message, "no more than 10000 transforms");
+  EXPECT_EQ(motion.error().message, "there can be at most 10000 transforms");
   EXPECT_EQ(motion.error().place.column, 80'001);
 }
 
@@ -311,24 +312,24 @@ TEST(CssRead, WhatIsNoMotionIsAMatrix) {
 TEST(CssRead, WhatCannotBeWorkedOutIsTold) {
   const std::tuple<const char*, int, const char*> all[] = {
       {"translateX(calc(1px + 1))", 21, "numbers, lengths and angles cannot be added to each other"},
-      {"translateX(calc(1px +1px))", 21, "blanks on both sides of '+' are wanted"},
-      {"translateX(calc(1px * 1px))", 21, "one of both is a number without a unit"},
-      {"translateX(calc(1px / 1px))", 21, "what divides is a number without a unit"},
-      {"translateX(calc(1px / 0))", 21, "nothing can be divided by 0"},
-      {"translateX(calc(1deg))", 12, "a length is wanted here, and this comes to an angle"},
-      {"scale(calc(1px))", 7, "a number without a unit is wanted here, and this comes to a length"},
-      {"scale(calc(1, 2))", 13, "')' is wanted here"},
-      {"scale(clamp(1, 2))", 7, "clamp() takes the least, the value, the most"},
-      {"scale(min(1, 1px))", 7, "min() of values of different kinds"},
+      {"translateX(calc(1px +1px))", 21, "'+' needs a space on both sides"},
+      {"translateX(calc(1px * 1px))", 21, "one of the two factors must be a number without a unit"},
+      {"translateX(calc(1px / 1px))", 21, "a divisor must be a number without a unit"},
+      {"translateX(calc(1px / 0))", 21, "a divisor must not be 0"},
+      {"translateX(calc(1deg))", 12, "expected a length here, not an angle"},
+      {"scale(calc(1px))", 7, "expected a number without a unit here, not a length"},
+      {"scale(calc(1, 2))", 13, "expected ')' here"},
+      {"scale(clamp(1, 2))", 7, "clamp() needs a minimum, a value and a maximum"},
+      {"scale(min(1, 1px))", 7, "the values of min() must be of the same kind"},
       {"scale(calc((1 + 2))", 20, "')' is missing"},
-      {"scale(sin(1))", 7, "sin() is not worked out here"},
+      {"scale(sin(1))", 7, "sin() is not supported"},
       {"translateX(calc(1em))", 18, "'em' is not a unit of length here"},
-      {"translateX(calc(1e300px * 1e300))", 12, "'calc(1e300px * 1e300)' is too large or too small a number"},
+      {"translateX(calc(1e300px * 1e300))", 12, "'calc(1e300px * 1e300)' is too large or too small"},
       {"translateX(5%)", 13, "'%' is not a unit of length here"},
       {"translateZ(5%)", 13, "'%' is not a unit of length here"},
-      {"perspective(-1px)", 13, "a distance is not below 0"},
+      {"perspective(-1px)", 13, "a distance must not be negative"},
       {"matrix(1, 2)", 1, "matrix() takes six numbers"},
-      {"rotate(1e17turn)", 8, "'1e17turn' is too large or too small a number"},
+      {"rotate(1e17turn)", 8, "'1e17turn' is too large or too small"},
   };
   for (const auto& [list, column, message] : all) {
     const auto read = parse_css(list);
@@ -339,7 +340,7 @@ TEST(CssRead, WhatCannotBeWorkedOutIsTold) {
   EXPECT_FALSE(parse_css("scale(" + std::string(5000, '(')));
   std::string deep = "scale(";
   for (int i = 0; i < 5000; ++i) deep += "calc(";
-  EXPECT_EQ(parse_css(deep).error().message, "no more than 100 brackets");
+  EXPECT_EQ(parse_css(deep).error().message, "brackets can be at most 100 levels deep");
 }
 
 TEST(CssRead, NoTextOfAllOfCssBreaksIt) {
@@ -425,10 +426,11 @@ TEST(CssWrite, WhatHasNoCssIsRefused) {
     EXPECT_EQ(lists.error().message, message);
     EXPECT_EQ(lists.error().code, code);
   };
-  refused(parsed("T(1 2) S(2)"), "factor 2: it grows by the exponential law, and CSS by the linear one",
+  refused(parsed("T(1 2) S(2)"), "factor 2: it scales by the exponential law, but CSS scales by the linear law",
           ErrorCode::type);
-  refused(parsed("R(1turn @ hub)"), "factor 1: its centre is 'hub', and CSS knows no objects", ErrorCode::type);
-  refused({{rotate_by(NAN)}}, "factor 1, R: its angle is no finite number", ErrorCode::range);
+  refused(parsed("R(1turn @ hub)"), "factor 1: its centre is the object 'hub', but CSS has no objects",
+          ErrorCode::type);
+  refused({{rotate_by(NAN)}}, "factor 1, R: its angle is not finite", ErrorCode::range);
 }
 
 // What is written reads back as the same numbers, and moves as the motion does.

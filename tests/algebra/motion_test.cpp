@@ -177,22 +177,22 @@ TEST(Motion, SaysWhatCannotBe) {
   };
   Motion m;
   m.factors = {translate_by({1, 2, 0}), scale_by({2, -1, 1})};
-  EXPECT_EQ(error(m), "factor 2, S: a scaling by -1 along y has no in-betweens");
+  EXPECT_EQ(error(m), "factor 2, S: a scaling by -1 along y has no in-between values");
   m.factors[1].law = Factor::Law::linear;
   EXPECT_EQ(error(m), "fine");
   m.factors[0].by.y = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(error(m), "factor 1, T: its way along y is no finite number");
+  EXPECT_EQ(error(m), "factor 1, T: its translation along y is not finite");
   m.factors[0] = rotate_by(std::numeric_limits<double>::infinity());
-  EXPECT_EQ(error(m), "factor 1, R: its angle is no finite number");
+  EXPECT_EQ(error(m), "factor 1, R: its angle is not finite");
   m.factors[0] = rotate_by(1, {0, 0, 0}, {0, 0, 0});
   EXPECT_EQ(error(m), "factor 1, R: its axis has no direction");
   m.factors[0] = rotate_by(1, {0, std::numeric_limits<double>::infinity(), 0});
-  EXPECT_EQ(error(m), "factor 1, R: its centre's y is no finite number");
-  EXPECT_EQ(frame(m, 0, 0).error().message, "0 steps lead nowhere");
+  EXPECT_EQ(error(m), "factor 1, R: its centre's y is not finite");
+  EXPECT_EQ(frame(m, 0, 0).error().message, "the number of steps must be at least 1, not 0");
   EXPECT_EQ(told(frame(m, 0, -3)), "range");
   EXPECT_TRUE(mentions(frame(m, 0, -3), "-3"));
   EXPECT_EQ(inverse(parsed("T(1 1) S(2 2 linear)")).error().message,
-            "factor 2, S: under the linear law what undoes it is no such motion");
+            "factor 2, S: the inverse of a scaling by the linear law is not a motion");
 }
 
 TEST(Motion, IsReadAndWritten) {
@@ -228,37 +228,37 @@ TEST(Motion, SaysWhereItsTextIsWrong) {
            (e.hint.empty() ? "" : " | " + e.hint);
   };
   const std::pair<const char*, const char*> table[] = {
-      {"T(1 0) Q(1)", "8+1 a motion is a string of T(…), R(…) and S(…) | as in T(6.28 0) R(-1turn @ 0 1)"},
-      {"r(90deg)", "1+1 'r' is no factor of a motion | did you mean 'R'?"},
-      {"T 1 0", "3+1 '(' is missing behind T"},
-      {"T(1)", "1+4 a translation has two or three numbers | T(6 0) or T(6 0 0)"},
+      {"T(1 0) Q(1)", "8+1 expected a string of T(…), R(…) and S(…) here | as in T(6.28 0) R(-1turn @ 0 1)"},
+      {"r(90deg)", "1+1 'r' is not a factor of a motion | did you mean 'R'?"},
+      {"T 1 0", "3+1 '(' is missing after T"},
+      {"T(1)", "1+4 a translation must have two or three numbers | T(6 0) or T(6 0 0)"},
       {"T(1 0", "6+1 ')' is missing"},
-      {"T(1 0 0 0)", "9+1 no more than three numbers stand here"},
+      {"T(1 0 0 0)", "9+1 expected at most three numbers here"},
       {"R(90)", "3+2 an angle needs its unit: 90 | units are deg, °, turn, rad"},
       {"R(90grad)", "5+4 'grad' is not a unit of angle | units are deg, °, turn, rad"},
-      {"R()", "3+1 a number is wanted here"},
-      {"R(90deg @ 1)", "11+1 a centre has two or three numbers"},
-      {"R(90deg @ )", "11+1 a centre is wanted here | @ 0 1, @ 0 1 2 or the name of an object"},
-      {"R(90deg about z)", "9+5 'about' means nothing in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)"},
+      {"R()", "3+1 expected a number here"},
+      {"R(90deg @ 1)", "11+1 a centre must have two or three numbers"},
+      {"R(90deg @ )", "11+1 expected a centre here | write @ 0 1, @ 0 1 2 or the name of an object"},
+      {"R(90deg about z)", "9+5 'about' is not expected in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)"},
       {"R(90deg axis 0 0 0)", "9+10 this axis has no direction"},
-      {"S(2 -1)", "1+7 a scaling by -1 has no in-betweens | factors above 0, or the linear law: S(… linear)"},
+      {"S(2 -1)",
+       "1+7 a scaling by -1 has no in-between values | use factors greater than 0, or the linear law: S(… linear)"},
       {"S(2 -1 linear)", "fine"},
-      {"S()", "1+3 a scaling has one, two or three numbers | S(2), S(2 1) or S(2 1 1)"},
-      {"S(2 2 lin)", "7+3 'lin' means nothing in a scaling | S(2 2 @ 0 0 linear)"},
-      {"T(1e999 0)", "3+5 '1e999' is no finite number"},
-      {"T(inf 0)", "3+3 'inf' is no finite number"},
-      {"T(0 nan)", "5+3 'nan' is no finite number"},
-      {"S(2cm)", "3+3 a plain number is wanted here, not 2cm"},
-      {"S(50%)", "3+3 a plain number is wanted here, not 50%"},
-      {"R(90 deg)", "3+2 an angle needs its unit: 90 | no blank before it: 90deg"},
-      {"T(1 0 @ 0 0)", "7+1 '@' does not belong here, in a translation | T(6 0) or T(6 0 0)"},
-      {"T(1 0 linear)", "7+6 'linear' does not belong here, in a translation | T(6 0) or T(6 0 0)"},
+      {"S()", "1+3 a scaling must have one, two or three numbers | S(2), S(2 1) or S(2 1 1)"},
+      {"S(2 2 lin)", "7+3 'lin' is not expected in a scaling | S(2 2 @ 0 0 linear)"},
+      {"T(1e999 0)", "3+5 '1e999' is not a finite number"},
+      {"T(inf 0)", "3+3 'inf' is not a finite number"},
+      {"T(0 nan)", "5+3 'nan' is not a finite number"},
+      {"S(2cm)", "3+3 expected a plain number here, not 2cm"},
+      {"S(50%)", "3+3 expected a plain number here, not 50%"},
+      {"R(90 deg)", "3+2 an angle needs its unit: 90 | write the unit without a space: 90deg"},
+      {"T(1 0 @ 0 0)", "7+1 '@' is not expected in a translation | T(6 0) or T(6 0 0)"},
+      {"T(1 0 linear)", "7+6 'linear' is not expected in a translation | T(6 0) or T(6 0 0)"},
       {"R(90deg axis x @ 0 0)",
-       "16+1 '@' does not belong here, in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)"},
-      {"S(2 2 linear linear)",
-       "14+6 'linear' does not belong here, in a scaling | S(2 2 @ 0 0), behind it perhaps linear"},
+       "16+1 '@' is not expected in a rotation | R(90deg @ 0 1) or R(90deg @ 0 1 0 axis 0 1 0)"},
+      {"S(2 2 linear linear)", "14+6 'linear' is not expected in a scaling | S(2 2 @ 0 0) or S(2 2 @ 0 0 linear)"},
       {"R(0) R(0 @ 1 1) R(1rad axis (0 1 0))", "fine"},
-      {"R(35° @ ä)", "9+1 a centre is wanted here | @ 0 1, @ 0 1 2 or the name of an object"}};
+      {"R(35° @ ä)", "9+1 expected a centre here | write @ 0 1, @ 0 1 2 or the name of an object"}};
   for (const auto& [text, words] : table) EXPECT_EQ(said(text), words) << text;
 }
 

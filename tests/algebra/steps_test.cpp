@@ -266,23 +266,25 @@ TEST(Steps, SayWhatCannotBe) {
     std::int64_t steps = 10;
   };
   const std::pair<const char*, const char*> no_one_matrix[] = {
-      {"R(1turn) T(1 1)", "a way and a turn do not commute, so the root of the whole is an arc and not this path"},
-      {"S(2 2) T(1 1)", "a way and a scaling do not commute, so the root of the whole takes another path"},
+      {"R(1turn) T(1 1)",
+       "a translation and a rotation do not commute, so the root of the whole is an arc instead of this path"},
+      {"S(2 2) T(1 1)", "a translation and a scaling do not commute, so the root of the whole takes another path"},
       {"S(2 3) R(1turn)", "its factors do not commute, so the root of the whole takes another path"},
-      {"S(2 3 linear)", "the steps of a scaling by the linear law are not alike"}};
+      {"S(2 3 linear)", "the steps of a scaling by the linear law differ"}};
   for (const auto& [text, why] : no_one_matrix)
-    EXPECT_EQ(said(text, Method::differences), std::string("no one matrix makes all steps of this motion: ") + why +
-                                                   " | the method `best` takes every string")
+    EXPECT_EQ(said(text, Method::differences), std::string("no single matrix makes all steps of this motion: ") + why +
+                                                   " | the method `best` supports every string")
         << text;
   const Case table[] = {
       {"S(2 3)", Method::geometric,
-       "the geometric method scales by the linear law | S(… linear), or the method `matrix`"},
+       "the geometric method needs the linear law for scalings | write S(… linear), or use the method `matrix`"},
       {"T(1 1) T(1 1)", Method::geometric,
-       "the geometric method has no scheme for TT | it knows T, S, R, TS, ST, TR, RT, RS, SR, TRS and R…R; `best` "
-       "takes every string"},
-      {"R(5turn)", Method::geometric, "half a turn in one step cannot be made of shears | more steps"},
-      {"T(1 1 1)", Method::best, "this motion leaves the plane | steps are made in the plane only"},
-      {"T(1 1)", Method::best, "0 steps lead nowhere | at least 1: frame 0 is rest, frame 1 the end", 0}};
+       "the geometric method does not support TT | it supports T, S, R, TS, ST, TR, RT, RS, SR, TRS and R…R; `best` "
+       "supports every string"},
+      {"R(5turn)", Method::geometric, "shears cannot make half a turn in one step | use more steps"},
+      {"T(1 1 1)", Method::best, "this motion leaves the plane | steps work only in the plane"},
+      {"T(1 1)", Method::best,
+       "the number of steps must be at least 1, not 0 | frame 0 is the start and frame 1 the end", 0}};
   for (const Case& c : table) EXPECT_EQ(said(c.text, c.method, c.steps), c.words) << c.text;
 }
 

@@ -102,7 +102,7 @@ TEST(Symbols, AreNotWrittenOutWithoutEnd) {
   for (int i = 0; i < 12; ++i) arms.factors.push_back(rotate_by(1, {1.0 + i, 2, 0}));
   const auto symbols = in_symbols(arms);
   ASSERT_FALSE(symbols);
-  EXPECT_EQ(symbols.error().message, "a number of this matrix has more than 64 terms");
+  EXPECT_EQ(symbols.error().message, "an element of this matrix has more than 64 terms");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ root=$(cd -- "$(dirname -- "$0")/../.." && pwd)
 . "$(dirname -- "$0")/support.sh" || exit 3
 yes() { [ "$1" = 0 ] && echo yes; }
 cc -Wall -Wextra -Werror -I "$root/include" -c "$root/tests/app/aim_host.c" -o host.o &&
-  c++ -std=c++20 -DFMT_SHARED -I "$root/include" -I "$root/src" host.o "$root"/src/server/aim*.cpp -lfmt -lm -o host
+  c++ -std=c++20 -DFMT_SHARED -I "$root/include" -I "$root/src" host.o "$root"/src/server/aim*.cpp "$root"/src/syntax/*.cpp -lfmt -lm -o host
 verdict 'a host is built from C' "$(yes $?)" ''
 begin --socket "$work/s" --save history.bx
 ./host "$work/s" >answers 2>&1

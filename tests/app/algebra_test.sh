@@ -53,10 +53,10 @@ for method in matrix geometric best; do
   same "by $method" 75 1 1  150 4 2  300 8 0
 done
 algebra 'S(2 3 linear) R(180deg)' --steps 2 --method geometric --points 1,0
-has 'right at the end only' "$err" 'meets the motion at its end, and leaves it in between'
+has 'right at the end only' "$err" 'this method is exact only at the end of the motion'
 # By (g - 1) k/N times the chord from where the turn has a point to where it takes it, worked out by complex numbers.
 algebra 'S(-3 2 @ 5 -5 linear) R(0.9turn)' --steps 240 --method geometric --at 240 --points -9.93,1.17
-has 'how far beside' "$err" 'leaves it in between: by up to 42.9206366272655'
+has 'how far beside' "$err" 'in between the error is up to 42.9206366272655'
 algebra 'R(24turn) T(24 0)' --method differences --at 7 --points 1,0
 same 'turns that are whole at each step' 7 8 0
 algebra 'R(180deg) T(1 0)' --steps 1 --method differences --at 1 --points 1,0
@@ -71,12 +71,12 @@ algebra --css 'translateX(10px) rotate(0deg)' --to 'translateX(30px) rotate(720d
 same 'two lists' 1 14 0
 algebra --css 'rotate(720deg)' --to 'scale(3)' --steps 2 --at 1 --points 1,0
 same 'two lists that differ' 1 2 0
-has 'say so' "$err" 'from function 1 on the lists differ: matrices are mixed, and whole turns are lost'
+has 'say so' "$err" 'the lists differ from function 1 on, so matrices are blended and whole turns are lost'
 algebra --css 'rotateX(90deg)' --to 'rotateY(90deg)' --steps 2 --at 0
-has 'two axes' "$err" 'function 1 turns about two axes: it goes the short way, and whole turns are lost'
+has 'two axes' "$err" 'function 1 rotates about two axes, so it takes the short way and whole turns are lost'
 algebra --css 'matrix(1, 1, 0, 0, 0, 0)' --to 'none' --steps 4 --at 1,2 --points 1,0
 same 'a flat matrix' 1 1 1  2 1 0
-has 'jumps' "$err" 'one list is shown up to half way, then the other'
+has 'jumps' "$err" 'one list applies up to half way, then the other'
 algebra --css 'skewX(45deg)' --steps 1 --at 1 --points 0,2
 same 'a skew' 1 2 2
 algebra --css 'perspective(100px) translateZ(50px)' --steps 2 --points 10,0,0 --at 0,2
@@ -132,39 +132,39 @@ verdict 'no law without a scaling' "$([[ $out != *'linear law'* ]] && echo yes)"
 algebra 'R(1rad) R(1rad @ 1 0) R(1rad @ 2 0)' --count
 has 'arms' "$out" 'row R…R, n = 3 of'
 algebra 'S(2 3 linear) R(180deg)' --count --steps 2 --points 1,0
-has 'counts, and how far beside' "$out" 'geometric: right at the end only, on the way up to 1.118033988749895 beside'
+has 'counts, and how far beside' "$out" 'geometric: exact only at the end; in between the error is up to 1.118033988749895'
 
-refused 'no motion' 1 'motion:1:8: error: a motion is a string of T(…), R(…) and S(…)' 'T(1 0) X(2)'
+refused 'no motion' 1 'motion:1:8: error: expected a string of T(…), R(…) and S(…) here' 'T(1 0) X(2)'
 has 'with a caret' "$err" '         ^'
 refused 'no unit' 1 'an angle needs its unit: 90' 'R(90)'
-refused 'no in-betweens' 1 'a scaling by -1 has no in-betweens' 'S(-1 1)'
-refused 'no steps' 2 '0 steps lead nowhere' 'T(1 0)' --steps 0
-refused 'no number' 2 "--at: 'x' is no number" 'T(1 0)' --at x
-refused 'no point' 2 "--points: '1' is no point" 'T(1 0)' --points 1
-refused 'no method' 2 "'fast' is no method" 'T(1 0)' --method fast
-refused 'no half step of a method' 2 'a method goes from step to step, and 0.5 is none' 'T(1 0)' --method best --at 0.5
+refused 'no in-betweens' 1 'a scaling by -1 has no in-between values' 'S(-1 1)'
+refused 'no steps' 2 'the number of steps must be at least 1, not 0' 'T(1 0)' --steps 0
+refused 'no number' 2 "--at: 'x' is not a number" 'T(1 0)' --at x
+refused 'no point' 2 "--points: '1' is not a point" 'T(1 0)' --points 1
+refused 'no method' 2 "not 'fast'" 'T(1 0)' --method fast
+refused 'no half step of a method' 2 'methods need whole steps, not 0.5' 'T(1 0)' --method best --at 0.5
 refused 'no object' 1 "there is no object 'sun' here" 'R(1turn @ sun)'
-refused 'not differences' 1 'no one matrix makes all steps of this motion' 'R(1turn) T(1 0)' --method differences
-refused 'not geometric' 1 'the geometric method has no scheme for TST' 'T(1 0) S(2 linear) T(1 0)' --method geometric
+refused 'not differences' 1 'no single matrix makes all steps of this motion' 'R(1turn) T(1 0)' --method differences
+refused 'not geometric' 1 'the geometric method does not support TST' 'T(1 0) S(2 linear) T(1 0)' --method geometric
 refused 'not in space' 1 'this motion leaves the plane' 'T(1 0 1)' --method best
-refused 'no inverse' 1 'under the linear law what undoes it is no such motion' 'S(2 linear)' --inverse
-refused 'too many steps' 2 "'99999999999999999999' is no whole number of steps" 'T(1 0)' --steps 99999999999999999999
-refused 'no points' 2 '--points: there is no point' 'T(1 0)' --points ''
+refused 'no inverse' 1 'the inverse of a scaling by the linear law is not a motion' 'S(2 linear)' --inverse
+refused 'too many steps' 2 "'99999999999999999999' is not a whole number" 'T(1 0)' --steps 99999999999999999999
+refused 'no points' 2 '--points: a point is missing' 'T(1 0)' --points ''
 refused 'a lesson as JSON' 2 '--json excludes --lesson' 'T(1 0)' --lesson x.html --json
-refused 'a lesson as a plot' 1 'a lesson is a .html, not "x.svg"' 'T(1 0)' --lesson x.svg
-refused 'no origin' 2 "--origin: 'x' is no point" 'rotate(90deg)' --css --origin x
-refused 'lists in letters' 2 'these lists are no motion, and have frames only' --css none --to 'scale(2)' --symbols
+refused 'a lesson as a plot' 1 'a lesson must be a .html file, not "x.svg"' 'T(1 0)' --lesson x.svg
+refused 'no origin' 2 "--origin: 'x' is not a point" 'rotate(90deg)' --css --origin x
+refused 'lists in letters' 2 'these lists are not a motion; only their frames can be printed' --css none --to 'scale(2)' --symbols
 refused 'too long in letters' 1 'has more than 64 terms' "$(printf 'R(1rad @ 1 2) %.0s' {1..12})" --symbols
-refused 'counts in space' 1 'operations are counted in the plane only' 'T(1 0 1)' --count
+refused 'counts in space' 1 'operations can be counted only in the plane' 'T(1 0 1)' --count
 refused 'no CSS of growth' 1 'S' 'S(2)' --to-css
 refused 'no CSS' 1 'motion:1:8: error:' --css 'skew(10em)'
-refused 'no CSS at the end' 1 "to:1:1: error: 'spin' is no CSS transform" --css 'none' --to 'spin(1deg)'
-refused 'no CSS without its size' 1 'px, or the size of what is moved: percentages are of it' --css 'translateX(5%)'
-refused 'no size' 2 "--size: '5' is no size" --css 'translateX(5%)' --size 5
-refused 'no method for lists' 2 'these lists are no motion, and have frames only' --css none --to 'scale(2)' --count
+refused 'no CSS at the end' 1 "to:1:1: error: 'spin' is not a CSS transform" --css 'none' --to 'spin(1deg)'
+refused 'no CSS without its size' 1 'use px, or give the size of the element, to which percentages refer' --css 'translateX(5%)'
+refused 'no size' 2 "--size: '5' is not a size" --css 'translateX(5%)' --size 5
+refused 'no method for lists' 2 'these lists are not a motion; only their frames can be printed' --css none --to 'scale(2)' --count
 refused 'behind the eye' 1 'frame 0: a point is behind the eye' --css 'perspective(1px)' --to none --points 0,0,5 --at 0
-refused 'beyond all numbers' 1 'frame 48: a place beyond all numbers' 'S(1e300)' --at 48
-refused 'beyond all numbers as JSON' 1 'frame 1: a place beyond all numbers' 'T(1e300 0) S(1e300)' --steps 1 --at 1 --json --points 1e300,0
-refused 'beyond all numbers by steps' 1 'a place beyond all numbers' 'S(1e300)' --method best --at 48
+refused 'beyond all numbers' 1 'frame 48: a position is not finite' 'S(1e300)' --at 48
+refused 'beyond all numbers as JSON' 1 'frame 1: a position is not finite' 'T(1e300 0) S(1e300)' --steps 1 --at 1 --json --points 1e300,0
+refused 'beyond all numbers by steps' 1 'a position is not finite' 'S(1e300)' --method best --at 48
 refused 'too many turns' 1 "'1e16turn' has more than 9007199254740992 turns" 'R(1e16turn)'
 summary

@@ -74,7 +74,7 @@ check 'bright' 0 '' frame bright.bx --at 1f -o bright.exr
 is 'light of a lamp at half its range' "$(python3 "$tests/alpha.py" bright bright.exr)" 2.2 # 0.8 * 5 * (1 - 1/4)²
 
 # Where nothing can be clear it is black, which is said; and opaque films are so everywhere.
-check 'mp4' 0 'notice: what is clear is black in c.mp4; .webm, .mov and pictures keep it clear' render clear.bx -o c.mp4
+check 'mp4' 0 'notice: c.mp4 has no transparency, so transparent parts are black; .webm, .mov and pictures have it' render clear.bx -o c.mp4
 is 'mp4 is black' "$(ffmpeg -v error -i c.mp4 -frames:v 1 -vf crop=4:2:0:0 -f rawvideo -pix_fmt gray - | od -An -tu1 | xargs)" '0 0 0 0 0 0 0 0'
 for o in o.mov o.webm o.mp4 o-%d.png; do
   check "opaque $o" 0 '' render opaque.bx -o $o
@@ -94,8 +94,8 @@ check 'join exr to mov' 0 '' join c-%d.exr -o ej.mov
 reads 'OpenEXR to ProRes' compare c-1.png ej.mov 0.6 2 3
 check 'join exr to png' 0 '' join c-%d.exr -o ep-%d.png
 reads 'OpenEXR to PNG' compare c-1.png ep-1.png 0.1 1 1
-check 'join to mp4' 0 'notice: what is clear is black in ej.mp4' join c-%d.exr -o ej.mp4
-check 'join png to mp4' 0 'notice: what is clear is black in cj.mp4' join c-%d.png -o cj.mp4
+check 'join to mp4' 0 'notice: ej.mp4 has no transparency' join c-%d.exr -o ej.mp4
+check 'join png to mp4' 0 'notice: cj.mp4 has no transparency' join c-%d.png -o cj.mp4
 for f in ej cj; do
   psnr=$(ffmpeg -i $f.mp4 -i c.mp4 -lavfi psnr -f null - 2>&1 | grep -o 'average:[0-9.inf]*' | cut -d: -f2)
   is "$f.mp4 over black is what is rendered" "$(awk -v x="$psnr" 'BEGIN {print (x == "inf" || x > 44)}')" 1
@@ -122,16 +122,16 @@ check 'transparant' 1 "did you mean 'transparent'?" check wrong.bx
 printf 'background transparent to red\n' >wrong.bx
 check 'transparent to' 1 "'to' is not expected here" check wrong.bx
 check 'bits 12' 2 "--bits" render clear.bx -o x-%d.png --bits 12
-for o in x.mp4 x.mov x-%d.exr; do check "16 bits of $o" 2 'only numbered PNG can have 16 bits a channel' render clear.bx -o $o --bits 16; done
+for o in x.mp4 x.mov x-%d.exr; do check "16 bits of $o" 2 '--bits 16 is only for numbered PNG' render clear.bx -o $o --bits 16; done
 check '16 bits of one exr' 2 '--bits is for PNG' frame clear.bx --at 1f -o x.exr --bits 16
-check 'frame gif' 2 'one picture is a .png, .jpg or .exr, not "x.gif"' frame clear.bx --at 1f -o x.gif
-check 'a JPEG is not clear' 0 'what is clear is black in x.jpg' frame clear.bx --at 1f -o x.jpg
+check 'frame gif' 2 'one picture must be a .png, .jpg or .exr, not "x.gif"' frame clear.bx --at 1f -o x.gif
+check 'a JPEG is not clear' 0 'x.jpg has no transparency, so transparent parts are black' frame clear.bx --at 1f -o x.jpg
 rm -f x.jpg
 check 'an unknown ending' 2 '.mp4 .webm .mov .gif .apng' render clear.bx -o x.avi
-check 'one exr for a film' 2 'needs one number in its name, not "x.exr"' render clear.bx -o x.exr
+check 'one exr for a film' 2 'needs one number, unlike "x.exr"' render clear.bx -o x.exr
 check 'no folder' 2 'there is no folder' render clear.bx -o no/x-%d.exr
 check 'no folder: frame' 2 'there is no folder' frame clear.bx --at 1f -o no/x.exr
-check 'no-overwrite' 2 'is there already' frame clear.bx --at 1f -o f.EXR --no-overwrite
+check 'no-overwrite' 2 'already exists' frame clear.bx --at 1f -o f.EXR --no-overwrite
 is 'nothing was made' "$(ls | grep -c '^x')" 0
 mkdir disk
 if mount -t tmpfs -o size=4k tmpfs disk 2>/dev/null; then

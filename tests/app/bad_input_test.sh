@@ -48,20 +48,20 @@ line 'too large for a number' 'set ball.radius -1e400'
 line '146 years' 'at 1e300s ball.radius 2'
 line '146 years' 'at 999999999999f ball.radius 2'
 line 'a vector' 'set ball.position 5'
-line 'a number is wanted' 'set ball.radius (1 2 3)'
-line '3 numbers are wanted' 'set ball.position (1 2)'
+line 'expected a number' 'set ball.radius (1 2 3)'
+line 'expected 3 numbers' 'set ball.position (1 2)'
 line 'only 3 numbers' 'set ball.position (1 2 3 4)'
 line 'never closed' 'set ball.position (1 2 3'
 line 'expected here' 'set ball.radius 1 )'
-line 'not closed on its line' 'at 5f note "open'
+line 'not closed on the same line' 'at 5f note "open'
 line 'never closed by' 'at 5f note """open'
 line '3 or 6 digits' 'set ball.color #12345'
 line 'an angle needs a unit' 'set eye.fov 50'
-line 'f-stop is at least 0.0001' 'set eye.f-stop 0'
+line 'f-stop must be at least 0.0001' 'set eye.f-stop 0'
 line "'eye' cannot focus on itself" 'set eye.focus eye'
-line 'more than 0 m away' 'set eye.focus -3'
-line 'write 90deg, of which 360 are a frame' 'set eye.shutter 90'
-line 'is no number of subframes' 'subframes 0'
+line 'greater than 0 m' 'set eye.focus -3'
+line 'write 90deg (360deg is a frame)' 'set eye.shutter 90'
+line 'the number of subframes must be' 'subframes 0'
 line 'on or off' 'set ball.display maybe'
 line 'ends before it begins' 'range 9f 1f'
 line 'per second' 'rate 0'
@@ -73,12 +73,12 @@ line 'a twerper is missing' 'twerper ball.radius'
 line 'there is no file none.obj' 'create m mesh file="none.obj"'
 line 'there is no file none.png' 'create m sphere texture="none.png"'
 line "there is no file 'none.bx'" 'use none.bx'
-line 'comes to include itself' 'use line.bx'
+line 'includes itself' 'use line.bx'
 line "outside the script's folder" 'use "/etc/passwd"'
 line 'itself' 'hang ball on ball'
 line "there is no environment 'spin'" 'halt spin'
 line 'unexpected symbol' 'at 5f ball.radius = "t +"'
-line 'word of the shell' 'undo'
+line 'is a shell command' 'undo'
 for b in '\001' '\377' '\303' '\300\257' '\355\240\200'; do
   printf "create ball sphere\nset ball.radius 2 $b\n" >line.bx
   call "byte $b" 1 'line.bx:2:19: error: this is not a text' check line.bx
@@ -103,16 +103,16 @@ done
 # One that ends what reads it: an error like any other.
 { printf '; FBX 7.4.0 project file\n' && printf 'A: {%.0s' {1..50000}; } >deep.fbx
 printf 'create m mesh file="deep.fbx"\n' >deep.bx
-call 'a mesh that is too deep' 1 'deep.fbx is damaged: what reads such files fell over it' check deep.bx
+call 'a mesh that is too deep' 1 'deep.fbx is damaged: the program that reads it crashed' check deep.bx
 
 # What is no script is not quoted.
 printf 'password = hunter2\n' >secret
 printf 'use secret\n' >uses.bx
-call 'use of something else' 1 "'secret' is no script: its line 1 means nothing" check uses.bx
+call 'use of something else' 1 "'secret' is not a script: its line 1 is not a command" check uses.bx
 verdict 'without its words' "$(grep -q hunter "$err" || echo yes)" "$(cat "$err")"
 mkfifo pipe
 printf 'use pipe\n' >uses.bx
-call 'use of a pipe' 1 "'pipe' is no plain file" check uses.bx
+call 'use of a pipe' 1 "'pipe' is not a regular file" check uses.bx
 
 # Absurd sizes.
 printf 'rate 24\n' >huge.bx && truncate -s 3G huge.bx
@@ -171,19 +171,19 @@ is 'a pipe is a file too' "$(printf 'create b sphere\n' | "$program" eval /dev/s
 # use: itself, in a circle, outside, through a link.
 mkdir -p film/parts
 printf 'use main.bx\n' >film/main.bx
-call 'use of itself' 1 "film/main.bx:1:5: error: 'main.bx' comes to include itself" check film/main.bx
+call 'use of itself' 1 "film/main.bx:1:5: error: 'main.bx' includes itself" check film/main.bx
 printf 'use parts/a.bx\n' >film/main.bx
 printf '# circle\nuse "../main.bx"\n' >film/parts/a.bx
-call 'use in a circle' 1 "film/parts/a.bx:2:5: error: '../main.bx' comes to include itself" check film/main.bx
+call 'use in a circle' 1 "film/parts/a.bx:2:5: error: '../main.bx' includes itself" check film/main.bx
 printf 'create out sphere\n' >outside.bx
 ln -s ../outside.bx film/link.bx
 for u in ../outside.bx link.bx "$work/outside.bx"; do
   printf 'use "%s"\n' "$u" >film/main.bx
-  call "use of $u" 1 "lies outside the script's folder" check film/main.bx
+  call "use of $u" 1 "is outside the script's folder" check film/main.bx
   call "use of $u with leave" 0 '' check film/main.bx --read-anywhere
 done
 printf 'create m mesh file="../broken.obj"\n' >film/main.bx
-call 'a mesh outside' 1 "lies outside the script's folder" check film/main.bx
+call 'a mesh outside' 1 "is outside the script's folder" check film/main.bx
 
 # The answer of eval, and nothing else on stdout.
 cat >bounce.bx <<'BX'

@@ -54,8 +54,8 @@ check 'help' 0 'betwixt render examples/bounce.bx -o bounce.mp4' --help
 check 'version' 0 'betwixt ' --version
 check 'unknown command' 2 "did you mean 'render'?" rendre bounce.bx
 check 'a script is no command' 2 'betwixt play bounce.bx' bounce.bx
-check 'a film is made in a file' 2 'betwixt: error: a film is made in a file' shell -
-check 'and worked on in one' 2 'betwixt: error: a film is worked on in a file' studio -
+check 'a film is made in a file' 2 'betwixt: error: the shell needs a file' shell -
+check 'and worked on in one' 2 'betwixt: error: the studio needs a file' studio -
 check 'unknown option' 2 "did you mean '--size'?" render bounce.bx -o a.mp4 --siz 3x4
 check 'a film of the usual name' 0 'bounce.mp4' render bounce.bx $small --frames 1..2
 is 'a film of the usual name is there' "$(ls bounce.mp4 2>&1; rm -f bounce.mp4)" bounce.mp4
@@ -65,20 +65,25 @@ is 'values at the usual time' "$("$program" eval bounce.bx ball.position --json)
 is 'which is where the film begins' "$(printf 'range 4f 9f\ncreate b box\nb.position.x\n  1f 0 linear\n  9f 8\n' | "$program" eval - b.position.x)" 'b.position.x  3'
 verdict 'it says the commit, if there is one' "$("$program" --version | grep -qxE 'betwixt [0-9.]+( \([0-9a-f]{7,}\))?' && echo yes)" "$("$program" --version)"
 check 'errors of the call say so' 2 "betwixt: error: no such command 'rendre'" rendre bounce.bx
-check 'so do others' 2 'betwixt: error: a film cannot end in' render bounce.bx -o a.mp5
+check 'so do others' 2 'betwixt: error: a film cannot have the extension' render bounce.bx -o a.mp5
+
+is 'its progress is JSON' "$("$program" render bounce.bx $small --progress -o told.gif 2>&1 >/dev/null | python3 -c '
+import json, sys
+told = [json.loads(line) for line in sys.stdin if line.startswith("{")]
+print({line["frames"] for line in told}, all(0 <= line["done"] <= 12 for line in told))'; rm -f told.gif)" '{12} True'
 
 # Standard input and output.
 is 'a script from standard input' "$("$program" check - <bounce.bx)" "$("$program" check bounce.bx | sed 's/^bounce.bx/<stdin>/')"
 is 'its errors have places' "$("$program" check - <wrong.bx 2>&1 | head -n 1)" "$("$program" check wrong.bx 2>&1 | head -n 1 | sed 's/^wrong.bx/<stdin>/')"
 is 'values of it' "$("$program" eval - --at 8f ball.radius <bounce.bx)" "$("$program" eval bounce.bx --at 8f ball.radius)"
 is 'its canonical form' "$("$program" tidy - <bounce.bx)" "$("$program" tidy bounce.bx)"
-check 'which is not put back' 2 'betwixt: error: standard input has no place' tidy - --write
+check 'which is not put back' 2 'betwixt: error: standard input cannot be rewritten' tidy - --write
 "$program" frame bounce.bx --at 6f -o there.png $small
 is 'a picture to standard output' "$("$program" frame - --at 6f -o - $small <bounce.bx | md5sum)" "$(md5sum <there.png)"
 is 'it is what goes there by itself' "$("$program" frame - --at 6f $small <bounce.bx | md5sum)" "$(md5sum <there.png)"
 is 'a film to standard output' "$("$program" render - -o -.gif --frames 1f..3f $small <bounce.bx 2>/dev/null | head -c 6)" GIF89a
 is 'motion too' "$("$program" export - -o -.glb <bounce.bx 2>/dev/null | head -c 4)" glTF
-check 'whose ending has to be said' 2 'betwixt: error: an ending says' export bounce.bx -o -
+check 'whose ending has to be said' 2 'betwixt: error: the format is missing' export bounce.bx -o -
 is 'nothing else is left' "$(ls -A | grep -c '^-')" 0
 rm there.png
 
@@ -90,8 +95,8 @@ is 'of that size' "$(ffprobe -v error -show_entries stream=width,height -of csv=
 rm fine.jpg poor.jpg
 check 'quality is of JPEG' 2 '--quality is for .jpg' frame bounce.bx -o a.png --quality 50
 for q in 0 101 x; do check "quality $q" 2 '--quality' render bounce.bx -o a.mp4 --quality $q; done
-check 'a GIF has none' 2 'betwixt: error: --quality means nothing for a.gif' render bounce.bx -o a.gif --quality 50
-check 'numbered pictures neither' 2 '--codec means nothing' render bounce.bx -o a-%d.png --codec h264
+check 'a GIF has none' 2 'betwixt: error: --quality has no effect on a.gif' render bounce.bx -o a.gif --quality 50
+check 'numbered pictures neither' 2 '--codec has no effect' render bounce.bx -o a-%d.png --codec h264
 check 'a codec that is not there' 2 "betwixt: error: .mp4 has no codec 'vp9'
   it has h264, h265, av1" render bounce.bx -o a.mp4 --codec vp9
 codec() { ffprobe -v error -select_streams v:0 -show_entries stream=codec_name -of csv=p=0 "$1"; }
@@ -101,7 +106,7 @@ is 'the film has it' "$(codec a.mp4)" hevc
 verdict 'quality takes bytes' "$([ "$(stat -c %s fine.webm)" -gt "$(stat -c %s poor.webm)" ] && echo yes)" "$(ls -l *.webm)"
 check 'another rate' 0 '6 frames in' render bounce.bx -o a.mp4 $small --fps 12
 is 'the film has it too' "$(ffprobe -v error -select_streams v:0 -show_entries stream=r_frame_rate -of csv=p=0 a.mp4)" 12/1
-for f in 0 x 24fps 1e9; do check "rate '$f'" 2 'is no rate such as 24' render bounce.bx -o a.mp4 --fps $f; done
+for f in 0 x 24fps 1e9; do check "rate '$f'" 2 'is not a rate such as 24' render bounce.bx -o a.mp4 --fps $f; done
 rm a.mp4 fine.webm poor.webm
 
 # Colours.
@@ -118,25 +123,25 @@ check 'the version, in short' 0 'betwixt ' -V
 check 'no script' 2 'FILE' render -o a.mp4
 check 'one word too many' 2 "'more'" render bounce.bx more -o a.mp4
 for c in render frame plot play; do check "help of $c" 0 "betwixt $c examples/bounce.bx" $c --help; done
-for s in 0x5 5 axb 64x 64x48x 99999x5 -5x5; do check "size '$s'" 2 'is no size such as 1280x720' render bounce.bx -o a.mp4 --size="$s"; done
-check 'samples' 2 '3 samples a pixel cannot be drawn' render bounce.bx -o a.mp4 --samples 3
+for s in 0x5 5 axb 64x 64x48x 99999x5 -5x5; do check "size '$s'" 2 'is not a size such as 1280x720' render bounce.bx -o a.mp4 --size="$s"; done
+check 'samples' 2 '3 samples per pixel cannot be drawn' render bounce.bx -o a.mp4 --samples 3
 check 'samples' 2 '--samples' render bounce.bx -o a.mp4 --samples 5000
 check 'too many of them' 2 'samples' frame bounce.bx --at 6f -o traced.png --samples 4097 --style traced
 check 'jobs' 2 '--jobs' render bounce.bx -o a.mp4 --jobs -1
 check 'style' 2 'cubist' render bounce.bx -o a.mp4 --style cubist
 check 'ending' 2 "did you mean '.mp4'?" render bounce.bx -o a.mp5
-check 'no ending' 2 'has no ending' render bounce.bx -o film
+check 'no ending' 2 'has no file extension' render bounce.bx -o film
 check 'picture without a number' 2 'frame-%04d.png' render bounce.bx -o a.png
 check 'no such folder' 2 'there is no folder nowhere' render bounce.bx -o nowhere/a.mp4
-check 'segment' 2 'is no segment' render bounce.bx -o a.mp4 --frames 3
+check 'segment' 2 'is not a segment' render bounce.bx -o a.mp4 --frames 3
 check 'segment backwards' 2 'ends before it begins' render bounce.bx -o a.mp4 --frames 9..3
 check 'segment of nonsense' 2 '--frames:' render bounce.bx -o a.mp4 --frames 1q..2q
 check 'too many frames' 2 'too many' render bounce.bx -o a.mp4 --frames 1f..99999999f
 check 'time' 2 '--at:' frame bounce.bx --at soon -o a.png
-check 'picture ending' 2 'one picture is a .png' frame bounce.bx --at 1f -o a.gif
-check 'plot ending' 2 'a plot is a .svg' plot bounce.bx ball.position -o a.png
+check 'picture ending' 2 'one picture must be a .png' frame bounce.bx --at 1f -o a.gif
+check 'plot ending' 2 'a plot must be a .svg' plot bounce.bx ball.position -o a.png
 check 'plot of nobody' 1 'bal' plot bounce.bx bal.position -o a.svg
-check 'play without a terminal' 2 'standard output is none' play bounce.bx --terminal
+check 'play without a terminal' 2 'play needs a terminal' play bounce.bx --terminal
 
 # The input.
 check 'no such script' 1 "betwixt: error: there is no file 'none.bx'" render none.bx -o a.mp4
@@ -155,14 +160,14 @@ a.radius
   9f 2
 at 150f a.position.x = "lost.x"
 BX
-check 'check looks at frames' 1 "procs.bx:3:31: error: the twerper 'broken' gives no number" check procs.bx
+check 'check looks at frames' 1 "procs.bx:3:31: error: the twerper 'broken' returned no number" check procs.bx
 has 'and says the target' "$said" 'a.position.x: the procedure "lost.x" gives no value'
 has 'each once' "$said" '2 errors, 0 warnings'
 check 'render stops before the first picture' 1 'procs.bx:7:25: error: a.position.x: the procedure "lost.x"' render procs.bx -o procs.gif
 verdict 'and makes nothing' "$([ ! -e procs.gif ] && echo yes)" 'it is there'
 check 'unless it is to go on' 0 'procs.bx:7:25: warning: a.position.x' render procs.bx --frames 149f..151f --size 64x36 --keep-going -o procs.gif
 verdict 'and makes the film' "$([ -s procs.gif ] && echo yes)" 'it is not there'
-check 'frame stops too' 1 'nothing was made; --keep-going' frame procs.bx --at 150f -o procs.png
+check 'frame stops too' 1 'that code: --keep-going' frame procs.bx --at 150f -o procs.png
 check 'and goes on where that is wanted' 0 '' frame procs.bx --at 150f --size 64x36 --keep-going -o procs.png
 printf 'create a sphere\na.radius\n  1f 1 bspline\n  9f 4 smooth\n  17f 1\n' >torn.bx
 check 'a torn spline is noticed' 0 'a.radius jumps at 9f, where bspline meets another twerper' check torn.bx
@@ -185,7 +190,7 @@ set ball.environments (wnid)
 create box box
 set box.transform rotate(90deg, z)
 BX
-check 'an environment that nobody animates' 0 "idle.bx:3:1: notice: 'ball' is in the environment 'wnid', which nobody animates
+check 'an environment that nobody animates' 0 "idle.bx:3:1: notice: 'ball' is in the environment 'wnid', which no line animates
   set ball.environments (wnid)
   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~
   did you mean 'wind'?" check idle.bx
@@ -227,8 +232,8 @@ check 'pictures' 0 '3 frames in' render bounce.bx -o p-%03d.png $small --frames 
 is 'pictures have the numbers of their frames' "$(ls p-*)" $'p-009.png\np-010.png\np-011.png'
 check 'frame' 0 '' frame bounce.bx --at 10f -o one.png $small
 verdict 'frame and film make the same picture' "$(cmp -s one.png p-010.png && echo yes)" 'they differ'
-check 'no overwriting' 2 'film.mp4 is there already' render bounce.bx -o film.mp4 $small --no-overwrite
-check 'no overwriting a picture' 2 'one.png is there already' frame bounce.bx --at 1f -o one.png $small --no-overwrite
+check 'no overwriting' 2 'film.mp4 already exists' render bounce.bx -o film.mp4 $small --no-overwrite
+check 'no overwriting a picture' 2 'one.png already exists' frame bounce.bx --at 1f -o one.png $small --no-overwrite
 check 'an empty script is a film' 0 'frames in' render empty.bx -o empty.gif $small
 
 # What would be made.
@@ -240,9 +245,9 @@ is 'a plan between two frames' "$(plan between.bx -o plan.gif $small)" '{"first"
 { cat bounce.bx && echo 'background transparent'; } >clear.bx
 is 'a plan of what is clear' "$(plan clear.bx -o plan.mov $small)" '{"first":1,"frames":12,"rate":"24","width":64,"height":48,"bits":16,"alpha":true,"sound":false}'
 check 'a plan of nothing' 1 "did you mean 'sphere'?" render wrong.bx -o plan.mp4 --plan
-check 'a plan of no film' 2 'a film cannot end in' render bounce.bx -o plan.mp5 --plan
+check 'a plan of no film' 2 'a film cannot have the extension' render bounce.bx -o plan.mp5 --plan
 check 'a plan of no style' 2 'shaded' render bounce.bx -o plan.mp4 --plan --style shadet
-check 'a plan of samples' 2 '7 samples a pixel cannot be drawn' render bounce.bx -o plan.mp4 --plan --samples 7
+check 'a plan of samples' 2 '7 samples per pixel cannot be drawn' render bounce.bx -o plan.mp4 --plan --samples 7
 check 'a plan for nowhere' 2 'nowhere' render bounce.bx -o nowhere/plan.mp4 --plan
 verdict 'plans make nothing' "$(compgen -G '*plan*' >/dev/null || echo yes)" 'something'
 
@@ -250,24 +255,24 @@ verdict 'plans make nothing' "$(compgen -G '*plan*' >/dev/null || echo yes)" 'so
 check 'all pictures' 0 '12 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
 sha256sum m-*.png >whole.sums
 check 'nothing is missing' 0 '0 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
-has 'what was there is counted' "$said" '12 were there'
+has 'what was there is counted' "$said" '12 already were there'
 touch -d 2001-01-01 m-*.png
 rm m-03.png m-04.png
 truncate -s -20 m-07.png
 printf x | dd of=m-09.png bs=1 seek=100 conv=notrunc status=none
 cp one.png m-11.png && "$program" frame bounce.bx --at 11f -o m-11.png --size 32x24 2>/dev/null
 mv m-12.png kept.png
-check 'holes' 1 "3 of 12 pictures are not there, or broken: 3-4, 12" join m-%02d.png -o joined.mp4 --frames 1..12 --rate 24
-check 'a hole in the middle' 1 '2 of 11 pictures are not there, or broken: 3-4' join m-%02d.png -o joined.mp4
+check 'holes' 1 "3 of 12 pictures are missing or broken: 3-4, 12" join m-%02d.png -o joined.mp4 --frames 1..12 --rate 24
+check 'a hole in the middle' 1 '2 of 11 pictures are missing or broken: 3-4' join m-%02d.png -o joined.mp4
 mv kept.png m-12.png
 cp m-01.png m-03.png && cp m-01.png m-04.png
-check 'other ones' 1 'and another size: 11' join m-%02d.png -o joined.mp4
+check 'other ones' 1 'have another size: 11' join m-%02d.png -o joined.mp4
 check 'other ones are not made anew' 2 'm-11.png has 32x24 pixels, not' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
 check 'nor are those of other bits' 2 'm-01.png has 8 bits a channel, not 16' render bounce.bx -o m-%02d.png $small --frames 1..4 --missing --bits 16
 cp m-01.png m-11.png
-check 'broken ones' 1 '2 of 12 pictures are not there, or broken: 7, 9' join m-%02d.png -o joined.mp4
+check 'broken ones' 1 '2 of 12 pictures are missing or broken: 7, 9' join m-%02d.png -o joined.mp4
 has 'how they are made' "$said" 'betwixt render SCRIPT -o m-%02d.png --missing'
-check 'over themselves' 2 'over the pictures it is made of' join m-%02d.png -o m-%02d.png
+check 'over themselves' 2 'would overwrite its own pictures' join m-%02d.png -o m-%02d.png
 verdict 'nothing was made of them' "$([ ! -e joined.mp4 ] && echo yes)" 'a film'
 rm m-03.png m-04.png m-11.png
 check 'what is missing' 0 '5 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
@@ -281,13 +286,13 @@ is 'its rate, seen' "$(ffprobe -v error -select_streams v:0 -show_entries stream
 check 'a part' 0 '3 frames in' join m-%02d.png -o joined.gif --frames 2..4
 check 'no such pictures' 1 'there are no pictures' join nothing-%d.png -o joined.mp4
 check 'no such folder' 1 'there is no folder nowhere' join nowhere/m-%d.png -o joined.mp4
-check 'no pictures' 2 'no name of numbered pictures' join film.mp4 -o joined.mp4
-check 'no number' 2 'needs one number in its name' join m.png -o joined.mp4
-check 'no rate' 2 "'0' is no rate" join m-%02d.png -o joined.mp4 --rate 0
-check 'no range' 2 "'4..2' is no range of numbers" join m-%02d.png -o joined.mp4 --frames 4..2
-check 'no shutter' 2 "'' is not how long a shutter is open" frame bounce.bx --at 1f -o m.png $small --shutter ''
+check 'no pictures' 2 'is not a name of numbered pictures' join film.mp4 -o joined.mp4
+check 'no number' 2 'of numbered pictures needs one number' join m.png -o joined.mp4
+check 'no rate' 2 "'0' is not a rate" join m-%02d.png -o joined.mp4 --rate 0
+check 'no range' 2 "'4..2' is not a range of numbers" join m-%02d.png -o joined.mp4 --frames 4..2
+check 'no shutter' 2 "'' is not a shutter time" frame bounce.bx --at 1f -o m.png $small --shutter ''
 check 'a shutter of nothing' 0 '' frame bounce.bx --at 1f -o m.png $small --shutter 0
-check 'missing of a film' 2 'a film in one file has no pictures that could be missing' render bounce.bx -o film.mp4 $small --missing
+check 'missing of a film' 2 '--missing is only for numbered pictures' render bounce.bx -o film.mp4 $small --missing
 check 'missing, and nothing overwritten' 2 '--missing excludes --no-overwrite' render bounce.bx -o m-%02d.png --missing --no-overwrite
 rm m-*.png whole.sums joined.* direct.mp4
 is 'no progress bar without a terminal' "$("$program" render bounce.bx -o film.gif $small 2>&1 | grep -c $'\r')" 0
@@ -298,7 +303,7 @@ is 'plot is XML with four curves' "$(grep -c 'stroke-linejoin="round"' plot.svg)
 is 'a cut is drawn as a gap' "$(grep -c 'stroke-dasharray' plot.svg)" 1
 is 'plot has a dot for each event' "$(grep -c '<circle' plot.svg)" 8
 check 'plot of a part' 0 '' plot bounce.bx 'ball.position.y' -o plot.svg --frames 2f..4f
-check 'plot of a matrix' 2 'is not made of numbers' plot bounce.bx ball.world -o world.svg
+check 'plot of a matrix' 2 'has no numbers to plot' plot bounce.bx ball.world -o world.svg
 check 'plot of an object' 0 '' plot bounce.bx ball -o ball.svg
 
 # Sound.
@@ -325,20 +330,20 @@ verdict 'as if it had been rendered in part' "$(cmp -s part.mp4 joined.mp4 && ec
 sed 's/rate 24/rate 25/' sound.bx >other.bx
 check 'the rate of the sounds' 0 '48 frames in' join s-%d.png -o other.mp4 --sound other.bx
 is 'the rate of the sounds, seen' "$(ffprobe -v error -select_streams v:0 -show_entries stream=r_frame_rate -of csv=p=0 other.mp4 | tr -d ,)" 25/1
-check 'another rate' 0 'its sounds will not be in step' join s-%d.png -o other.mp4 --sound other.bx --rate 24
-check 'no sound in a gif' 2 '--sound: joined.gif can have none' join s-%d.png -o joined.gif --sound sound.bx
+check 'another rate' 0 'its sounds will be out of sync' join s-%d.png -o other.mp4 --sound other.bx --rate 24
+check 'no sound in a gif' 2 '--sound: joined.gif cannot have sound' join s-%d.png -o joined.gif --sound sound.bx
 check 'no script of sounds' 1 'nobody.bx' join s-%d.png -o joined.mp4 --sound nobody.bx
 rm s-*.png joined.mp4
-check 'who has no sound says so' 0 'silent.gif has no sound; .mp4, .webm and .mov do' render sound.bx -o silent.gif $small --frames 1..3
+check 'who has no sound says so' 0 'silent.gif cannot have sound; .mp4, .webm and .mov can' render sound.bx -o silent.gif $small --frames 1..3
 check 'what can be asked' 0 's.onsets  3' eval sound.bx --at 26f s.onsets
 check 'and be used' 0 'b.size.x  4' eval sound.bx --at 26f b.size.x
 check 'silence before it' 0 's.loudness  0' eval sound.bx --at 1f s.loudness
 said=$(PATH=/nowhere "$program" check sound.bx 2>&1)
 has 'without ffmpeg' "$said" 'sounds need the program ffmpeg, which is not installed'
 mkdir -p below && printf 'create s sound file="../ticks.wav"\n' >below/out.bx
-check 'a sound of elsewhere' 1 "'../ticks.wav' lies outside the script's folder" check below/out.bx
+check 'a sound of elsewhere' 1 "'../ticks.wav' is outside the script's folder" check below/out.bx
 head -c 3000 /dev/urandom >noise.wav && printf 'create s sound file="noise.wav"\n' >noise.bx
-check 'noise' 1 'noise.wav is broken or no sound' check noise.bx
+check 'noise' 1 'noise.wav is broken or not a sound' check noise.bx
 printf 'create s sound\n' >noise.bx
 check 'no file' 1 'a sound needs its file' check noise.bx
 rm -rf below sound.* part.mp4 silent.gif ticks.wav noise.*
@@ -416,12 +421,12 @@ check 'where it goes' 0 '' plot moved.bx a.world.x -o moved.svg
 has 'a plot of where it goes' "$(cat moved.svg 2>&1)" 'a.world.x'
 # ---- the studio, where there is none, and no display
 is 'a window without a display' "$(env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$program" studio 2>&1; echo $?)" \
-  "betwixt: error: there is no display for a window
-  set DISPLAY; --screenshot OUT.png makes a picture of the window without one
+  "betwixt: error: a window needs a display
+  set DISPLAY, or save a picture of the window: --screenshot OUT.png
 3"
 is 'a studio that is not built' "$(BETWIXT_STUDIO=/none "$program" studio --screenshot x.png 2>&1; echo $?)" \
-  "betwixt: error: the studio is not here
-  ./betwixt studio builds it; an installed one has it beside it where it was built with it
+  "betwixt: error: the studio is missing
+  to build it: ./betwixt studio; in an installation it is beside betwixt if it was built with it
 3"
 "$program" studio --layout heap --screenshot x.png >/dev/null 2>&1
 is 'a layout that there is not' $? 2

@@ -66,8 +66,8 @@ BX
 # One plain sentence each, and none of what is not there.
 for file in around.glb around.usda; do
   "$program" export around.bx -o $file 2>said.txt
-  for what in 'the background is' 'fog is' 'the sky is' 'the ground is' 'the film has no light of its own' '(ambient) is' \
-    'shadows are' '(contact) is' 'the exposure is' '(shutter) is' '(aperture) is' 'sounds are' 'notes are' \
+  for what in 'the background is' 'fog is' 'the sky and its light are' 'the ground is' 'the film has no lights; Betwixt' 'ambient light is' \
+    'shadows are' 'contact shading is' 'the exposure is' '(shutter) is' '(aperture) is' 'sounds are' 'notes are' \
     'texts are written as shapes'; do
     is "$file: $what told of" "$(grep -cF "notice: " said.txt) $(grep -cF "$what" said.txt)" '14 1'
   done
@@ -80,18 +80,18 @@ check 'a part of the film' 0 'objects' export film.bx -o p.gltf --frames 25f..49
 is 'begins at its beginning' "$(ask p.gltf 'f["scenes"][0]["extras"]["first_frame"]')" 25.0
 check 'a coarse one has fewer keys' 0 'objects' export film.bx -o c.gltf --tolerance 0.1
 
-check 'no ending' 2 'has no ending that says what to make' export film.bx -o film
-check 'another ending' 2 'motion cannot be written as ".glbb"' export film.bx -o film.glbb
-verdict 'the near one' "$([[ $said == *"did you mean '.glb'"* && $said == *'known endings: .glb .gltf'* ]] && echo yes)" "$said"
-check 'a film is another command' 2 'films: betwixt render' export film.bx -o film.mp4
+check 'no ending' 2 'has no file extension that says what to make' export film.bx -o film
+check 'another ending' 2 '".glbb" is not an export format' export film.bx -o film.glbb
+verdict 'the near one' "$([[ $said == *"did you mean '.glb'"* && $said == *'known extensions: .glb .gltf'* ]] && echo yes)" "$said"
+check 'a film is another command' 2 'to make a film: betwixt render' export film.bx -o film.mp4
 check 'no such object' 1 "did you mean 'ball'" export film.bx bal -o x.glb
-check 'a target that is no object' 1 "'ball.position' is no object" export film.bx ball.position -o x.glb
+check 'a target that is no object' 1 "'ball.position' is not an object" export film.bx ball.position -o x.glb
 check 'no such folder' 2 'nowhere' export film.bx -o nowhere/x.glb
 check 'no such way' 2 'linear' export film.bx -o x.glb --keys lineer
 check 'no tolerance' 2 '--tolerance: it is a number from 1e-9 to 1, not "0"' export film.bx -o x.glb --tolerance 0
 check 'words for a tolerance' 2 'not "1mm"' export film.bx -o x.glb --tolerance 1mm
 check 'a file that is there' 2 'a.gltf' export film.bx -o a.gltf --no-overwrite
-check 'a film without end' 2 'more than the 1000000 that can be written' export <(echo 'range 1f 5000000f') -o x.glb
+check 'a film without end' 2 'are too many; the limit is 1000000' export <(echo 'range 1f 5000000f') -o x.glb
 check 'a broken script' 1 'error' export <(echo 'creat ball') -o x.glb
 check 'no script' 1 'none.bx' export none.bx -o x.glb
 is 'nothing is left of what failed' "$(ls x.glb .*.glb* 2>/dev/null)" ''

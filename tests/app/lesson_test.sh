@@ -48,16 +48,16 @@ is 'nothing is left beside it' "$(find . -type f | sort)" "./page.html
 refused 'no motion' '' 'Q(1)'
 refused 'a name that is none' '' 'R(1turn @ </script>)'
 refused 'with the place of the mistake' '      ^' 'T(1 1 R(1turn)'
-refused 'far out in space' 'too far out' 'T(0 0 1e12)'
-refused 'too far out' 'too far out' 'T(1e12 0)'
-refused 'far out in between' 'too far out' 'S(1e6) S(1e6)'
+refused 'far out in space' 'too far away' 'T(0 0 1e12)'
+refused 'too far out' 'too far away' 'T(1e12 0)'
+refused 'far out in between' 'too far away' 'S(1e6) S(1e6)'
 refused 'too many factors' '65 factors are too many' "$(printf 'T(1 1) %.0s' {1..65})"
-refused 'no steps' '0 steps lead nowhere' --steps 0 'T(1 1)'
-refused 'too many steps' 'at most 2000' --steps 2001 'T(1 1)'
+refused 'no steps' 'the number of steps must be at least 1, not 0' --steps 0 'T(1 1)'
+refused 'too many steps' 'the limit is 2000' --steps 2001 'T(1 1)'
 BETWIXT_PLAYER=/nowhere/player.js refused 'no engine' './betwixt web' 'T(1 1)'
 for path in page.pdf page.html.png page html page.html/ .html; do
   said=$("$program" algebra --lesson "$path" 'T(1 1)' 2>&1)
-  verdict "$path is no page" "$([ $? != 0 ] && [[ $said == *"a lesson is a .html, not \"$path\""* ]] && echo yes)" "$said"
+  verdict "$path is no page" "$([ $? != 0 ] && [[ $said == *"a lesson must be a .html file, not \"$path\""* ]] && echo yes)" "$said"
 done
 is 'nothing is written' "$(find . -type f)" ./web/player.js
 "$program" algebra --lesson page.HTM 'T(1 1)' && has 'another ending' "$(tail -n 1 page.HTM)" '</html>'

@@ -79,14 +79,14 @@ is "the author's text stands before it" "$(head -n "$(wc -l <author.bx)" out.bx)
 # Never over what is there, unless told; seen before anybody plays.
 "$program" play film.bx --terminal --listen "$port" --record out.bx >said 2>&1
 is 'not over a recording' "$?" 2
-has 'says so' "$(cat said)" 'out.bx is there already'
+has 'says so' "$(cat said)" 'out.bx already exists'
 is 'no folder' "$("$program" play film.bx --listen "$port" --record none/out.bx 2>&1 | head -n 1)" \
   'betwixt: error: there is no folder none'
 is 'nothing to record' "$("$program" play film.bx --record new.bx 2>&1 | head -n 1)" \
-  'betwixt: error: --record: there is nothing to record'
+  'betwixt: error: --record needs live input'
 for wrong in 0 65536 x 12x :9000; do
   is "no port: '$wrong'" "$("$program" play film.bx --listen "$wrong" 2>&1 | head -n 1)" \
-    "betwixt: error: --listen: \"$wrong\" is no port"
+    "betwixt: error: --listen: \"$wrong\" is not a port"
 done
 
 # Without recording nothing is written; errors are said; garbage is counted; a flood does no harm.

@@ -50,9 +50,10 @@ client.change(film, 2, {"range": {"start": {"line": 4, "character": 5}, "end": {
 broken = client.diagnostics(film, 2)
 case("an error", broken, [{"range": {"start": {"line": 4, "character": 5}, "end": {"line": 4, "character": 12}},
                           "severity": 1, "source": "betwixt",
-                          "message": "'ball', a sphere, has no function 'positon'\ndid you mean 'position'?"}])
+                          "message": "'ball', a sphere, has no function 'positon'\ndid you mean 'position'?",
+                          "data": {"instead": "position"}}])
 fix = client.of("codeAction", film, range=broken[0]["range"], context={"diagnostics": broken})
-case("what was meant", [a["title"] for a in fix], ["write 'position'"])
+case("what was meant", [a["title"] for a in fix], ["replace by 'position'"])
 client.change(film, 3, {"range": broken[0]["range"], "text": "position"})
 case("mended", client.diagnostics(film, 3), [])
 client.change(film, 4, {"range": {"start": {"line": 7, "character": 23}, "end": {"line": 7, "character": 23}},
@@ -68,7 +69,7 @@ labels = [i["label"] for i in client.at("completion", film, 2, 17)["items"]]
 case("kinds are completed", labels, ["sphere"])
 offered = client.at("completion", film, 5, 20)["items"]
 case("ways are completed", [i["label"] for i in offered if "lin".startswith(i["label"][:3])], ["linear"])
-case("with a sentence", offered[0]["documentation"], "Straight to the next event; or in straight lines through stops between the two, as in CSS.")
+case("with a sentence", offered[0]["documentation"], "Linear to the next event; with stops, linear from stop to stop, as in CSS.")
 case("and a place", offered[0]["textEdit"]["range"],
      {"start": {"line": 5, "character": 14}, "end": {"line": 5, "character": 20}})
 case("none in a remark", client.at("completion", film, 0, 5)["items"], [])
@@ -96,7 +97,7 @@ case("the film is the same", eval_of(renamed, "planet.position", "planet.radius"
      eval_of(FILM, "ball.position", "ball.radius"))
 refused = client.ask("textDocument/rename", textDocument={"uri": film}, position={"line": 4, "character": 2},
                      newName="wheel2")
-case("a name that is taken", refused["error"]["message"], "there is a 'wheel2' already")
+case("a name that is taken", refused["error"]["message"], "'wheel2' already exists")
 
 # The text as a whole
 put("tidy.bx", FILM)

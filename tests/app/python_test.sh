@@ -111,7 +111,7 @@ for row in ["color rgb(1 0.5 0)", "polygon (0 0 0) (1 0 0) (0 1 0.25)", "push",
             "multiply matrix(1 0 0 7 0 1 0 8 0 0 1 9 0 0 0 1)", "point (1 2 3)", "vector (0 0 10) (0 1e-07 0)", "pop",
             'font "Sans"', r'text "say \"spin\"\\\nnow"', f"tag T{tag}"]:
     check(f"in the history: {row}", f"  {row}\n" in history)
-check("names are positive numbers of the host", star == tag > 0)
+check("names must be positive numbers of the host", star == tag > 0)
 other = Host(sys.argv[1])
 check("and no other's", other.make_environment() != a.make_environment())
 other.close()
@@ -224,7 +224,7 @@ a.replace(tag, 2)
 check("questions do not end a replacing", a.get_tick() >= 0)
 a.point(5, 5, 5)
 a.halt(spin)
-fails("other commands do", ValueError, "another command came after 'replace': it must be said again", a.point, 6, 6, 6)
+fails("other commands do", ValueError, "another command came after 'replace', so repeat 'replace' first", a.point, 6, 6, 6)
 a.replace(tag, 3)
 a.point(7, 7, 7)
 a.close_object()
@@ -236,7 +236,7 @@ with a.object() as parts:
     with a.bundle():
         a.point(3, 3, 3)
         check("in a bundle nothing is known yet", a.halt(spin) is None)
-        fails("no questions", ValueError, "nothing can be asked in a bundle", a.get_matrix, spin)
+        fails("no questions", ValueError, "a bundle cannot contain questions", a.get_matrix, spin)
         a.point(4, 4, 4)
     a.point(5, 5, 5)
     with contextlib.suppress(Refused), a.bundle():
@@ -321,33 +321,33 @@ fails("start", Refused, "there is no display list 'O7'", a.start, 7)
 for call in a.halt, a.kill, a.cancel, a.get_interval, a.get_matrix, a.get_environment_matrix:
     fails(call.__name__, Refused, "there is no environment 'E7'" if call in (a.halt, a.kill, a.cancel) else
           "there is no object 'E7'", call, 7)
-fails("animate", Refused, "an interval is at least one tick (what moves faster takes larger steps)",
+fails("animate", Refused, "an interval must be at least one tick (for a faster motion, take larger steps)",
       a.animate, 1, 0, unit)
 fails("not affine", Refused,
-      "the last row of a matrix is 0 0 0 1 (16 numbers row by row; a translation stands in the last column)",
+      "the last row of a matrix must be 0 0 0 1 (write 16 numbers row by row; the last column is the translation)",
       a.animate, 1, 1, [1, 0, 0, 1] + unit[4:])
-fails("period", Refused, "an interval changes by whole ticks, at least one", a.animate, 1, 1, unit, change=1, period=0)
-fails("ceiling", Refused, "a limit is at least one tick", a.animate, 1, 1, unit, ceiling=0)
+fails("period", Refused, "an interval must change by at least one tick", a.animate, 1, 1, unit, change=1, period=0)
+fails("ceiling", Refused, "a limit must be at least one tick", a.animate, 1, 1, unit, ceiling=0)
 fails("from", Refused, "'E1': an environment cannot start before its animate", a.animate, 1, 1, unit, from_=-3)
-fails("until", Refused, "'E1': an environment has to halt after it starts: until 3t is not after from 9t", a.animate,
+fails("until", Refused, "'E1': an environment must halt after it starts: until 3t is not after from 9t", a.animate,
       1, 1, unit, from_=9, until=3)
 with a.object() as o:
     fails("tag", Refused, f"there is no tag 'T7' in 'O{o}'", a.replace, 7)
-    fails("pop", Refused, "there is no 'push' here that this 'pop' could end (usage: pop)", a.pop_matrix)
-    fails("end", Refused, "there is no 'begin' here that this 'end' could end (usage: end)", a.end_environment)
+    fails("pop", Refused, "this 'pop' has no 'push' before it (usage: pop)", a.pop_matrix)
+    fails("end", Refused, "this 'end' has no 'begin' before it (usage: end)", a.end_environment)
     fails("itself", Refused, f"'O{o}' cannot call itself", a.call_object, o)
     fails("texture", Refused, "there is no file none.png", a.texture, "none.png")
-    fails("perspective", Refused, "perspective is at most 177.6deg (a camera sees less than 180deg)", a.perspective, 9)
-    fails("orthographic", Refused, "orthographic is at least 0", a.orthographic, -1)
-    fails("text", Refused, "this is not a text: it holds a control character (byte 0x00)", a.text, "a\0b")
-    fails("two at once", ValueError, "an object is open already", a.make_object)
-    fails("two at once", ValueError, "an object is open already", a.edit_object, 1)
+    fails("perspective", Refused, "perspective must be at most 177.6deg (the angle of view of a camera must be less than 180deg)", a.perspective, 9)
+    fails("orthographic", Refused, "orthographic must be at least 0", a.orthographic, -1)
+    fails("text", Refused, "this is not a text file: it contains a control character (byte 0x00)", a.text, "a\0b")
+    fails("two at once", ValueError, "an object is already open", a.make_object)
+    fails("two at once", ValueError, "an object is already open", a.edit_object, 1)
     # What makes no sense is not sent.
     lines = a.stats()["lines"]
     for call, bad in (a.point, (1, 2, math.nan)), (a.vector, ((0, 0), (0, 0, 0))), (a.polygon, ([(0, 0, 0, 0)] * 3,)), \
                      (a.view, ((0, 0, 1), (0, 0, math.inf))):
         fails(call.__name__, ValueError, "a point is three finite numbers", call, *bad)
-    fails("polygon", ValueError, "a polygon has at least three points", a.polygon, [(0, 0, 0)] * 2)
+    fails("polygon", ValueError, "a polygon must have at least three points", a.polygon, [(0, 0, 0)] * 2)
     fails("color", ValueError, "a colour is three finite numbers", a.color, 0, math.inf, 0)
     fails("perspective", ValueError, "an angle is a finite number", a.perspective, math.nan)
     fails("orthographic", ValueError, "a height is a finite number", a.orthographic, math.nan)
@@ -377,9 +377,9 @@ for call, arguments in (a.close_object, ()), (a.tag, ()), (a.replace, (1,)), (a.
 fails("end_bundle", ValueError, "no bundle is open", a.end_bundle)
 before = a.time()["line"]
 a.begin_bundle()
-fails("begin_bundle", ValueError, "a bundle is open already", a.begin_bundle)
+fails("begin_bundle", ValueError, "a bundle is already open", a.begin_bundle)
 for question in a.get_tick, a.get_slot_counter, a.time, a.stats, a.history:
-    fails(question.__name__, ValueError, "nothing can be asked in a bundle", question)
+    fails(question.__name__, ValueError, "a bundle cannot contain questions", question)
 a.make_object()
 a.halt(7)
 fails("a bundle", Refused, f"line {before + 3}: there is no environment 'E7'", a.end_bundle)
@@ -416,7 +416,7 @@ fails("says nothing", Late, "the server has not answered in 0.2 s", Host, f"127.
 shy.close()
 fails("refused", Gone, f"no server listens at 127.0.0.1:{port}: Connection refused", Host, f"127.0.0.1:{port}", "t")
 os.environ.pop("XDG_RUNTIME_DIR", None)
-fails("nowhere", ValueError, "no socket is named, and XDG_RUNTIME_DIR is not set", Host)
+fails("nowhere", ValueError, "no socket is given, and XDG_RUNTIME_DIR is not set", Host)
 os.environ["XDG_RUNTIME_DIR"] = os.path.dirname(where)
 os.symlink(where, os.path.join(os.path.dirname(where), "betwixt.sock"))
 with Host() as a:
@@ -443,8 +443,8 @@ a, b = Host(where), Host(where)
 a.make_object()
 stop(server)
 threading.Timer(0.2, os.kill, (server, signal.SIGKILL)).start()
-fails("killed", Gone, "the server has gone", a.point, 1, 2, 3)
-fails("killed before", Gone, "the server has gone", b.get_tick)
+fails("killed", Gone, "the server closed the connection", a.point, 1, 2, 3)
+fails("killed before", Gone, "the server closed the connection", b.get_tick)
 fails("in a with", Gone, "the connection is closed", a.get_tick)
 
 # Servers that are none.
@@ -465,7 +465,7 @@ def answering(answer):
         os.unlink(there)
 for answer in b"220 ready\n", b"[]\n", b"{}\n", b"\xff\xfe\n", b"[" * 100000 + b"\n":
     fails(f"{answer[:10]}", Gone, "this is not an imaging server", answering, answer)
-fails("half an answer", Gone, "the server has gone", answering, b'{"line":1,')
+fails("half an answer", Gone, "the server closed the connection", answering, b'{"line":1,')
 fails("a full one", Refused, "there are enough hosts (later)", answering,
       b'{"line":0,"ok":false,"error":"there are enough hosts","hint":"later"}\n')
 done()
@@ -481,7 +481,7 @@ with Host(where, token) as a:
     with a.object() as o:
         a.point(1, 2, 3)
     check("by TCP", "point (1 2 3)" in a.history())
-fails("a wrong token", Refused, "this is not the token (the first line is: token TOKEN)", Host, where, "x")
+fails("a wrong token", Refused, "this is not the token (the first line must be: token TOKEN)", Host, where, "x")
 done()
 PY
 part tcp "127.0.0.1:$(sed -nE 's/^serving at 127.0.0.1:([0-9]+);.*/\1/p' log)" "$(sed -n 's/^token //p' log)"

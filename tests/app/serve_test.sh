@@ -55,12 +55,12 @@ except Refused as e: print(e)
 o.do("set ball.radius 2")
 ')
 is 'the Python client' "$out" "True {'box.position': [1, 2, 3]}
-there is a 'box' already
+'box' already exists
 line 10: there is no object 'bax'
 {'ball.position.y': 1} True True
 set ball.color red
 gone
-deep.fbx is damaged: what reads such files fell over it"
+deep.fbx is damaged: the program that reads it crashed"
 told=$(host 'print(s.time()["seconds"])')
 kill -KILL $server
 wait $server 2>/dev/null
@@ -71,9 +71,9 @@ begin --socket "$socket" --save live.bx
 goes_on=$(host 'print(s.time()["seconds"])')
 verdict 'its time goes on' "$(awk -v a="$told" -v b="$goes_on" 'BEGIN { if (b >= a && b < a + 10) print "yes" }')" "$goes_on s after $told s"
 out=$(host 'print(s.eval("ball.radius"), s.do("help stats")["said"].split("\n")[0])')
-is 'another server goes on with it, at the same socket' "$out" "{'ball.radius': 2} How the server is doing: frames, lateness, hosts."
+is 'another server goes on with it, at the same socket' "$out" "{'ball.radius': 2} Prints statistics of the server: frames, lateness, hosts."
 "$program" serve --socket "$socket" 2>err
-is 'a socket that is in use' "$?-$(head -n 1 err)" "2-betwixt: error: another server listens at '$socket'"
+is 'a socket that is in use' "$?-$(head -n 1 err)" "2-betwixt: error: another server uses '$socket'"
 end
 is 'ends when told' "$code" 0
 is 'and leaves no socket' "$(ls "$socket" 2>/dev/null)" ''
@@ -86,7 +86,7 @@ echo precious >"$socket"
 is 'a file in its place stays' "$?-$(cat "$socket")" 2-precious
 rm -f "$socket"
 DISPLAY= "$program" serve --socket "$socket" --to window 2>err
-is 'no window where there is no display' "$?-$(head -n 1 err)" '3-betwixt: error: there is no display for a window'
+is 'no window where there is no display' "$?-$(head -n 1 err)" '3-betwixt: error: a window needs a display'
 
 # ---- commands that cannot be done again are set aside
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >m.obj
@@ -160,7 +160,7 @@ print(c.makefile().read().count('this is not the token'))
 " 2>&1)
 is 'a token lets in' "$out" 'True
 this is not the token
-{"line":0,"ok":false,"error":"this is not the token","hint":"the first line is: token TOKEN"}
+{"line":0,"ok":false,"error":"this is not the token","hint":"the first line must be: token TOKEN"}
 {"line":0,"ok":true}
 3'
 end
@@ -168,11 +168,11 @@ end
 is 'no address that others reach' "$?-$(head -n 1 err)" '2-betwixt: error: --tcp: other machines can reach 0.0.0.0:0'
 
 "$program" serve --tcp 127.0.0.1:70000 2>err
-is 'no port above 65535' "$?-$(head -n 1 err)" "2-betwixt: error: --tcp: '70000' is no port"
+is 'no port above 65535' "$?-$(head -n 1 err)" "2-betwixt: error: --tcp: '70000' is not a port"
 printf '0123456789abcdef0123\n' >token
 chmod 644 token
 "$program" serve --tcp 127.0.0.1:0 --token-file token 2>err
-is 'no token that others may read' "$?-$(tr -d '\n' <err)" "2-betwixt: error: --token-file: others may read 'token'  chmod 600 token"
+is 'no token that others may read' "$?-$(tr -d '\n' <err)" "2-betwixt: error: --token-file: other users can read 'token'  to protect it: chmod 600 token"
 chmod 600 token
 begin show.bx --tcp 127.0.0.1:0 --token-file token --hosts 3
 port=$(sed -nE 's/^serving at 127.0.0.1:([0-9]+);.*/\1/p' log)
@@ -193,7 +193,7 @@ for s in strangers:
 print(gone)
 " 2>&1)
 is 'strangers take no place of a host' "$out" 'True
-there are 3 hosts already
+the server already has 3 hosts
 3
 137'
 end
@@ -241,8 +241,45 @@ verdict 'within a second' "$([ $(($(date +%s%N) - begun)) -lt 1000000000 ] && ec
 begin --socket "$socket"
 out=$(host 'try: s.do("use show.bx")
 except Refused as e: print(e)')
-is 'no files without a script' "$out" "'show.bx' lies outside the script's folder (this server began without a script: it reads no files)"
+is 'no files without a script' "$out" "'show.bx' is outside the script's folder (this server has no script, so it reads no files)"
 end
+
+# ---- slow values, their figures, and the history, which has the exact ones
+slow='local x = 0 for i = 1, 100000 do x = x + i % 7 end'
+cat >lines <<BX
+procedure late twerper lua "$slow return u * u"
+set ball.radius = "$slow return 1 + t / 9"
+at 1f ball.position (0 0 0) late
+at 61f ball.position (9 0 0)
+extend ball.position cycle
+BX
+begin show.bx --socket "$socket" --save slow.bx --stats --rate 1000 --class ordinary
+out=$(host '
+for line in open("lines"): s.do(line.rstrip())
+s.subscribe("frames", "slow")
+slow, until = set(), time.monotonic() + 30
+while len(slow) < 2 and time.monotonic() < until:
+    slow |= {q["target"] for q in s.stats()["quarantined"]}
+print(sorted(slow))
+while time.monotonic() < until and open("log").read().count("late_ms") < 1: time.sleep(0.05)')
+is 'slow values are named' "$out" "['ball.position', 'ball.radius']"
+kill -KILL $server
+wait $server 2>/dev/null
+out=$(python3 -c '
+import json
+figures = [json.loads(line) for line in open("log") if line.startswith("{")]
+print(len(figures) > 0, "ball.position" in [q["target"] for q in figures[-1]["quarantined"]])')
+is 'and printed with --stats' "$out" 'True True'
+begin --socket "$socket" --save slow.bx --stats
+end
+has 'at the end too' "$(tail -n 1 log)" '"quarantined":['
+cat show.bx lines >wanted.bx
+for at in 1f 31f; do
+  "$program" frame slow.bx --at $at -o slow-$at.png --size 64x36
+  "$program" frame wanted.bx --at $at -o wanted-$at.png --size 64x36
+done
+verdict 'the history of a server has the exact frames' "$(cmp slow-1f.png wanted-1f.png && cmp slow-31f.png wanted-31f.png && echo yes)" 'they differ'
+verdict 'which differ from each other' "$(cmp -s slow-1f.png slow-31f.png || echo yes)" 'nothing moves'
 
 # ---- time, frames, and nothing where nothing is due
 begin show.bx --socket "$socket" --wait --rate 120 --class ordinary
@@ -436,7 +473,7 @@ for m in many:
     except BrokenPipeError:  # it has been told already
         pass
 for m in many:
-    refused += b"hosts already" in m.recv(1000)
+    refused += b"already has" in m.recv(1000)
 print(refused)
 slowest = max(slowest, fine())
 for m in many:

@@ -42,19 +42,19 @@ session 'no help' 1 "did you mean 'sphere'?" '' 'help sphre'
 session 'no such object' 1 "did you mean 'ball'?" film.bx 'describe bal'
 session 'never closed' 1 'line:1:' '' 'set a.b (1' 'rate 25' quit discard
 session 'what stands below is not lost' 1 '1 command is not saved' '' 'set a.b (1' 'rate 25' 'quit' 'discard'
-session 'a word too many' 1 'one word too many' '' 'undo twice'
-session 'no name' 1 'has no name yet' '' 'rate 25' save quit discard
-session 'a folder' 1 'only a file' . quit
+session 'a word too many' 1 "'twice' is not expected here" '' 'undo twice'
+session 'no name' 1 'has no file name yet' '' 'rate 25' save quit discard
+session 'a folder' 1 'only a regular file' . quit
 session 'no folder' 1 'no folder' none/film.bx quit
 session 'help' 0 'usage: copy TARGET' '' 'help copy'
 session 'play names what was said' 1 "error: play: 'x' is not a time" film.bx 'play x'
 session 'play from behind the end' 1 'play: the film ends before 99f' film.bx 'play 99f'
 session 'a style' 1 "did you mean 'wireframe'?" film.bx 'style wirefram'
-session 'samples' 1 "'3' is no number of samples: 1, 4, 9 or 16" film.bx 'samples 3'
+session 'samples' 1 "the number of samples must be one of 1, 4, 9 or 16" film.bx 'samples 3'
 session 'what they are' 0 'size 320x180' film.bx 'size 320x180' 'size'
 session 'where it is' 0 'ball is at     (1 0 0)' film.bx 'eval ball at 13f'
 session 'exit' 0 '' film.bx exit
-session 'a batch is asked nothing' 1 'a number is wanted here, not a vector' film.bx 'set ball.radius (3 4 0)' 'list' quit
+session 'a batch is asked nothing' 1 'expected a number here, not a vector' film.bx 'set ball.radius (3 4 0)' 'list' quit
 session 'how many' 0 '3 objects' '' 'create s{1..3} box' quit discard
 session 'how many is not said' 0 '' -q 'create s{1..3} box' quit discard
 is 'only that it is done' "$(grep -c objects <<<"$said")" 0
@@ -66,7 +66,7 @@ rm -f .betwixt.journal
 # Questions.
 author
 printf 'mine\n' >other.bx
-session 'overwrite? no' 0 "File 'other.bx' exists: overwrite? (yes/no)" film.bx 'rate 25' 'save other.bx' no quit discard
+session 'overwrite? no' 0 "File 'other.bx' already exists; overwrite it: yes or no?" film.bx 'rate 25' 'save other.bx' no quit discard
 is 'no is no' "$(cat other.bx)" mine
 session 'overwrite? yes' 0 "saved 'other.bx'" film.bx 'rate 25' 'save other.bx' yes
 is 'yes is yes' "$(tail -n 1 other.bx)" 'rate 25'
@@ -78,7 +78,7 @@ session 'open is guarded' 0 'not opened' film.bx 'rate 25' 'open other.bx' stay 
 author
 { printf 'rate 25\n'; sleep 0.5; printf 'save\nno\nquit\ndiscard\n'; } | "$program" shell film.bx >out 2>&1 &
 sleep 0.2; printf '# another hand\n' >>film.bx; wait $!
-verdict 'changed by someone else' "$(grep -q 'has been changed by someone else' out && tail -n 1 film.bx | grep -q another && echo yes)" "$(cat out)"
+verdict 'changed by someone else' "$(grep -q 'was changed by another program' out && tail -n 1 film.bx | grep -q another && echo yes)" "$(cat out)"
 
 # Recovery.
 author
@@ -108,7 +108,7 @@ first=$!
 exec 9>hold
 printf 'rate 25\n' >&9
 for _ in 1 2 3 4 5 6 7 8 9 10; do grep -q ok first && break; sleep 0.1; done
-session 'the second is told' 1 'may only look' film.bx 'list' 'rate 30' 'save'
+session 'the second is told' 1 'is read-only' film.bx 'list' 'rate 30' 'save'
 printf 'save\n' >&9
 exec 9>&-
 wait $first
@@ -157,11 +157,11 @@ film.bx*>'
   shown 'recalled' '> set ball.radius 2
 film.bx*>'
   screen send-keys 'help' Enter
-  shown 'help comes in pages' 'more: space goes on, q ends'
+  shown 'help comes in pages' 'more: space: next page, q: end'
   screen send-keys q
   shown 'and ends' 'film.bx*>'
   screen send-keys 'set ball.radius (3 4 0)' Enter
-  shown 'a value that means nothing' "translate it to 'set ball.radius 5', or ignore the line?"
+  shown 'a value that means nothing' "it can be translated to 'set ball.radius 5': translate or ignore?"
   screen send-keys 'ignore' Enter
   shown 'ignored' 'ignored
 film.bx*>'

@@ -79,7 +79,7 @@ check 'several films' 0 '2 films, 4 files' web full.bx ball.bx -o both.html
 is 'in their order' "$(ask both.html texts)" 'full.bx ball.bx'
 has 'each below its name' "$(cat both.html)" '<h2>ball</h2>'
 echo 'set ball.color red' >other/gold.bx
-check 'one name, two files' 1 "two different files by 'gold.bx'" web full.bx other/full.bx -o x.html
+check 'one name, two files' 1 "use the name 'gold.bx' for two different files" web full.bx other/full.bx -o x.html
 
 printf 'create a text text="Größe → Ωμέγα"\ncreate b text text="Москва"' >usual.bx
 check 'letters that every page has' 0 '1 film, 0 files' web usual.bx -o usual.html
@@ -99,10 +99,10 @@ sed -i '1s/Betwixt [^,]*/Betwixt 0.0.1/' betwixt-player.js
 check 'one of another version is replaced' 0 '' web ball.bx -o linked.html --link
 is 'by this one' "$(cmp player.js betwixt-player.js && echo same)" same
 echo 'my own work' >betwixt-player.js
-check 'another file is left alone' 2 "is not Betwixt's" web ball.bx -o linked.html --link
+check 'another file is left alone' 2 'is not a file of Betwixt' web ball.bx -o linked.html --link
 is 'as it was' "$(cat betwixt-player.js)" 'my own work'
 rm betwixt-player.js && mkfifo betwixt-player.js
-check 'nothing waits for a pipe' 2 "is not Betwixt's" web ball.bx -o linked.html --link
+check 'nothing waits for a pipe' 2 'is not a file of Betwixt' web ball.bx -o linked.html --link
 rm betwixt-player.js
 
 # A line names each loss, and there are no other lines.
@@ -117,12 +117,12 @@ create two sound file="beep.wav" at=9f
 dial /fader/1 to ball.radius
 background transparent
 BX
-is 'one that loses much' "$(lost much.bx)" 'much.bx: the page has no motion blur: its pictures are sharp (shutter)
-much.bx: the page has no depth of field: all is in focus (f-stop)
-much.bx: the page makes no sound: one, two; loudness and onsets are 0 there
-much.bx: the page hears no live input: a dial (/fader/1)'
+is 'one that loses much' "$(lost much.bx)" 'much.bx: pages do not show motion blur (shutter)
+much.bx: pages do not show depth of field (f-stop)
+much.bx: pages do not play sound: one, two; loudness and onsets are 0 there
+much.bx: pages have no live input: a dial (/fader/1)'
 is 'a shutter that opens once' "$(printf 'create eye camera position=(0 0 9)\neye.shutter\n  1f off\n  20f 180deg\n' >once.bx; lost once.bx)" \
-  'once.bx: the page has no motion blur: its pictures are sharp (shutter)'
+  'once.bx: pages do not show motion blur (shutter)'
 
 # Standard input and output.
 has 'a page of standard input' "$("$program" web - -o stream.html <ball.bx 2>&1)" '1 film, 0 files'
@@ -130,28 +130,28 @@ is 'its text can be read, too' "$(ask stream.html text film.bx)" "$(cat ball.bx)
 "$program" web - <ball.bx >stream2.html 2>said
 is 'a page to standard output' "$(cmp stream.html stream2.html && echo same)" same
 has 'and what it is' "$(cat said)" 'standard output'
-check 'beside which nothing lies' 2 'without --link' web - --link
+check 'beside which nothing lies' 2 'leave out --link' web - --link
 
 # What is refused.
-check 'no page' 2 'a page is a .html, not "ball.mp4"' web ball.bx -o ball.mp4
+check 'no page' 2 'a page must be a .html file, not "ball.mp4"' web ball.bx -o ball.mp4
 check 'a page of the usual name' 0 'ball.html' web ball.bx
 check 'no film' 2 'FILE' web -o x.html
 check 'a film that is not there' 1 "there is no file 'none.bx'" web none.bx -o x.html
 echo 'create ball spere' >wrong.bx
 check 'a film with errors' 1 "did you mean 'sphere'" web wrong.bx -o x.html
 check 'a folder' 1 'is a folder' web meshes -o x.html
-check 'a pipe' 2 'only a file can stand in a page' web <(cat ball.bx) -o x.html
+check 'a pipe' 2 'only a file can be part of a page' web <(cat ball.bx) -o x.html
 check 'no folder for it' 2 'nowhere' web ball.bx -o nowhere/x.html
-check 'a size that is none' 2 'is no size' web ball.bx -o x.html --size large
+check 'a size that is none' 2 'is not a size' web ball.bx -o x.html --size large
 echo 'create a mesh file="../meshes/two.obj"' >other/out.bx
-check 'files elsewhere' 1 'lies outside the folder of' web other/out.bx -o x.html --read-anywhere
+check 'files elsewhere' 1 'is outside the folder of' web other/out.bx -o x.html --read-anywhere
 cp "$tests/../commands/data/scenes/bones.bvh" . && echo 'create man scene file="bones.bvh"' >man.bx
-check 'scenes that pages cannot read' 1 "a page cannot read the scene 'bones.bvh'" web man.bx -o x.html
+check 'scenes that pages cannot read' 1 "pages do not support the format of the scene 'bones.bvh'" web man.bx -o x.html
 is 'nothing is left of all these' "$(ls x.html .x* 2>/dev/null)" ''
 echo old >old.html
 check 'a page that is there stays' 2 'already' web ball.bx -o old.html --no-overwrite
 is 'as it was' "$(cat old.html)" old
 BETWIXT_PLAYER=$PWD/none.js check 'without what plays' 3 'there is no such file' web ball.bx -o x.html
 echo '"</script>"' >bad.js
-BETWIXT_PLAYER=$PWD/bad.js check 'which cannot stand in a page' 3 'cannot stand in a page' web ball.bx -o x.html
+BETWIXT_PLAYER=$PWD/bad.js check 'which cannot stand in a page' 3 'cannot be part of a page' web ball.bx -o x.html
 summary

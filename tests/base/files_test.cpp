@@ -38,7 +38,7 @@ TEST(Files, WhatCannotBeReadIsSaid) {
   EXPECT_EQ(why(folder / "f/x"), "cannot read " + (folder / "f/x") + ": not a directory");
   EXPECT_EQ(why(folder.path()), folder.path().string() + " is a folder, not a file");
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-  EXPECT_EQ(why(folder / "pipe"), (folder / "pipe") + " is not a plain file") << "and nobody waits for a writer";
+  EXPECT_EQ(why(folder / "pipe"), (folder / "pipe") + " is not a regular file") << "and nobody waits for a writer";
   fs::resize_file(folder.put("large", ""), largest_file + 1);  // it takes no room
   EXPECT_EQ(why(folder / "large"), (folder / "large") + " is larger than 1 GiB");
 }
@@ -53,14 +53,14 @@ TEST(Files, LimitsHoldForPipesToo) {
     return in;
   };
   EXPECT_EQ(read(1000).text.size(), 1000U);
-  EXPECT_EQ(read(1000).hindrance, Hindrance::none);
-  EXPECT_EQ(read(999).hindrance, Hindrance::too_large);
+  EXPECT_EQ(read(1000).problem, ReadProblem::none);
+  EXPECT_EQ(read(999).problem, ReadProblem::too_large);
 }
 
 TEST(Files, AreNeverHalfWritten) {
   const Folder folder;
   EXPECT_TRUE(write_whole(folder / "a", "first", false));
-  EXPECT_EQ(message(write_whole(folder / "a", "second", false)), (folder / "a") + " exists already");
+  EXPECT_EQ(message(write_whole(folder / "a", "second", false)), (folder / "a") + " already exists");
   EXPECT_EQ(folder.get("a"), "first");
   EXPECT_TRUE(write_whole(folder / "a", "second", true));
   EXPECT_EQ(folder.get("a"), "second");
@@ -91,7 +91,7 @@ TEST(Files, GiveWayToWhatIsThere) {
   folder.put("from", "new"), folder.put("to", "old");
   EXPECT_EQ(put_file(folder / "to", "x", {.overwrite = false}), EEXIST);
   EXPECT_EQ(make_file(folder / "to", "x", 0600), EEXIST);
-  EXPECT_EQ(message(put_in_place(folder / "from", folder / "to", false)), (folder / "to") + " is there already");
+  EXPECT_EQ(message(put_in_place(folder / "from", folder / "to", false)), (folder / "to") + " already exists");
   EXPECT_EQ(folder.get("to"), "old");
   EXPECT_TRUE(put_in_place(folder / "from", folder / "to", true));
   EXPECT_EQ(folder.get("to"), "new");
@@ -105,12 +105,12 @@ TEST(Files, PlacesAreLookedAtBefore) {
   folder.put("f", "");
   EXPECT_TRUE(check_place(folder / "new", false));
   EXPECT_TRUE(check_place(folder / "f", true));
-  EXPECT_EQ(message(check_place(folder / "f", false)), (folder / "f") + " is there already");
+  EXPECT_EQ(message(check_place(folder / "f", false)), (folder / "f") + " already exists");
   EXPECT_EQ(message(check_place(folder / "no/f", true)), "there is no folder " + folder / "no");
-  EXPECT_EQ(message(check_place(folder / "f/x", true)), (folder / "f") + " is no folder");
+  EXPECT_EQ(message(check_place(folder / "f/x", true)), (folder / "f") + " is not a folder");
   EXPECT_EQ(message(check_place(folder.path(), true)), folder.path().string() + " is a folder");
-  EXPECT_EQ(message(check_place("", true)), "\"\" names no file");
-  EXPECT_EQ(message(check_place("x/", true)), "\"x/\" names no file");
+  EXPECT_EQ(message(check_place("", true)), "\"\" is not a file name");
+  EXPECT_EQ(message(check_place("x/", true)), "\"x/\" is not a file name");
 }
 
 TEST(Files, HiddenNamesAreNobodyElses) {

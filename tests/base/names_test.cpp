@@ -147,13 +147,24 @@ TEST(NaturalOrder, IsAnOrder) {
 
 TEST(NearMisses, AreSuggested) {
   const std::vector<std::string_view> kinds{"sphere", "box", "cylinder", "plane"};
-  EXPECT_EQ(did_you_mean("sphre", kinds), "did you mean 'sphere'?");
-  EXPECT_EQ(did_you_mean("shpere", kinds), "did you mean 'sphere'?");
-  EXPECT_EQ(did_you_mean("cilynder", kinds), "did you mean 'cylinder'?");
-  EXPECT_EQ(did_you_mean("bx", kinds), "did you mean 'box'?");
-  EXPECT_EQ(did_you_mean("torus", kinds), "");
-  EXPECT_EQ(did_you_mean("", kinds), "");
-  EXPECT_EQ(did_you_mean(std::string(65, 'a'), kinds), "");
+  EXPECT_EQ(did_you_mean("sphre", kinds).text, "did you mean 'sphere'?");
+  EXPECT_EQ(did_you_mean("shpere", kinds).text, "did you mean 'sphere'?");
+  EXPECT_EQ(did_you_mean("cilynder", kinds).text, "did you mean 'cylinder'?");
+  EXPECT_EQ(did_you_mean("bx", kinds).text, "did you mean 'box'?");
+  EXPECT_EQ(did_you_mean("bx", kinds).instead, "box");
+  EXPECT_EQ(did_you_mean("torus", kinds).text, "");
+  EXPECT_EQ(did_you_mean("", kinds).text, "");
+  EXPECT_EQ(did_you_mean(std::string(65, 'a'), kinds).text, "");
+}
+
+TEST(UnknownNames, AreTheSubjectOfTheirError) {
+  const Error one = unknown_name("object", std::string(100, 'a'), correction("ball"));
+  EXPECT_EQ(one.code, ErrorCode::name);
+  EXPECT_EQ(one.subject, std::string(100, 'a')) << "the message shows its beginning only";
+  EXPECT_EQ(one.instead, "ball");
+  EXPECT_LT(one.message.size(), one.subject.size());
+  EXPECT_EQ(nothing_named("b*").code, ErrorCode::name);
+  EXPECT_EQ(nothing_named("b*").subject, "b*");
 }
 
 }  // namespace

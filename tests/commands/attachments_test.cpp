@@ -319,7 +319,8 @@ TEST(Attachment, ACircleMadeByMovingIsLeftOutAndSaid) {
   const Program p = Program::compile(l.document);
   const Frame f = p.frame(*parse_time("27f", l.document));
   ASSERT_EQ(f.problems.size(), 1U);
-  EXPECT_EQ(f.problems[0], "'a' cannot hang on 'b', which hangs on it at that time: this attachment is left out");
+  EXPECT_EQ(f.problems[0],
+            "'a' cannot have the parent 'b', which is below it at that time: this attachment is left out");
   ASSERT_EQ(f.items.size(), 2U);
   EXPECT_EQ(translation_of(f.items[0].world), (Vec3{1, 0, 0}));
   EXPECT_EQ(translation_of(f.items[1].world), (Vec3{1, 1, 0}));

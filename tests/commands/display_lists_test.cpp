@@ -415,10 +415,9 @@ TEST(DisplayList, Errors_say_what_and_where) {
   for (const auto& [text, message] : table) EXPECT_EQ(all_told(read(text)), std::vector<std::string>{message}) << text;
   const auto unknown = read("make one\n  call two\nmake three\n  call thee\n");
   EXPECT_EQ(said(unknown.diagnostics),
-            "test.bx:2:8: warning: there is no display list 'two' yet: until it is made this draws nothing\n"
-            "    call two\n         ^~~\n"
-            "test.bx:4:8: warning: there is no display list 'thee' yet: until it is made this draws nothing\n"
-            "    call thee\n         ^~~~\n  did you mean 'three'?\n");
+            "test.bx:2:8: warning: there is no display list 'two' yet, so this draws nothing until then\n    call "
+            "two\n         ^~~\ntest.bx:4:8: warning: there is no display list 'thee' yet, so this draws nothing until "
+            "then\n    call thee\n         ^~~~\n  did you mean 'three'?\n");
 }
 
 TEST(DisplayList, Only_its_rows_say_what_it_draws) {
@@ -457,7 +456,7 @@ TEST(DisplayList, Others_hang_on_what_it_draws) {
 // all that has been said makes the same document as one text.
 TEST(DisplayList, Hosts_write_display_lists_side_by_side) {
   Document document;
-  SoFar progress;
+  ReaderState progress;
   std::shared_ptr<const OpenSheet> sheets[2];
   std::string history;
   const auto opener = [&](int host) { return sheets[host] ? sheets[host]->opener : ""; };
@@ -549,13 +548,13 @@ TEST(DisplayList, Too_much_is_refused_in_words) {
   // What is shown stays as it was.
   const auto grown = read(text + "make all\n  call l9\nstart all\nedit all\n  call l58\n");
   EXPECT_EQ(all_told(grown), std::vector<std::string>{"range 183:6 all"});
-  EXPECT_TRUE(mentions(grown, "'all' would become more than 100000 objects"));
+  EXPECT_TRUE(mentions(grown, "'all' would make more than 100000 objects"));
   EXPECT_TRUE(grown.document == read(text + "make all\n  call l9\nstart all\n").document);
   std::string deep = "make l0\n  point (0 0)\n";
   for (int i = 1; i < 3000; ++i) deep += fmt::format("make l{}\n  call l{}\n", i, i - 1);
   EXPECT_EQ(all_told(read(deep + "start l2999\n")), std::vector<std::string>{"range 6001:7 l2999"});
   EXPECT_TRUE(mentions(deep + "start l2999\n",
-                       "'l2999' would hold instances and environments more than 200 deep in one another"));
+                       "'l2999' would have instances and environments nested more than 200 levels deep"));
 }
 
 }  // namespace

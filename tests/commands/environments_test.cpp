@@ -67,11 +67,10 @@ TEST(Environments, TakeMatricesInFloatsForTurns) {
   ASSERT_GT(std::abs(c * c + sine * sine - 1), 1e-9) << "in f64 it would shrink or grow";
   const std::string turn = fmt::format("matrix({0} {2} 0 0  {1} {0} 0 0  0 0 1.00000005 0  0 0 0 1)", c, sine, -sine);
   const LoadedFilm s("create a sphere position=(1 0 0)\nanimate m every 1t by " + turn + "\nset a.environments m\n");
-  EXPECT_EQ(
-      said(s.loaded.diagnostics),
-      "test.bx:2:23: notice: this matrix turns and moves but for errors below 1e-7, and is taken as if it had none\n"
-      "  animate m every 1t by " +
-          turn + "\n                        ^~~~~~\n" + "  translate(…) rotate(…) are taken as they are said\n");
+  EXPECT_EQ(said(s.loaded.diagnostics),
+            "test.bx:2:23: notice: this matrix differs from a rotation and a translation by less than 1e-7, so it is "
+            "rounded to them\n  animate m every 1t by " +
+                turn + "\n                        ^~~~~~\n" + "  translate(…) rotate(…) are exact\n");
   const Matrix late = std::get<Matrix>(s.read("a.world", "99999999t"));
   EXPECT_NEAR(length(transform_vector(*late, {1, 0, 0})), 1, 1e-12);
   EXPECT_NEAR(late->m[10], 1, 1e-12);

@@ -158,7 +158,7 @@ TEST(Events, ThatOtherShapesGoStraightIsSaidOnce) {
       "create a text text=\"a\"\ncreate b text text=\"b\"\na.geometry\n  1f shape(a) smooth\n"
       "  9f shape(b) smooth\n  17f shape(a) linear\n");
   const std::string all = said(l.diagnostics),
-                    sentence = "a.geometry goes straight from 1f to 9f: smooth is a curve through shapes of one kind";
+                    sentence = "a.geometry blends linearly from 1f to 9f: smooth needs shapes of one kind";
   const std::size_t at = all.find(sentence);
   ASSERT_NE(at, std::string::npos) << all;
   EXPECT_EQ(all.rfind(sentence), at) << all;

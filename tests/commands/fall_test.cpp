@@ -146,7 +146,7 @@ TEST(Fall, BelowTheGroundIsNoticed) {
   const Loaded l = read("rate 24\ncreate b sphere\nat 1f fall b ground=2\n");
   ASSERT_EQ(l.diagnostics.size(), 1U);
   EXPECT_EQ(l.diagnostics[0].severity, Severity::notice);
-  EXPECT_EQ(l.diagnostics[0].what.message, "b is below the ground, y = 2: it does not fall");
+  EXPECT_EQ(l.diagnostics[0].what.message, "b is below the ground at y = 2, so it does not fall");
 }
 
 TEST(Fall, EndsWhereSomethingTakesHold) {
@@ -169,7 +169,7 @@ TEST(Fall, EndsWhereSomethingTakesHoldOfItLater) {
     ASSERT_EQ(late.loaded.diagnostics.size(), 1u) << frame;
     EXPECT_EQ(late.loaded.diagnostics[0].severity, Severity::notice);
     EXPECT_EQ(late.loaded.diagnostics[0].what.message,
-              fmt::format("ball falls no further than to {}f, where it is held from now on", frame));
+              fmt::format("the fall of ball now ends at {}f, where an object holds it", frame));
     for (const double t : {1.0, 5.5, 12.75, 30.0, 44.0, 59.0, 75.0, 200.0}) {
       const auto want = free.numbers("ball.position", fmt::format("{}f", std::min(t, frame)));
       expect_numbers(late, "ball.position", fmt::format("{}f", t), want, 1e-6);
@@ -211,7 +211,7 @@ TEST(Fall, WhatIsHeldIsCarriedOnceOnly) {
     expect_numbers(held, "p/b.world.x", fmt::format("{}f", frame), {frame - 1}, 1e-9);
   expect_numbers(held, "p/b.world.y", "36f", {5 - 9.81 / 8}, 1e-9);
   ASSERT_EQ(held.loaded.diagnostics.size(), 1u);
-  EXPECT_EQ(held.loaded.diagnostics[0].what.message, "p/b is still held by p, which goes on carrying it");
+  EXPECT_EQ(held.loaded.diagnostics[0].what.message, "p still carries p/b while it falls");
   const LoadedFilm free(carried + "at 24f letgo p/b\nat 24f fall p/b ground=1\n");
   EXPECT_TRUE(free.loaded.diagnostics.empty()) << said(free.loaded.diagnostics);
   for (const double frame : {24.0, 25.0, 36.0})
@@ -255,8 +255,7 @@ TEST(Fall, SaysWhereALineBelowTurnsWhatItFellFrom) {
     const Loaded l = read(script);
     return l.diagnostics.size() == 1 && l.diagnostics[0].severity == Severity::warning &&
            l.diagnostics[0].what.message ==
-               "a line below changes what carries ball at 48f: its fall was worked out before, and is turned or moved "
-               "along";
+               "a later line changes the parent of ball at 48f, so its fall turns or moves with the parent";
   };
   EXPECT_TRUE(warned(grab + letgo + fall + turn));
   EXPECT_TRUE(read(grab + turn + letgo + fall).diagnostics.empty());

@@ -4,11 +4,17 @@
 // Scripts that read other files: from where, how deep, and what is said when one is missing.
 #include <sys/stat.h>
 
+#include <atomic>
 #include <filesystem>
 #include <set>
 
+#include "base/memory_budget.h"
+#include "betwixt/picture.h"
+#include "scene/document.h"
+#include "scene/memory.h"
 #include "support/folder.h"
 #include "support/loaded_film.h"
+#include "support/waves.h"
 
 namespace betwixt {
 namespace {
@@ -72,7 +78,7 @@ TEST_F(Files, ASheetDoesNotGoOnThroughUse) {
 TEST_F(Files, ACircleIsAnErrorAtTheUse) {
   put("film/main.bx", "rate 24\nuse main.bx\n");
   EXPECT_EQ(messages(load()), (Lines{"file 2:5 main.bx"}));
-  EXPECT_TRUE(says(load(), "'main.bx' comes to include itself"));
+  EXPECT_TRUE(says(load(), "'main.bx' includes itself"));
   put("film/main.bx", "use parts/a.bx\n");
   put("film/parts/a.bx", "\nuse \"../main.bx\"\n");
   const Loaded l = load();
@@ -110,7 +116,7 @@ TEST_F(Files, ManyTimesManyEnds) {
   const auto m = messages(l);
   ASSERT_FALSE(m.empty());
   EXPECT_EQ(m[0], "file 1:5 f39.bx");
-  EXPECT_EQ(l.diagnostics[0].what.message, "more than 10000 files are included");
+  EXPECT_EQ(l.diagnostics[0].what.message, "the script includes more than 10000 files");
 }
 
 TEST_F(Files, WhatCannotBeRead) {
@@ -138,7 +144,7 @@ TEST_F(Files, ThatAreNoScriptsAreNotQuoted) {
   put("film/main.bx", "use secret\nuse key.pem\nuse colors.txt\nset ball.radius 2\n");
   const Loaded l = load();
   EXPECT_EQ(messages(l), (Lines{"file 1:5 secret", "file 2:5 key.pem"}));
-  EXPECT_TRUE(says(l, "'secret' is no script: its line 1 means nothing"));
+  EXPECT_TRUE(says(l, "'secret' is not a script: its line 1 is not a command"));
   for (const char* word : {"user", "hunter", "BEGIN", "AbC", "password"})
     EXPECT_EQ(said(l.diagnostics).find(word), std::string::npos) << word;
   // Through another one, too.
@@ -146,7 +152,7 @@ TEST_F(Files, ThatAreNoScriptsAreNotQuoted) {
   put("film/list.txt", "# all\nuse parts/a.bx\n");
   put("film/parts/a.bx", "use ../secret\n");
   EXPECT_EQ(messages(load()), (Lines{"file 1:5 list.txt"}));
-  EXPECT_TRUE(says(load(), "'list.txt' is no script"));
+  EXPECT_TRUE(says(load(), "'list.txt' is not a script"));
 }
 
 TEST_F(Files, ThatAreNotPlainAreNeverOpened) {
@@ -160,8 +166,8 @@ TEST_F(Files, ThatAreNotPlainAreNeverOpened) {
   EXPECT_EQ(messages(load({true, {}})),
             (Lines{"file 1:5 pipe", "file 2:5 pipe.bx", "file 3:5 /dev/zero", "file 4:20 \"pipe.obj\"",
                    "file 5:25 \"zero.png\"", "file 6:25 \"pipe\""}));
-  EXPECT_TRUE(says(load({true, {}}), "'film/pipe' is no plain file"));
-  EXPECT_TRUE(says(load({true, {}}), "film/pipe.obj is not a plain file"));
+  EXPECT_TRUE(says(load({true, {}}), "'film/pipe' is not a regular file"));
+  EXPECT_TRUE(says(load({true, {}}), "film/pipe.obj is not a regular file"));
 }
 
 TEST_F(Files, MeshesArePathsFromTheScript) {
@@ -191,6 +197,48 @@ TEST_F(Files, ThatAreAskedForAreTold) {
   for (const char* name : {"film/parts/cast.bx", "film/parts/t.obj", "film/parts/t.mtl", "film/none.ply"})
     EXPECT_TRUE(asked.contains(name)) << name;
   EXPECT_FALSE(asked.contains("out.ply"));
+}
+
+// What a command may make includes the contents of its files. They are refused before the document has them.
+class FilesWithin : public Files {
+ protected:
+  FilesWithin() { EXPECT_TRUE(write_png(folder / "film/a.png", Picture{10, 10, std::vector<std::uint8_t>(400, 9)})); }
+  Lines told_within(std::size_t most, const std::string& text) const {
+    put("film/main.bx", text);
+    std::atomic<std::size_t> all{0};
+    const MemoryBudget limit(all, most);
+    return messages(load());
+  }
+};
+
+TEST_F(FilesWithin, APictureCountsUnpackedAndOnce) {
+  const std::string two = "create s sphere texture=\"a.png\"\ncreate t sphere texture=\"a.png\"\n";
+  EXPECT_EQ(told_within(410, two), Lines{});  // with twice the five letters of its name
+  EXPECT_EQ(told_within(409, two), Lines{"range 2:1 create"});
+  EXPECT_EQ(told_within(399, two), (Lines{"range 1:25 \"a.png\"", "range 2:25 \"a.png\""}));
+  put("film/parts/b.bx", "\n  create s sphere texture=\"../a.png\"\n");
+  const Lines used = told_within(399, "use parts/b.bx\n");
+  EXPECT_EQ(used, Lines{"range 2:27 \"../a.png\""}) << "in the file that names it";
+}
+
+TEST_F(FilesWithin, SoDoMeshesScenesAndSounds) {
+  write_wave(folder / "film/a.wav", std::vector<float>(96'000));
+  put("film/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  fs::copy(SOURCE_DIR "/examples/meshes/figure.glb", folder / "film/a.glb");
+  for (const auto& [line, about] : {std::pair("create s sound file=\"a.wav\"\n", "1:21 \"a.wav\""),
+                                    {"create m mesh file=\"a.obj\"\n", "1:20 \"a.obj\""},
+                                    {"create f scene file=\"a.glb\"\n", "1:8 f"}}) {
+    put("film/main.bx", line);
+    const Loaded l = load();
+    ASSERT_EQ(said(l.diagnostics), "");
+    ContentBytes contents;
+    for (const auto& [path, mesh] : *l.document.scene().meshes) contents.add(mesh);
+    for (const auto& [path, sound] : *l.document.scene().sounds) contents.add(sound);
+    const std::size_t names = bytes_of_values(l.document.scene()) - contents.sum();
+    EXPECT_GT(contents.sum(), 50U) << line;
+    EXPECT_EQ(told_within(contents.sum() + names, line), Lines{}) << line;
+    EXPECT_EQ(told_within(contents.sum() - 1, line), Lines{fmt::format("range {}", about)}) << line;
+  }
 }
 
 }  // namespace

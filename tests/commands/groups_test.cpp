@@ -22,11 +22,8 @@ TEST(Groups, StaggerAndSpread) {
   EXPECT_EQ(read(random).document, read(random).document);
   // The same starts, in another order: at frame 12 the eleven that have started are among any eleven.
   const LoadedFilm r(random);
-  double sum = 0, orderly = 0;
-  for (int i = 1; i <= 20; ++i) {
-    sum += r.numbers(fmt::format("b{}.radius", i), "12f")[0];
-    orderly += i == 1 + static_cast<int>(r.numbers(fmt::format("b{}.radius", i), "12f")[0] == 2);
-  }
+  double sum = 0;
+  for (int i = 1; i <= 20; ++i) sum += r.numbers(fmt::format("b{}.radius", i), "12f")[0];
   EXPECT_EQ(sum, 20 + 11);
 }
 

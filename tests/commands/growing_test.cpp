@@ -8,7 +8,7 @@
 #include <rapidcheck.h>
 #include <sys/resource.h>
 
-#include "base/how_far.h"
+#include "base/work_progress.h"
 #include "betwixt/language.h"
 #include "commands/reader.h"
 #include "support/dice.h"
@@ -82,7 +82,7 @@ TEST(Growing, LinesOfAScriptDoWhatLinesThatComeOneByOneDo) {
     std::string text;
     Scene scene;  // each line looks at everybody
     Diagnostics said;
-    SoFar so_far;
+    ReaderState so_far;
     for (const std::string& line : lines) {
       text += line + "\n";
       Script script(scene, said, {}, so_far, Home());
@@ -134,7 +134,7 @@ TEST(Growing, ReadingTellsHowFarItIs) {
   std::string text = "create ball sphere\n";
   while (text.size() < 1000) text += "set ball.radius 2\n";
   text += "use \"none.bx\"\n";
-  const HowFar how_far;
+  const WorkProgress how_far;
   EXPECT_EQ(how_far.share(), 0);
   load_text(text, "");
   EXPECT_GT(how_far.share(), 0.9F);

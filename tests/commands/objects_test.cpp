@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Objects are made, copied and renamed.
+#include "betwixt/object.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {

@@ -36,13 +36,13 @@ TEST(Plugins, TheirWordsAreUsedAndExplainedLikeBuiltInOnes) {
 
 // shows: G19
 TEST(Plugins, WordsThatAreTakenAreRefused) {
-  EXPECT_EQ(refusal("colliding"), at("colliding") + ": it registers 'quantise', which is a filter already");
+  EXPECT_EQ(refusal("colliding"), at("colliding") + ": it registers 'quantise', which is already a filter");
   ASSERT_TRUE(use_plugin(at("example")));
   const std::string copy = testing::TempDir() + "betwixt-copy.so";
   std::filesystem::copy_file(at("example"), copy, std::filesystem::copy_options::overwrite_existing);
   const Status s = use_plugin(copy);
   ASSERT_FALSE(s);
-  EXPECT_EQ(s.error().message, copy + ": it registers 'overshoot', which " + at("example") + " has brought already");
+  EXPECT_EQ(s.error().message, copy + ": it registers 'overshoot', which " + at("example") + " has already registered");
   EXPECT_EQ(all_told(read("procedure quantise filter lua \"1\"\n")), std::vector<std::string>{"name 1:11 quantise"});
 }
 
@@ -50,9 +50,9 @@ TEST(Plugins, WordsThatAreTakenAreRefused) {
 TEST(Plugins, ScriptsDoNotLoadThem) {
   const Loaded l = read("load swirl.so\n");
   EXPECT_EQ(all_told(l), std::vector<std::string>{"name 1:1 load"});
-  EXPECT_EQ(l.diagnostics.at(0).what.hint, "who shows the film loads it: betwixt play --load PLUGIN FILE");
+  EXPECT_EQ(l.diagnostics.at(0).what.hint, "load it when you show the film: betwixt play --load PLUGIN FILE");
   EXPECT_EQ(read("create a sphere\nat 1f a.radius 2 swirly\n").diagnostics.at(0).what.hint,
-            "where it is a plug-in's: --load PLUGIN");
+            "if a plug-in has it: --load PLUGIN");
 }
 
 }  // namespace

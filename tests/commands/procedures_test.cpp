@@ -100,7 +100,7 @@ TEST(Procedures, CirclesAreCutTheSameWhateverIsAskedFirst) {
   } while (std::next_permutation(order.begin(), order.end()));
   const Frame f = s.frame("10f");
   EXPECT_NE(std::find(f.problems.begin(), f.problems.end(),
-                      "a.n reads itself in a circle: inside, its last value without a procedure counts"),
+                      "a.n depends on itself: it uses its last value without code there"),
             f.problems.end());
 }
 
@@ -124,7 +124,7 @@ TEST(Procedures, ThatErrOrNeverEndAreNamedAndTheFrameComes) {
   EXPECT_TRUE(said("b.scale", "stopped: "));
   EXPECT_TRUE(said("b.shininess", "nobody"));
   EXPECT_TRUE(said("b.transparency", "finite")) << fmt::format("{}", fmt::join(f.problems, "\n"));
-  EXPECT_TRUE(said("b.position", "it gives a text where"));
+  EXPECT_TRUE(said("b.position", "not a text"));
   for (const std::string& p : f.problems) EXPECT_LT(p.size(), 300U) << p;
 }
 
@@ -139,7 +139,7 @@ TEST(Procedures, TwerpersThatErrOrNeverEndAreNamedAndLinear) {
   EXPECT_EQ(f.items[0].shape->radius, 3);
   EXPECT_EQ(translation_of(f.items[0].world), (Vec3{4, 4, 0}));
   ASSERT_EQ(f.problems.size(), 3U) << fmt::format("{}", fmt::join(f.problems, "\n"));
-  EXPECT_TRUE(f.problems[0].starts_with("the twerper 'broken' gives no number, and is linear there: "))
+  EXPECT_TRUE(f.problems[0].starts_with("the twerper 'broken' returned no number and is linear there: "))
       << f.problems[0];
   EXPECT_NE(f.problems[1].find("'endless'"), std::string::npos) << f.problems[1];
   EXPECT_NE(f.problems[1].find("1000000"), std::string::npos) << f.problems[1];
@@ -222,11 +222,10 @@ TEST(Procedures, AMemoryWithoutABeginningEnds) {
   const LoadedFilm s("create a sphere\nset a.radius = \"value('.radius', t - 0.001) + 1\"\n");
   const auto problems = s.frame("24f").problems;
   ASSERT_FALSE(problems.empty());
-  EXPECT_EQ(
-      problems[0],
-      "a.radius looks back at its own past through more than 200 earlier times. Beyond them its last value without "
-      "a procedure counts, so from here on it is not what its code says: look back in longer steps, or say it by t "
-      "alone; what adds up to it may be a.radius.velocity");
+  EXPECT_EQ(problems[0],
+            "a.radius reads its own past through more than 200 earlier times. Beyond them it uses its last value "
+            "without code, so from here on the result is wrong: read the past in longer steps, or compute the value "
+            "from t alone; to sum up changes, compute a.radius.velocity instead");
   const LoadedFilm word("create a text text=\"o\"\nset a.text = \"value('.text', t - 0.001)\"\n");
   EXPECT_EQ(word.frame("24f").problems[0].find("velocity"), std::string::npos);
 }

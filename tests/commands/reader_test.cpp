@@ -125,7 +125,7 @@ TEST(Reader, AbsurdTextsAreRefusedSoon) {
   for (int i = 0; i < 100'000; ++i) garbage += fmt::format("what is this line {} (((\n", i);
   const Loaded l = read(garbage);
   ASSERT_EQ(l.diagnostics.size(), 1001u);
-  EXPECT_EQ(l.diagnostics.back().what.message, "more than 1000 errors; the rest is not said");
+  EXPECT_EQ(l.diagnostics.back().what.message, "there are more than 1000 errors; the others are not shown");
   EXPECT_EQ(l.diagnostics[999].what.place.line, 1000);
   EXPECT_LT(std::clock() - begun, 60 * CLOCKS_PER_SEC) << "not a measure, only a bound";
 }
@@ -175,8 +175,8 @@ TEST(Reader, SaysHowManyAPatternNamesWhereThatIsAsked) {
     return all;
   };
   EXPECT_EQ(counts(true), (std::vector<std::string>{"1: 12 objects", "3: 12 objects", "5: 4 objects", "8: 12 objects",
-                                                    "9: 8 objects", "notice syntax 10:5 none*", "11: 4 objects"}));
-  EXPECT_EQ(counts(false), std::vector<std::string>{"notice syntax 10:5 none*"});
+                                                    "9: 8 objects", "notice name 10:5 none*", "11: 4 objects"}));
+  EXPECT_EQ(counts(false), std::vector<std::string>{"notice name 10:5 none*"});
 }
 
 }  // namespace

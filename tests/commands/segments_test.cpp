@@ -54,7 +54,7 @@ TEST(Segments, OperationsOnTimesAskForNoTypes) {
   (void)reversed;
   const LoadedFilm cleared(film + "clear man/*.* 1f..24f\n");
   for (const ObjectId id : objects(cleared.loaded.document))
-    EXPECT_TRUE(tracks(cleared.loaded.document, id).empty() || tracks(cleared.loaded.document, id)[0].events == 0);
+    EXPECT_TRUE(tracks(cleared.loaded.document, id).empty() || tracks(cleared.loaded.document, id)[0].event_count == 0);
 }
 
 // The notices of a film without errors.
@@ -63,7 +63,7 @@ std::vector<std::string> noticed(const std::string& film) {
   EXPECT_EQ(errors(l), std::vector<std::string>{}) << film;
   std::vector<std::string> out;
   for (const Diagnostic& d : l.diagnostics)
-    if (!d.what.message.starts_with("a velocity has priority"))
+    if (!d.what.message.starts_with("a velocity overrides "))
       out.push_back(d.what.message + (d.what.hint.empty() ? "" : " (" + d.what.hint + ")"));
   return out;
 }
@@ -89,7 +89,7 @@ TEST(Segments, OperationsOnValuesTakeEachTypeInItsOwnWay) {
   EXPECT_NEAR(std::abs(half.y), 1, 1e-12);
   // A value that fits only some of them; none of them; one that is wrong for all.
   EXPECT_EQ(noticed(film + "translate b.{position,radius} 1f..24f (0 1 0)\n"),
-            std::vector<std::string>{"left out: b.radius (a number is wanted here, not a vector)"});
+            std::vector<std::string>{"left out: b.radius (expected a number here, not a vector)"});
   EXPECT_EQ(first_error(film + "scale b.{display,material} 1f..24f 2\n"), "8:7: on or off cannot be scaled");
   const Loaded grown = read(film + "scale b.{radius,position} 1f..24f 1e308\nscale b.radius 1f..2f 1e308\n");
   EXPECT_EQ(errors(grown).size(), 2u);
@@ -115,7 +115,7 @@ TEST(Segments, OperationsOnValuesTakePoints) {
   const List wanted{{1, -1, 0}, {1, 0, 0}, {-1, 0, 0}};
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(length(turned[i] - wanted[i]), 0, 1e-12);
   const std::string aims = film + "translate {w,v}.look-at 1f..25f (0 1 0)\nscale w.look-at 1f..25f 2\n";
-  EXPECT_EQ(noticed(aims), std::vector<std::string>{"left out: v.look-at (this cannot be moved by that)"});
+  EXPECT_EQ(noticed(aims), std::vector<std::string>{"left out: v.look-at (this cannot be moved by this)"});
   EXPECT_EQ(LoadedFilm(aims).read("w.look-at", "1f"), Value(Vec3{2, 6, 6}));
   EXPECT_EQ(LoadedFilm(aims + "rotate w.look-at 1f..5f 180deg y\n").read("w.look-at", "25f"), Value(Vec3{6, 6, 2}));
   EXPECT_EQ(told(film + "translate b.points 1f..25f ((0 0) (1 1))\n"), "syntax 12:32 0");
@@ -147,17 +147,17 @@ TEST(Segments, TwerpersAndFiltersTakeEachType) {
                  {{"b.position", "13f", {2, 0, 0}}, {"b.color", "13f", {0.5, 0.5, 0.5}}});
   const auto left = noticed(linear);
   ASSERT_EQ(left.size(), 1u);
-  EXPECT_TRUE(left[0].starts_with("left out: b.position, b.material (only colours blend in light or srgb")) << left[0];
+  EXPECT_TRUE(left[0].starts_with("left out: b.position, b.material (only colours can blend in light or srgb"))
+      << left[0];
   expect_numbers(LoadedFilm(linear), {{"b.position", "13f", {0, 0, 0}}, {"b.color", "13f", {0.5, 0.5, 0.5}}});
   const std::string sprung = film +
                              "filter b.{scale,position,material} delay by=1f\nfilter b.{scale,material,radius} spring\n"
                              "filter b.{radius,rotation} limit high=0.5\n";
-  EXPECT_EQ(noticed(sprung), (std::vector<std::string>{"left out: b.material ('spring' means nothing for a text)",
+  EXPECT_EQ(noticed(sprung), (std::vector<std::string>{"left out: b.material ('spring' cannot filter a text)",
                                                        "left out: b.rotation (an angle needs a unit)"}));
   expect_numbers(LoadedFilm(sprung),
                  {{"b.position", "25f", {0, 0, 0}}, {"b.position", "26f", {4, 0, 0}}, {"b.radius", "1f", {0.5}}});
-  EXPECT_EQ(first_error("create b box\nfilter b.{material,display} spring\n"),
-            "2:8: 'spring' means nothing for a text");
+  EXPECT_EQ(first_error("create b box\nfilter b.{material,display} spring\n"), "2:8: 'spring' cannot filter a text");
   EXPECT_EQ(first_error("create b box\nfilter b.{position,color} sprong\n"), "2:27: there is no filter 'sprong'");
   // One that is wrong otherwise does nothing to anyone.
   const Loaded wrong = read(film + "twerper b.{position,color} liner\n");
@@ -230,14 +230,12 @@ TEST(Segments, ReversingAPartSaysWhatBends) {
       "rate 24\ncreate b sphere\nb.radius\n  1f 1 bspline\n  5f 9 bspline\n  9f 2 bspline\n  17f 7 bspline\n"
       "  19f 4 bspline\n  30f 8\n";
   const std::string hint =
-      " (their in-betweens follow from the events beside them, which are others now; reverse the whole track, or bake "
-      "it "
+      " (their shape depends on the neighbouring events, which have changed; reverse the whole track, or bake it "
       "first)";
   EXPECT_EQ(
       noticed(film + "reverse b.radius 5f..19f\n"),
-      std::vector<std::string>{"these bend otherwise than before, backwards: b.radius from 15f to 19f, b.radius from "
-                               "5f to 7f" +
-                               hint});
+      std::vector<std::string>{
+          "these segments have another shape backwards: b.radius from 15f to 19f, b.radius from 5f to 7f" + hint});
   // What is not named is the mirror of what it was.
   const LoadedFilm was(film), is(film + "reverse b.radius 5f..19f\n");
   for (double f = 9; f < 17; f += 0.5)
@@ -249,8 +247,8 @@ TEST(Segments, ReversingAPartSaysWhatBends) {
       "axis(z "
       "90deg)\ncreate c box\nc.color\n  1f red smooth\n  5f blue smooth\n  9f green smooth\n  13f gold\n";
   EXPECT_EQ(noticed(turns + "reverse b.rotation 5f..13f\nreverse c.color 5f..13f\n"),
-            (std::vector<std::string>{"these bend otherwise than before, backwards: b.rotation from 9f to 13f" + hint,
-                                      "these bend otherwise than before, backwards: c.color from 9f to 13f" + hint}));
+            (std::vector<std::string>{"these segments have another shape backwards: b.rotation from 9f to 13f" + hint,
+                                      "these segments have another shape backwards: c.color from 9f to 13f" + hint}));
 }
 
 struct FilmsToForget : Dice {
@@ -304,7 +302,7 @@ TEST(Segments, WhatCameBeforeATimeCanGoAndNothingFromThereOnChanges) {
     }
     const auto events = [](const LoadedFilm& s) {
       std::size_t n = 0;
-      for (const auto& t : tracks(s.loaded.document, objects(s.loaded.document).front())) n += t.events;
+      for (const auto& t : tracks(s.loaded.document, objects(s.loaded.document).front())) n += t.event_count;
       return n;
     };
     gone += events(was) - events(is);
@@ -312,7 +310,7 @@ TEST(Segments, WhatCameBeforeATimeCanGoAndNothingFromThereOnChanges) {
   EXPECT_GT(gone, 500u);
   const LoadedFilm held("create b box\nb.display\n 1f on\n 5f off\n 9f on\n 12f off\nclear b.display before 10f\n");
   const auto left = tracks(held.loaded.document, objects(held.loaded.document).front());
-  EXPECT_EQ(left.front().events, 2u);
+  EXPECT_EQ(left.front().event_count, 2u);
   EXPECT_EQ(held.read("b.display", "1f"), Value(true));
 }
 
@@ -325,10 +323,10 @@ TEST(Segments, WhatFollowsFromAllThatCameBeforeIsLeftWhole) {
       "before "
       "3f\n");
   EXPECT_EQ(all_told(l), std::vector<std::string>{});
-  EXPECT_NE(
-      said(l.diagnostics)
-          .find("left whole, as what comes later follows from all of it: b.size, c.position, d.attachment and 1 more"),
-      std::string::npos)
+  EXPECT_NE(said(l.diagnostics)
+                .find("not cleared, because later values depend on all earlier events: b.size, c.position, "
+                      "d.attachment and 1 more"),
+            std::string::npos)
       << said(l.diagnostics);
   EXPECT_EQ(all_told(read("create b box\nclear b.position before\n")).size(), 1u);
 }
@@ -360,7 +358,7 @@ TEST(Copying, SaysWhatGaveWay) {
   const Loaded flat = read(ramp + "copy b.position.y 1f..25f to 25f times 2\n");
   ASSERT_EQ(flat.diagnostics.size(), 1u);
   EXPECT_EQ(flat.diagnostics[0].severity, Severity::notice);
-  EXPECT_EQ(flat.diagnostics[0].what.message, "1 event gave way");
+  EXPECT_EQ(flat.diagnostics[0].what.message, "1 event replaced");
   EXPECT_TRUE(read(ramp + "copy b.position.y 1f..25f to 25f shift 5 times 2\n").diagnostics.empty());
   EXPECT_TRUE(read(ramp + "copy b.position.y 1f..25f to 30f times 2\n").diagnostics.empty());
 }

@@ -50,7 +50,7 @@ TEST(Targets, EachWordInBracesMustBeAFunctionOfOneOfThem) {
   const Loaded l = read("create a sphere\nset a.{position,scale.y} 3\n");
   ASSERT_EQ(all_told(l), std::vector<std::string>{"name 2:7 {position,scale.y}"});
   EXPECT_TRUE(mentions(l, "'scale.y'"));
-  EXPECT_EQ(l.diagnostics[0].what.hint, "components stand behind all of them: {position,scale}.y");
+  EXPECT_EQ(l.diagnostics[0].what.hint, "write the component after the braces: {position,scale}.y");
 }
 
 // A light's `shadow` is a word, everybody else's on or off; a text's `size` a number, a box's three.
@@ -73,7 +73,7 @@ TEST(Targets, OneValueReachesAllWhomItFits) {
   EXPECT_EQ(notices("set *.shadow off"), Said{});
   EXPECT_EQ(notices("at 1f *.shadow on"), Said{});
   EXPECT_EQ(notices("set {lamp,q}.shadow soft"),
-            Said{"notice: left out: q, whose shadow is on or off (on or off is wanted here)"});
+            Said{"notice: left out: q, whose shadow is on or off (expected on or off here)"});
   EXPECT_EQ(remarks_told(head + "at 1f *.shadow soft\n"), Said{"notice syntax 5:7 *.shadow"});
   EXPECT_TRUE(mentions(head + "at 1f *.shadow soft\n", "b1, b2, b3, b4 and 4 more"));
   EXPECT_EQ(notices("set {q,t}.size 2").size(), 1u);
@@ -129,7 +129,7 @@ TEST(Settings, NotesBelongToTheRange) {
   const Loaded cut = read("range 1f 20f\nat 12f note \"seen\"\nat 30f note \"never\"\n");
   ASSERT_EQ(cut.diagnostics.size(), 1u);
   EXPECT_EQ(cut.diagnostics[0].severity, Severity::notice);
-  EXPECT_EQ(cut.diagnostics[0].what.message, "the note at 30f is outside the range, 1f to 20f: it never plays");
+  EXPECT_EQ(cut.diagnostics[0].what.message, "the note at 30f is outside the range from 1f to 20f, so it never shows");
 }
 
 }  // namespace

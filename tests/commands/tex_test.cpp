@@ -99,7 +99,7 @@ TEST_F(TexTexts, NoScriptRunsProgramsByItself) {
   const Loaded l = load("create a sphere\ncreate f text tex=\"x\"\ncreate g text tex=\"\"\n", false);
   ASSERT_EQ(l.diagnostics.size(), 1U);
   const Error& e = l.diagnostics[0].what;
-  EXPECT_EQ(e.message, "formulas are set by other programs, latex and dvisvgm, which no script runs by itself");
+  EXPECT_EQ(e.message, "a script may not run latex and dvisvgm, which typeset formulas");
   EXPECT_EQ(e.hint, "--tex allows it");
   EXPECT_EQ(told(l), "file 2:19 \"x\"");
   EXPECT_EQ(fake.latex_calls(), 0U);
@@ -120,7 +120,8 @@ TEST_F(TexTexts, AreReadOnceAndStayWhole) {
   };
   EXPECT_EQ(wrong("set f.tex = \"'x'\""), "type 2:13 \"'x'\"");
   EXPECT_EQ(wrong("split f into letters"), "type 2:7 f");
-  EXPECT_TRUE(mentions(load("create f text tex=\"x\"\nsplit f into letters\n"), "'f' is a formula, which stays whole"));
+  EXPECT_TRUE(
+      mentions(load("create f text tex=\"x\"\nsplit f into letters\n"), "'f' is a formula; formulas cannot be split"));
 }
 
 }  // namespace

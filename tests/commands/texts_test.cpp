@@ -152,8 +152,8 @@ TEST(Texts, WhatCannotBeSaysWhy) {
 
 TEST(Texts, AsManyLettersAsATextMayHaveAreSplit) {
   EXPECT_EQ(told("create t text text=\"" + std::string(1'000'000, 'i') + "\""), "range 1:20 \"");
-  EXPECT_TRUE(mentions("create t text text=\"" + std::string(20'001, 'i') + "\"",
-                       "a text that is drawn has at most 20000 letters"));
+  EXPECT_TRUE(
+      mentions("create t text text=\"" + std::string(20'001, 'i') + "\"", "a text can have at most 20000 letters"));
   const Loaded all = read("create t text text=\"" + std::string(20'000, 'i') + "\"\nsplit t into letters\n");
   EXPECT_EQ(all_told(all), std::vector<std::string>{});
   EXPECT_EQ(all.document.names().size(), 20'001U);

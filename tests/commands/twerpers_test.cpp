@@ -165,7 +165,7 @@ TEST(TwerperStops, WhatIsWrongIsSaid) {
   for (int i = 0; i < 1001; ++i) many += " 1";
   EXPECT_EQ(error_of(many + ")\n"), "range 4:14 (");
   EXPECT_TRUE(
-      mentions("create b sphere\ncreate c box\nb.position.x\n" + many + ")\n", "linear has at most 1000 stops"));
+      mentions("create b sphere\ncreate c box\nb.position.x\n" + many + ")\n", "linear can have at most 1000 stops"));
   EXPECT_NE(error_of("c.text\n"), "");
 }
 

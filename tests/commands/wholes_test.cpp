@@ -92,7 +92,7 @@ TEST(Wholes, WhatIsRemovedTakesAllBelowItAlong) {
   const Loaded loaded = read(man + "create man/a{1..9} box\nremove man\n");
   ASSERT_EQ(loaded.diagnostics.back().severity, Severity::notice);
   EXPECT_EQ(loaded.diagnostics.back().what.message,
-            "with 'man' go 18 objects below: man/arm, man/arm/hand, man/eye, man/sign, man/sway, …");
+            "this also removes 18 objects below 'man': man/arm, man/arm/hand, man/eye, man/sign, man/sway, …");
   const Loaded one = read("create a group\ncreate a/b box\nremove a\n");
   EXPECT_EQ(remarks_told(one), std::vector<std::string>{"notice syntax 3:8 a"});
   EXPECT_TRUE(mentions(one, "a/b"));

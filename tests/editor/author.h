@@ -12,20 +12,21 @@
 
 namespace betwixt {
 
-inline Session::Doors answering(std::vector<std::string> answers, std::string* asked = nullptr) {
-  Session::Doors doors;
-  doors.ask = [answers, asked, k = std::size_t{0}](const std::string& q) mutable -> std::optional<std::string> {
-    if (asked) *asked += q;
+inline Session::Callbacks answering(std::vector<std::string> answers, std::string* asked = nullptr) {
+  Session::Callbacks callbacks;
+  callbacks.ask = [answers, asked,
+                   k = std::size_t{0}](const Session::Question& q) mutable -> std::optional<std::string> {
+    if (asked) *asked += to_string(q);
     if (k == answers.size()) return std::nullopt;
     return answers[k++];
   };
-  return doors;
+  return callbacks;
 }
 
 // A session on film.bx of the folder; that holds the text, where one is given.
-inline Session opened(const Folder& folder, const char* text = nullptr, Session::Doors doors = {}) {
+inline Session opened(const Folder& folder, const char* text = nullptr, Session::Callbacks callbacks = {}) {
   if (text) folder.put("film.bx", text);
-  Session s(std::move(doors));
+  Session s(std::move(callbacks));
   s.open(folder / "film.bx");
   return s;
 }

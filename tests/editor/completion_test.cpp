@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Words that are begun are completed where they stand.
+#include "editor/completion.h"
+
+#include <algorithm>
+
 #include "betwixt/session.h"
 #include "editor/author.h"
+#include "editor/help.h"
 #include "support/small_film.h"
 
 namespace betwixt {
@@ -46,9 +51,9 @@ TEST(Session, CompletesFiltersAndTwerpersWhereTheyStand) {
 // shows: G22
 TEST(Session, CompletesWhatCanFollow) {
   const Folder folder;
-  Session::Doors doors;
-  doors.styles = {"shaded", "wireframe"};
-  Session s = opened(folder, small_film, std::move(doors));
+  Session::Callbacks callbacks;
+  callbacks.styles = {"shaded", "wireframe"};
+  Session s = opened(folder, small_film, std::move(callbacks));
   expect_done(s, "layer sway add");
   using Words = std::vector<std::string>;
   for (const auto& [line, words] : std::vector<std::pair<std::string, Words>>{
@@ -91,11 +96,33 @@ TEST(Session, CompletesWhatCanFollow) {
            {"style ", {"shaded", "wireframe"}},
            {"samples ", {"1", "16", "4", "9"}},
            {"define heat num", {"number"}},
+           {"hide {ball,ey", {"eye"}},
+           {"create x sphere color=rgb(1 0 0) rad", {"radius="}},
+           {"alias all ", {"="}},
+           {"let ey", {}},
        })
     EXPECT_EQ(s.complete(line), words) << line;
   expect_done(s, "ball.color");
   EXPECT_EQ(s.complete("  3f cornf"), (Words{"cornflowerblue"}));
   EXPECT_EQ(s.complete("3f red lin"), (Words{"linear"}));
+}
+
+// A word in capitals stands for others in the rows of the verbs; a row with an unknown one would offer it.
+TEST(Completion, NoWordInCapitalsIsOffered) {
+  const auto in_capitals = [](const std::string& w) {
+    return w.size() > 1 && std::ranges::all_of(w, [](char c) { return c >= 'A' && c <= 'Z'; });
+  };
+  for (const HelpEntry& e : help_entries())
+    for (std::string line = std::string(e.word) + " "; line.size() < e.word.size() + 12; line += "x ")
+      for (const std::string& w : completions(line, Document(), {.in_shell = true, .folder = "/none"}))
+        ASSERT_FALSE(in_capitals(w)) << line << w;
+}
+
+TEST(Completion, ADotFollowsWhereATargetStands) {
+  for (const char* line : {"ball", "set ball", "move ball", "plot ball", "at 2f ball", "at 2f set ball"})
+    EXPECT_TRUE(takes_target(line)) << line;
+  for (const char* line : {"hide ball", "at 2f hide ball", "eval ball", "attach ball to hand", "create x like ball"})
+    EXPECT_FALSE(takes_target(line)) << line;
 }
 
 }  // namespace

@@ -224,24 +224,24 @@ TEST(Dials, RefuseInWords) {
   const Result<Document> near = say(d, "/fader/2", {1});
   EXPECT_EQ(message(near), "no dial has the address /fader/2");
   EXPECT_EQ(near.error().hint, "did you mean '/fader/1'?");
-  EXPECT_EQ(message(say(d, "/fader/1", {1, 2})), "/fader/1: radius wants one number, not two numbers");
+  EXPECT_EQ(message(say(d, "/fader/1", {1, 2})), "/fader/1: radius needs one number, not two numbers");
   for (const auto& [numbers, what] : {std::pair<Numbers, const char*>{{1, 2}, "two numbers"}, {{}, "no number"}}) {
     const Result<Document> few = say(d, "/p", numbers);
     EXPECT_EQ(told(few), "type");
     EXPECT_TRUE(mentions(few, "/p: ") && mentions(few, "three numbers") && mentions(few, what));
   }
-  EXPECT_EQ(message(say(d, "/p", {1, std::nan(""), 2})), "/p: this is no number");
+  EXPECT_EQ(message(say(d, "/p", {1, std::nan(""), 2})), "/p: this is not a finite number");
   const Result<Document> endless = say(d, "/fader/1", {std::numeric_limits<double>::infinity()});
   EXPECT_EQ(told(endless), "range");
   EXPECT_TRUE(mentions(endless, "/fader/1: "));
-  EXPECT_EQ(message(say(d, "/w", {1})), "/w: text takes a text");
+  EXPECT_EQ(message(say(d, "/w", {1})), "/w: text needs a text");
   const std::string text = "x", broken = "a\xff", bell = "a\ab";
   EXPECT_EQ(told(turn(d, "/p", {}, &text)), "type");
   EXPECT_TRUE(mentions(turn(d, "/p", {}, &text), "three numbers, not a text"));
   for (const std::string* t : {&broken, &bell})
-    EXPECT_EQ(message(turn(d, "/w", {}, t)), "/w: this is not a text: it is not UTF-8, or has control characters");
+    EXPECT_EQ(message(turn(d, "/w", {}, t)), "/w: this is not a text: it is not UTF-8 or has control characters");
   EXPECT_EQ(message(say(film_with("set ball.rotation axis(0 1 0 30deg)\ndial /x to ball.rotation.x\n"), "/x", {1})),
-            "/x: rotation is given as a whole here; it has no separate components");
+            "/x: the whole of rotation is set here, so its components cannot be controlled");
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace betwixt {
 namespace {
 
 Status say(Editor& editor, const std::string& line) {
-  Deed deed = editor.carry_out(editor.now(), line);
-  EXPECT_TRUE(deed.done) << line;
-  return editor.take(std::move(deed.after), {{deed.line}, deed.sheet});
+  CommandResult result = editor.carry_out(editor.now(), line);
+  EXPECT_TRUE(result.done) << line;
+  return editor.take(std::move(result.after), {{result.line}, result.sheet});
 }
 
 TEST(Editor, CarryingOutChangesNothing) {
@@ -23,7 +23,7 @@ TEST(Editor, CarryingOutChangesNothing) {
   editor.begin("create ball sphere\n", "");
   const Document before = editor.now().document;
   EXPECT_TRUE(editor.carry_out(editor.now(), "set ball.radius 2").done);
-  const Deed wrong = editor.carry_out(editor.now(), "set ball.radius two");
+  const CommandResult wrong = editor.carry_out(editor.now(), "set ball.radius two");
   EXPECT_FALSE(wrong.done);
   ASSERT_EQ(wrong.said.size(), 1u);
   EXPECT_EQ(wrong.said[0].what.place.file, "");
@@ -64,11 +64,11 @@ TEST(Editor, SheetsOfSeveralAuthorsStandSideBySide) {
   const auto enter = [&](int who, const std::string& line) {
     Point from = editor.now();
     from.script.left = sheets[who];
-    Deed deed = editor.carry_out(from, line);
-    EXPECT_TRUE(deed.done) << line;
-    sheets[who] = deed.after.script.left;
-    if (deed.opens) return;
-    EXPECT_TRUE(editor.take(std::move(deed.after), {{deed.line}, deed.sheet}));
+    CommandResult result = editor.carry_out(from, line);
+    EXPECT_TRUE(result.done) << line;
+    sheets[who] = result.after.script.left;
+    if (result.opens) return;
+    EXPECT_TRUE(editor.take(std::move(result.after), {{result.line}, result.sheet}));
   };
   enter(0, "a.radius");
   enter(1, "b.radius");
@@ -88,12 +88,12 @@ TEST(Editor, ASheetMeansWhatItsLineWouldMeanNow) {
   const auto row = [&](const std::string& line) {
     Point from = editor.now();
     from.script.left = sheet;
-    Deed deed = editor.carry_out(from, line);
-    if (!deed.done) return deed.said.at(0).what.message;
-    if (line[0] == ' ') text += deed.sheet + "\n";
+    CommandResult result = editor.carry_out(from, line);
+    if (!result.done) return result.said.at(0).what.message;
+    if (line[0] == ' ') text += result.sheet + "\n";
     text += line + "\n";
-    sheet = deed.after.script.left;
-    EXPECT_TRUE(editor.take(std::move(deed.after), {{deed.line}, deed.sheet}));
+    sheet = result.after.script.left;
+    EXPECT_TRUE(editor.take(std::move(result.after), {{result.line}, result.sheet}));
     EXPECT_TRUE(load_text(text, "").document == editor.now().document) << text;
     return std::string();
   };
@@ -128,11 +128,11 @@ TEST(Editor, WhatHappensNowStandsWithItsTime) {
       "");
   const Time now = Rate{30, 1}.span(7);
   const auto enter = [&](const std::string& line, const std::string& stands, bool stamped) {
-    Deed deed = editor.carry_out(editor.now(), line, now);
-    ASSERT_TRUE(deed.done) << line << ": " << deed.said.at(0).what.message;
-    EXPECT_EQ(deed.line, stands);
-    EXPECT_EQ(deed.stamped, stamped) << line;
-    EXPECT_TRUE(editor.take(std::move(deed.after), {{deed.line}, deed.sheet}));
+    CommandResult result = editor.carry_out(editor.now(), line, now);
+    ASSERT_TRUE(result.done) << line << ": " << result.said.at(0).what.message;
+    EXPECT_EQ(result.line, stands);
+    EXPECT_EQ(result.stamped, stamped) << line;
+    EXPECT_TRUE(editor.take(std::move(result.after), {{result.line}, result.sheet}));
     const Loaded again = load_text(as_script(editor.base(), editor.steps()), "");
     EXPECT_EQ(has_errors(again.diagnostics), line.starts_with("  begin")) << line;  // its end is still to come
     EXPECT_TRUE(again.document == editor.now().document) << line;
@@ -200,7 +200,7 @@ TEST(Editor, RestoringAtOnceIsLikeOneByOne) {
       steps.push_back(all[pick(static_cast<int>(std::size(all)))]);
     }
     const std::size_t standing = static_cast<std::size_t>(20 + pick(11));
-    Editor at_once({}, {static_cast<std::size_t>(pick(10)), UndoDepth::without_limit}), one_by_one;
+    Editor at_once({}, {static_cast<std::size_t>(pick(10)), UndoLimits::without_limit}), one_by_one;
     at_once.begin("create o0 sphere\n", ""), one_by_one.begin("create o0 sphere\n", "");
     const auto left_out = at_once.restore(steps, standing), expected = one_by_one.restore(steps, standing);
     RC_ASSERT(left_out.size() == expected.size());
@@ -219,15 +219,48 @@ TEST(Editor, NothingHappensBeyondAllTimes) {
   Editor editor;
   editor.begin("create ball sphere\n", "");
   for (const double seconds : {-4.61e9, -4.6e9, -1.0, 4.6e9, 4.61e9}) {
-    const Deed deed = editor.carry_out(editor.now(), "set ball.drive (e)", from_seconds(seconds));
-    EXPECT_EQ(deed.done, std::abs(seconds) <= 4.6e9) << seconds;
-    if (deed.done) {
-      EXPECT_TRUE(editor.carry_out(editor.now(), deed.line).done) << deed.line;
+    const CommandResult result = editor.carry_out(editor.now(), "set ball.drive (e)", from_seconds(seconds));
+    EXPECT_EQ(result.done, std::abs(seconds) <= 4.6e9) << seconds;
+    if (result.done) {
+      EXPECT_TRUE(editor.carry_out(editor.now(), result.line).done) << result.line;
     } else {
-      EXPECT_EQ(deed.said.back().what.code, ErrorCode::range);
+      EXPECT_EQ(result.said.back().what.code, ErrorCode::range);
     }
     EXPECT_TRUE(editor.carry_out(editor.now(), "set ball.radius 2", from_seconds(seconds)).done);
   }
+}
+
+// A part that documents copy as a whole is copied for the first line of a draft that changes it, and not again.
+TEST(Editor, ADraftCopiesEachPartOnce) {
+  Editor editor;
+  editor.begin("create {a,b} sphere\nmake l\n  point (0 0)\nstart l\n", "");
+  const Document before = editor.now().document;
+  Editor::Draft draft(editor, editor.now());
+  const auto say = [&](const std::string& line) {
+    const CommandResult result = draft.carry_out(line, Time{});
+    EXPECT_TRUE(result.done) << line;
+    return result.line;
+  };
+  std::string said;
+  const void* parts[5] = {};
+  for (int i = 0; i < 4; ++i) {
+    for (const std::string& line :
+         {fmt::format("at {}f note \"{}\"", 9 - i, i), fmt::format("alias a{} = a b", i), fmt::format("let n{} = 2", i),
+          fmt::format("define f{} number n{}", 3 - i, i), std::string("a.position"),
+          fmt::format("  {}f (1 2 3)", 2 + i), fmt::format("make l{}", i), std::string("  point (0 0)"),
+          std::string("  point (1 0)")})
+      said += say(line) + "\n";
+    const Scene& s = draft.scene();
+    const void* const now[] = {&*s.notes, &*s.aliases, &*s.lets, &*s.defined, &*s.lists};
+    for (int k = 0; k < 5; ++k) EXPECT_TRUE(i == 0 || parts[k] == now[k]) << k;
+    std::copy(std::begin(now), std::end(now), parts);
+  }
+  EXPECT_TRUE(draft.sheet_is_open());
+  draft.close_sheet();
+  EXPECT_FALSE(draft.carry_out("  point (2 0)", Time{}).done);
+  const Document after = std::move(draft).point().document;
+  EXPECT_TRUE(after == load_text(write(before) + said, "").document);
+  EXPECT_TRUE(editor.now().document == before);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class FilmTexts {
  public:
   explicit FilmTexts(std::vector<std::string> texts) {
     for (std::size_t i = 0; i < texts.size(); ++i)
-      texts_.push_back({i == 0 ? "film.bx" : fmt::format("{}.bx", i - 1), TextLines(texts[i])});
+      texts_.push_back({i == 0 ? "film.bx" : fmt::format("{}.bx", i - 1), ScriptText(texts[i])});
     film_ = load(texts);
   }
 

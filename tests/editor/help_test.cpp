@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "commands/foreign_words.h"
 #include "commands/plugins.h"
-#include "commands/roads.h"
 #include "commands/verbs.h"
 #include "editor/author.h"
 #include "support/small_film.h"
@@ -58,7 +58,7 @@ TEST(Help, RoadsLeadToWords) {
   const auto has_help = [](std::string_view w) {
     return std::any_of(help_entries().begin(), help_entries().end(), [&](const HelpEntry& e) { return e.word == w; });
   };
-  for (const Road& r : roads()) {
+  for (const ForeignWord& r : foreign_words()) {
     EXPECT_FALSE(has_help(r.word)) << r.word;
     std::istringstream see{std::string(r.see)};
     int words = 0;
@@ -68,15 +68,31 @@ TEST(Help, RoadsLeadToWords) {
   }
   for (const char* word : {"loop", "easing", "path", "opacity", "alpha", "sheet", "time", "rgb", "channel", "f-curve",
                            "property", "ik", "morph", "depth-of-field", "dope-sheet", "keyframe", "interpolation"})
-    EXPECT_FALSE(road(word).empty()) << word;
+    EXPECT_FALSE(foreign_word_hint(word).empty()) << word;
   EXPECT_EQ(help_text("opacity", Scene()),
             "opacity: transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5\n"
             "  see: help transparency\n");
 }
 
+// Kinds have functions of one name and different meanings.
+TEST(Help, AFunctionIsExplainedForEachKind) {
+  for (const FunctionSpec& f : built_in_functions()) EXPECT_FALSE(f.sentence.empty()) << f.name;
+  EXPECT_EQ(sentence_of("from=", Kind::arc), "The angle at which an arc begins, anticlockwise from the right.");
+  EXPECT_EQ(sentence_of("music.from", Kind::sound), "The second of its file with which a sound begins.");
+  EXPECT_EQ(sentence_of("points=", Kind::star), "How many points (tips) a star has.");
+  EXPECT_EQ(sentence_of("size=", Kind::sphere), "") << "size is a command too, and a function of other kinds";
+  EXPECT_TRUE(sentence_of("size").starts_with("The size in pixels for play"));
+  EXPECT_TRUE(sentence_of("ease-in").starts_with("Begins slowly"));
+  EXPECT_TRUE(sentence_of("ease-in=").find("arrives slowly") != std::string_view::npos);
+  for (const char* of : {"sound", "trace", "arc"})
+    EXPECT_NE(help_text("from", Scene()).find(fmt::format("from, a function of {}: ", of)), std::string::npos) << of;
+  EXPECT_EQ(help_text("from", Scene(), Kind::sound).find("arc"), std::string::npos);
+}
+
 // shows: G22
 TEST(Help, GroupsAreListed) {
-  EXPECT_TRUE(help_text("twerpers", Scene()).starts_with("Twerpers (from one event to the next)\n  hold  "));
+  EXPECT_TRUE(
+      help_text("twerpers", Scene()).starts_with("Twerpers (interpolation from one event to the next)\n  hold  "));
   for (const char* group : {"shell", "commands", "rows", "kinds", "functions", "filters", "options"}) {
     const std::string text = help_text(group, Scene());
     EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 5) << group;

@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "betwixt/language.h"
-#include "editor/speaking.h"
+#include "commands/line_head.h"
+#include "editor/named_objects.h"
 
 namespace betwixt {
 namespace {
@@ -112,7 +113,7 @@ TEST(LinePieces, TimesUnderTheCursor) {
 std::string spoken(std::string_view line, std::string_view opener = {}) {
   const Document d = film();
   std::string out;
-  for (const ObjectId id : spoken_of(line, opener, d)) out += (out.empty() ? "" : " ") + d.name(id);
+  for (const ObjectId id : objects_named_in(line, opener, d)) out += (out.empty() ? "" : " ") + d.name(id);
   return out;
 }
 
@@ -131,13 +132,13 @@ TEST(Speaking, OfWhatALineNames) {
 TEST(Speaking, OfWhatIsSelected) {
   const Document d = film();
   const std::vector<ObjectId> car{d.find("car")}, wheel{d.find("wheel2")};
-  EXPECT_TRUE(speaks_of("couple ball to car", {}, d, car));
-  EXPECT_FALSE(speaks_of("couple ball to car", {}, d, wheel));
-  EXPECT_TRUE(speaks_of("set wheel*.color red", {}, d, wheel));
-  EXPECT_TRUE(speaks_of("set round.color red", {}, d, wheel));
-  EXPECT_TRUE(speaks_of("  1f red", "wheel?.color", d, wheel));
-  EXPECT_FALSE(speaks_of("set wheel*.color red", {}, d, car));
-  EXPECT_FALSE(speaks_of("set wheel*.color red", {}, d, {}));
+  EXPECT_TRUE(names_any("couple ball to car", {}, d, car));
+  EXPECT_FALSE(names_any("couple ball to car", {}, d, wheel));
+  EXPECT_TRUE(names_any("set wheel*.color red", {}, d, wheel));
+  EXPECT_TRUE(names_any("set round.color red", {}, d, wheel));
+  EXPECT_TRUE(names_any("  1f red", "wheel?.color", d, wheel));
+  EXPECT_FALSE(names_any("set wheel*.color red", {}, d, car));
+  EXPECT_FALSE(names_any("set wheel*.color red", {}, d, {}));
 }
 
 TEST(Speaking, SheetsAreOpened) {

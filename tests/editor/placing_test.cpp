@@ -16,7 +16,7 @@ std::string placed(const std::string& text, const std::vector<std::string>& line
   const Folder folder;
   folder.put("film.bx", text);
   Session s;
-  s.keep_in_place();
+  s.edit_in_place();
   const std::string file = folder / "film.bx";
   EXPECT_TRUE(s.open(file).done);
   for (const std::string& line : lines) {
@@ -153,7 +153,7 @@ TEST(Placing, TheTextAlwaysMakesTheFilm) {
   for (int round = 0; round < 12; ++round) {
     folder.put("film.bx", text);
     Session s;
-    s.keep_in_place();
+    s.edit_in_place();
     ASSERT_TRUE(s.open(folder / "film.bx").done);
     int steps = 0;
     for (int i = 0; i < 60; ++i) {
@@ -218,7 +218,7 @@ TEST(Placing, IsRecovered) {
     Document document;
     {
       auto s = std::make_unique<Session>();
-      s->keep_in_place();
+      s->edit_in_place();
       folder.put("film.bx", ball);
       ASSERT_TRUE(s->open(folder / "film.bx").done);
       expect_done(*s, "at 12f ball.position (5 5 5)");
@@ -234,7 +234,7 @@ TEST(Placing, IsRecovered) {
     }
     folder.put(".film.bx.journal", folder.get("journal"));
     Session again;
-    again.keep_in_place();
+    again.edit_in_place();
     ASSERT_TRUE(again.open(folder / "film.bx", Session::Earlier::recover).done);
     EXPECT_EQ(again.text(), text);
     EXPECT_TRUE(again.document() == document);
@@ -249,7 +249,7 @@ TEST(Placing, GoesOnFromAFileThatOthersChanged) {
   std::string text;
   {
     Session s;
-    s.keep_in_place();
+    s.edit_in_place();
     s.open(folder / "film.bx");
     expect_done(s, "at 24f ball.position (1 1 1)");
     const std::string theirs = with(ball, "# a ball", "# their ball");
@@ -264,7 +264,7 @@ TEST(Placing, GoesOnFromAFileThatOthersChanged) {
   }
   folder.put(".film.bx.journal", folder.get("journal"));
   Session again;
-  again.keep_in_place();
+  again.edit_in_place();
   ASSERT_TRUE(again.open(folder / "film.bx", Session::Earlier::recover).done);
   EXPECT_EQ(again.text(), text);
   expect_done(again, "save");
@@ -278,7 +278,7 @@ TEST(Placing, IsRecoveredByAShell) {
   folder.put("film.bx", ball);
   {
     Session s;
-    s.keep_in_place();
+    s.edit_in_place();
     s.open(folder / "film.bx");
     expect_done(s, "rewrite 4..4 \"  1f (7 7 7)\"");
     folder.put("journal", folder.get(".film.bx.journal"));
@@ -301,7 +301,7 @@ TEST(Rewriting, ChangesLinesOfTheText) {
 }
 TEST(Rewriting, SaysWhatItTakes) {
   Session s;
-  s.keep_in_place();
+  s.edit_in_place();
   s.open("");
   for (const char* line : {"rewrite", "rewrite 1", "rewrite a..b \"\"", "rewrite 1..2", "rewrite 1..0 \"x\" y"})
     EXPECT_NE(s.enter(line).said.find("rewrite FIRST..LAST"), std::string::npos) << line;
@@ -327,7 +327,7 @@ TEST(RowChange, IsWhatTheWholeTextMakes) {
         "at 20f fall ball\n", "bake ball.position 1f..9f\n"}) {
     folder.put("film.bx", text + more);
     Session s;
-    s.keep_in_place();
+    s.edit_in_place();
     ASSERT_TRUE(s.open(folder / "film.bx").done);
     for (int i = 0; i < 60; ++i) {
       std::vector<std::string> lines;

@@ -61,7 +61,7 @@ TEST(Recompiling, OfATextSharesOnlyWhatIsTheSame) {
     std::mt19937_64 random(seed);
     PlainFilm film(seed);
     Session s;
-    s.keep_in_place();
+    s.edit_in_place();
     folder.put("film.bx", film.script().c_str());
     s.open(folder / "film.bx");
     Program program = Program::compile(s.document());

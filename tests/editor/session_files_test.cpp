@@ -35,7 +35,7 @@ TEST(Session, OverwritingIsAsked) {
   Session s = opened(folder, nullptr, answering({"maybe", "no", "yes"}, &asked));
   expect_done(s, "rate 25");
   EXPECT_FALSE(s.enter("save " + folder / "other.bx").done);
-  EXPECT_NE(asked.find("exists: overwrite? (yes/no)"), std::string::npos) << asked;
+  EXPECT_NE(asked.find("already exists; overwrite it: yes or no?"), std::string::npos) << asked;
   EXPECT_EQ(folder.get("other.bx"), "# precious\n");
   expect_done(s, "save " + folder / "other.bx");
   EXPECT_EQ(folder.get("other.bx"), "rate 25\n");
@@ -59,7 +59,7 @@ TEST(Session, TheSecondMayOnlyLook) {
   folder.put("film.bx", author);
   Session first, second;
   first.open(folder / "film.bx");
-  EXPECT_NE(second.open(folder / "film.bx").said.find("may only look"), std::string::npos);
+  EXPECT_NE(second.open(folder / "film.bx").said.find("is read-only"), std::string::npos);
   EXPECT_FALSE(second.may_change());
   EXPECT_FALSE(second.enter("rate 25").done);
   EXPECT_FALSE(second.enter("save").done);
@@ -94,7 +94,7 @@ TEST(Plugins, SavingSaysThatTheFilmNeedsThem) {
   s.enter("create overshooter sphere");  // no word of the plug-in
   EXPECT_EQ(s.enter("save").said, "saved '" + file + "'\n");
   s.enter("at 1f overshooter.radius 2 overshoot");
-  EXPECT_EQ(s.enter("save").said, "words of a plug-in are in it: it is shown by betwixt play --load " +
+  EXPECT_EQ(s.enter("save").said, "it uses a plug-in; to show it: betwixt play --load " +
                                       std::string(PLUGIN_DIR "/example.so") + " " + file + "\nsaved '" + file + "'\n");
 }
 

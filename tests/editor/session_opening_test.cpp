@@ -79,7 +79,7 @@ TEST(Session, WhatCannotBeRecoveredIsSetAside) {
     {
       Session s;
       ASSERT_TRUE(s.open(folder / "film.bx").done);
-      if (in_place) s.keep_in_place();
+      if (in_place) s.edit_in_place();
       for (const char* line : {"set ball.radius 2", "use more.bx", "set extra.radius 3", "undo", "hide extra",
                                "set ball.color red", "undo", "redo"})
         expect_done(s, line);

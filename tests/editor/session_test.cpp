@@ -106,16 +106,16 @@ TEST(Session, WhatIsShownIsTheFilmAsItIsByThen) {
   const Folder folder;
   std::optional<Document> shown;
   std::string asked;
-  Session::Doors doors = answering({});
-  doors.play = [&](const Document& d, const std::string& frames) {
+  Session::Callbacks callbacks = answering({});
+  callbacks.play = [&](const Document& d, const std::string& frames) {
     shown = d, asked = frames;
     return Status(Nothing{});
   };
-  doors.plot = [&](const Document& d, const std::string& target, const std::string&) {
+  callbacks.plot = [&](const Document& d, const std::string& target, const std::string&) {
     shown = d, asked = target;
     return Status(Nothing{});
   };
-  Session s = opened(folder, author, std::move(doors));
+  Session s = opened(folder, author, std::move(callbacks));
   for (const char* line : {"hide ball", "show ball", "undo", "undo", "redo", "ball.position", "  9f (1 2 3)"}) {
     expect_done(s, line);
     for (const auto& [look, words] : {std::pair("play 1f..9f", "1f..9f"), {"plot ball.position", "ball.position"}}) {
@@ -141,7 +141,8 @@ TEST(Session, LayersAreListedWithWhatIsOnThem) {
   EXPECT_EQ(s.enter("describe sway.weight").said, "sway.weight\n  1f       0.25\n");
   // Rows below a refused sheet of a layer have nowhere to go.
   EXPECT_TRUE(s.enter("on swey ball.position").refused);
-  EXPECT_EQ(s.enter("  1f (0 0 0)").said, "error: this row has no sheet: the line that should open it was refused\n");
+  EXPECT_EQ(s.enter("  1f (0 0 0)").said,
+            "error: this row has no sheet, because the line that should open it has an error\n");
 }
 
 // shows: G22
@@ -185,13 +186,13 @@ TEST(Session, SaysHowManyAPatternNamesUnlessItIsQuiet) {
 TEST(Session, TheWayOfDrawingIsAWord) {
   const Folder folder;
   std::string told;
-  Session::Doors doors;
-  doors.picture = [&](const std::string& what, const std::string& value) -> Result<std::string> {
+  Session::Callbacks callbacks;
+  callbacks.set_play_option = [&](const std::string& what, const std::string& value) -> Result<std::string> {
     if (value == "cubist") return fail(ErrorCode::name, "there is no style 'cubist'");
     told += what + " " + value + "; ";
     return std::string("as said\n");
   };
-  Session s = opened(folder, author, std::move(doors));
+  Session s = opened(folder, author, std::move(callbacks));
   for (const char* line : {"style wireframe", "samples 16", "size 320x180", "style"})
     EXPECT_EQ(s.enter(line).said, "as said\n") << line;
   EXPECT_EQ(told, "style wireframe; samples 16; size 320x180; style ; ");
@@ -204,14 +205,14 @@ TEST(Session, TheWayOfDrawingIsAWord) {
 TEST(Session, PolicyAskAsks) {
   const Folder folder;
   std::string asked;
-  Session::Doors doors;
-  doors.ask_about_line = answering({"t", "ignore", "translate", std::string(Session::called_off)}, &asked).ask;
-  Session s = opened(folder, author, std::move(doors));
+  Session::Callbacks callbacks;
+  callbacks.ask_about_line = answering({"t", "ignore", "translate", std::string(Session::called_off)}, &asked).ask;
+  Session s = opened(folder, author, std::move(callbacks));
   EXPECT_TRUE(s.enter("set ball.radius (3 4 0)").done);
   EXPECT_NE(asked.find(read("create ball sphere\nset ball.radius (3 4 0)\n").diagnostics[0].what.message),
             std::string::npos)
       << asked;
-  EXPECT_TRUE(asked.ends_with("translate it to 'set ball.radius 5', or ignore the line? ")) << asked;
+  EXPECT_TRUE(asked.ends_with("it can be translated to 'set ball.radius 5': translate or ignore? ")) << asked;
   const std::string before = s.text();
   EXPECT_TRUE(before.ends_with("\nset ball.radius 5\n"));
   EXPECT_EQ(s.enter("set ball.rotation.x 90").said, "ignored\n");
@@ -260,7 +261,7 @@ TEST(Session, WhatARefusedLineShouldHaveMade) {
   const Folder folder;
   Session s = opened(folder);
   EXPECT_TRUE(s.enter("create ball sphre").refused);
-  EXPECT_NE(s.enter("set ball.radius 2").said.find("line 1, which should have made it, was refused"),
+  EXPECT_NE(s.enter("set ball.radius 2").said.find("line 1, which should have created it, has an error"),
             std::string::npos);
   expect_done(s, "create ball sphere");
   expect_done(s, "set ball.radius 2");
@@ -336,9 +337,8 @@ TEST(DisplayList, A_host_that_edits_again_and_again_makes_nothing_grow) {
   enter("make open");
   enter("  push");
   enter("  tag x");
-  EXPECT_EQ(
-      session.enter("start open").said,
-      "line:1017:7: warning: in 'open': this 'push' is never followed by its 'pop'\n  start open\n        ^~~~\n");
+  EXPECT_EQ(session.enter("start open").said,
+            "line:1017:7: warning: in 'open': the 'pop' of this 'push' is missing\n  start open\n        ^~~~\n");
   EXPECT_TRUE(session.enter("make ball").refused);
   EXPECT_TRUE(session.enter("  point (0 0)").refused);
   EXPECT_TRUE(session.enter("undo").done);
@@ -398,12 +398,12 @@ TEST(Session, ARefusedLineAboutWhatIsThereWouldHaveMadeNothing) {
   expect_done(s, "layer sway add");
   EXPECT_FALSE(s.enter("layer sway add").done);
   expect_done(s, "remove sway");
-  EXPECT_EQ(s.enter("rename sway swing").said.find("which should have made it"), std::string::npos);
+  EXPECT_EQ(s.enter("rename sway swing").said.find("which should have created it"), std::string::npos);
   EXPECT_FALSE(s.enter("layer lean add weight=oops").done);
-  EXPECT_NE(s.enter("rename lean swing").said.find("line 5, which should have made it"), std::string::npos);
+  EXPECT_NE(s.enter("rename lean swing").said.find("line 5, which should have created it"), std::string::npos);
   expect_done(s, "layer lean add");
   expect_done(s, "remove lean");
-  EXPECT_EQ(s.enter("rename lean swing").said.find("which should have made it"), std::string::npos);
+  EXPECT_EQ(s.enter("rename lean swing").said.find("which should have created it"), std::string::npos);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ constexpr const char* film =
 std::string places(const FilmTexts& f, const std::vector<TextSpan>& all) {
   std::string out;
   for (const TextSpan& s : all) {
-    const TextLines& lines = f.texts()[s.text].lines;
+    const ScriptText& lines = f.texts()[s.text].lines;
     const std::size_t line = lines.line_of(s.span.at);
     out += fmt::format("{}{}:{}", out.empty() ? "" : " ", line, s.span.at - lines.start(line));
   }
@@ -95,7 +95,7 @@ TEST(TextNames, WhatComesFromSomethingElseIsMadeWhereThatIs) {
   const FilmTexts f({"create man group\ncreate man/arm box\ncreate twin like man\nset twin/arm.color red\n"});
   EXPECT_EQ(made(f, "twin/arm", 6), "2:7");
   EXPECT_EQ(f.renamed(0, f.place("twin/arm", 0, 6), "leg")[0],
-            "'twin/arm' is made together with others, by a pattern or from something else");
+            "a pattern or another line creates 'twin/arm' together with other objects, so it cannot be renamed alone");
 }
 
 TEST(TextNames, APatternBeginsWithANameAboveIt) {
@@ -144,14 +144,14 @@ TEST(Renaming, WhatCannotBeRenamedIsRefusedInWords) {
   const auto said = [&](std::string_view words, const char* to, std::size_t behind = 0) {
     return f.renamed(0, f.place(words, 0, behind), to)[0];
   };
-  EXPECT_EQ(said("rate", "x"), "no name of this film stands here");
-  EXPECT_EQ(said("ball.position", "2x"), "'2x' can be no name here");
+  EXPECT_EQ(said("rate", "x"), "there is no name here that can be renamed");
+  EXPECT_EQ(said("ball.position", "2x"), "'2x' cannot be a name here");
   EXPECT_EQ(said("beat", "a-b").substr(0, 6), "'a-b' ");
   EXPECT_NE(said("ball.position", "man").find("'man'"), std::string::npos);
-  EXPECT_EQ(said("wheel{", "w"), "'wheel{1..3}' is a pattern: what it names has names of its own");
+  EXPECT_EQ(said("wheel{", "w"), "'wheel{1..3}' is a pattern; rename one of its objects instead");
   const FilmTexts b({"create ball sphere\ncreate box2 box\nset b*.color red\nset ball.radius 2\n"});
   EXPECT_EQ(b.renamed(0, b.place("ball"), "orb")[0],
-            "the film would not be the same: a pattern or code speaks of 'ball' in another way");
+            "renaming would change the film: a pattern or code refers to 'ball' in another way");
   EXPECT_EQ(b.renamed(0, b.place("ball"), "beta")[0],
             "create beta sphere\ncreate box2 box\nset b*.color red\nset beta.radius 2\n");
 }
@@ -159,7 +159,7 @@ TEST(Renaming, WhatCannotBeRenamedIsRefusedInWords) {
 TEST(Renaming, ANameThatIsSpokenOfAlreadyIsNotTaken) {
   const FilmTexts f({"create ball sphere\nset ball.environments drift\n"});
   EXPECT_EQ(f.renamed(0, f.place("ball"), "drift")[0],
-            "something speaks of 'drift' already, though nothing is called so");
+            "'drift' is already used in a line, although nothing has this name");
 }
 
 TEST(Renaming, AFilmWithErrorsIsRenamedWhereThatCanBeTold) {
@@ -167,7 +167,7 @@ TEST(Renaming, AFilmWithErrorsIsRenamedWhereThatCanBeTold) {
   EXPECT_EQ(f.renamed(0, f.place("ball"), "orb")[0], "create orb sphere\nset orb.radius\nset orb.color red\n");
   const FilmTexts lists({"create ball sphere\nset b*.color red\nset ball.radius\n"});
   EXPECT_EQ(lists.renamed(0, lists.place("ball"), "orb")[0],
-            "whether 'ball' can be called 'orb' cannot be told while the film has errors");
+            "'ball' cannot be renamed to 'orb' while the script has errors");
 }
 
 // What the scene draws at a time, without names: where things are, their colours.
@@ -192,7 +192,7 @@ TEST(Renaming, ThereAndBackIsTheSameText) {
       const std::string other =
           name.rfind('/') == std::string::npos ? "quite_another" : name.substr(0, name.rfind('/')) + "/other";
       const std::string there = f.renamed(0, m.word.span.end(), other)[0];
-      ASSERT_EQ(there.find("would not be the same"), std::string::npos) << text << name << "\n" << there;
+      ASSERT_EQ(there.find("would change the film"), std::string::npos) << text << name << "\n" << there;
       const FilmTexts g({there});
       ASSERT_FALSE(has_errors(g.film().diagnostics)) << there << to_string(g.film().diagnostics[0]);
       const std::string back = g.renamed(0, m.word.span.at + other.size(), name)[0];

@@ -27,9 +27,9 @@ void expect_about_right(const std::string& base, int lines, const std::function<
   Editor editor;
   editor.begin(base, "");
   for (int i = 0; i < lines; ++i) {
-    Deed deed = editor.carry_out(editor.now(), line(i));
-    ASSERT_TRUE(deed.done) << line(i);
-    ASSERT_TRUE(editor.take(std::move(deed.after), {{deed.line}, deed.sheet}));
+    CommandResult result = editor.carry_out(editor.now(), line(i));
+    ASSERT_TRUE(result.done) << line(i);
+    ASSERT_TRUE(editor.take(std::move(result.after), {{result.line}, result.sheet}));
   }
   const double said = static_cast<double>(editor.undo_bytes());
   const Point now = editor.now();
@@ -123,10 +123,10 @@ TEST(UndoBytes, OfWhatWasUndone) {
   Editor editor;
   editor.begin("create c curve points=((0 0 0) (1 1 1))\n", "");
   for (int i = 0; i < 100; ++i) {
-    Deed deed = editor.carry_out(editor.now(), i % 2 ? fmt::format("set c.points {}", points(1000, i))
-                                                     : fmt::format("create p{}-{{1..200}} sphere", i));
-    ASSERT_TRUE(deed.done);
-    ASSERT_TRUE(editor.take(std::move(deed.after), {{deed.line}, ""}));
+    CommandResult result = editor.carry_out(editor.now(), i % 2 ? fmt::format("set c.points {}", points(1000, i))
+                                                                : fmt::format("create p{}-{{1..200}} sphere", i));
+    ASSERT_TRUE(result.done);
+    ASSERT_TRUE(editor.take(std::move(result.after), {{result.line}, ""}));
   }
   const std::size_t standing = editor.undo_bytes();
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(editor.undo());

@@ -135,17 +135,17 @@ TEST_F(Files, PlyInAllForms) {
   ASSERT_TRUE(binary) << binary.error().message;
   EXPECT_EQ((*binary)->box().high[1], 3);
   expect_error(put("c.ply", big.substr(0, big.size() - 1)),
-               at("c.ply") + " cannot be read as a mesh: face 1 of 1 is cut off or makes no sense");
+               at("c.ply") + " cannot be read as a mesh: face 1 of 1 is incomplete or not valid");
   expect_error(put("d.ply", head.substr(0, 60)), at("d.ply") + " cannot be read as a mesh: its header has no end");
   expect_error(put("e.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"),
-               at("e.ply") + " cannot be read as a mesh: vertex 1 of 99999999999 is cut off or makes no sense");
+               at("e.ply") + " cannot be read as a mesh: vertex 1 of 99999999999 is incomplete or not valid");
 }
 
 TEST_F(Files, EveryBrokenFileHasItsMessage) {
   expect_error(at("none.obj"), "there is no file " + at("none.obj"));
   fs::create_directory(at("folder.obj"));
   expect_error(at("folder.obj"), at("folder.obj") + " is a folder, not a file");
-  expect_error(put("x.doc", "words"), at("x.doc") + " is not a kind of mesh that can be read");
+  expect_error(put("x.doc", "words"), "the format of the mesh " + at("x.doc") + " is not supported");
   for (const char* kind : {"obj", "ply", "stl", "dae", "fbx", "3ds", "gltf", "glb"}) {
     const std::string name = std::string("empty.") + kind;
     expect_error(put(name, ""), at(name) + " is empty");
@@ -160,26 +160,24 @@ TEST_F(Files, EveryBrokenFileHasItsMessage) {
         << mesh.error().message;
   }
   expect_error(put("points.obj", "v 0 0 0\nv 1 1 1\n"),
-               at("points.obj") + " cannot be read as a mesh: it holds no triangles");
-  expect_error(
-      put("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-      at("nan.obj") + " cannot be read as a mesh: it has a vertex that is infinitely far away, or not a number");
+               at("points.obj") + " cannot be read as a mesh: it has no triangles");
+  expect_error(put("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+               at("nan.obj") + " cannot be read as a mesh: the position of a vertex is not finite");
   expect_error(
       put("cut.dae", "<?xml version=\"1.0\"?><COLLADA><asset>"),
       at("cut.dae") +
-          " cannot be read as a mesh: it is cut off, or its lists of indices hold something else than numbers");
+          " cannot be read as a mesh: it is incomplete, or an index list contains something other than numbers");
   expect_error(put("one.gltf", "{\"asset\":{\"version\":\"1.0\"}}"),
-               at("one.gltf") + " cannot be read as a mesh: it is glTF 1.0, and only glTF 2 can be read");
+               at("one.gltf") + " cannot be read as a mesh: it is glTF 1.0; only glTF 2 is supported");
   expect_error(put("bare.gltf", "{\"asset\":{\"version\":\"2.0\"}}"),
-               at("bare.gltf") + " cannot be read as a mesh: it holds no triangles");
+               at("bare.gltf") + " cannot be read as a mesh: it has no triangles");
   expect_error(data + "RecursiveNodes.gltf",
-               data + "RecursiveNodes.gltf cannot be read as a mesh: node 0 hangs on itself or on two others");
-  expect_error(data + "BoxWithInfinites.glb", data +
-                                                  "BoxWithInfinites.glb cannot be read as a mesh: it has a vertex that "
-                                                  "is infinitely far away, or not a number");
+               data + "RecursiveNodes.gltf cannot be read as a mesh: node 0 is below itself or has two parents");
+  expect_error(data + "BoxWithInfinites.glb",
+               data + "BoxWithInfinites.glb cannot be read as a mesh: the position of a vertex is not finite");
   expect_error(
       data + "IndexOutOfRange.gltf",
-      data + "IndexOutOfRange.gltf cannot be read as a mesh: a triangle wants vertex 255, but there are only 24");
+      data + "IndexOutOfRange.gltf cannot be read as a mesh: a triangle uses vertex 255, but there are only 24");
   EXPECT_FALSE(load(put("deep.gltf", std::string(200000, '['))));
 }
 
@@ -208,7 +206,7 @@ TEST_F(Files, EveryFileIsAskedFor) {
   EXPECT_EQ((*cube)->parts[0].color, (std::array<float, 3>{1, 0, 0}));
   const auto refused = load_mesh(path, [](const std::string&) { return false; });
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, path + " may not be read");
+  EXPECT_EQ(refused.error().message, "reading " + path + " is not allowed");
   const auto bare = load_mesh(path, [&](const std::string& p) { return p == path; });
   ASSERT_TRUE(bare) << bare.error().message;
   EXPECT_FALSE((*bare)->parts[0].texture);

@@ -158,11 +158,11 @@ TEST(Blend, MeshesGoVertexByVertex) {
 TEST(Blend, SaysWhyItSteps) {
   std::string why;
   EXPECT_FALSE(can_blend(shape(Kind::sphere), shape(Kind::box), &why));
-  EXPECT_EQ(why, "1225 vertices against 24");
+  EXPECT_EQ(why, "1225 vertices and 24 vertices");
   Shape a = shape(Kind::polyline), b = a;
   a.points = Corners(3, Vec3{}), b.points = Corners(5, Vec3{});
   EXPECT_FALSE(can_blend(a, b, &why));
-  EXPECT_EQ(why, "3 points against 5");
+  EXPECT_EQ(why, "3 points and 5 points");
   EXPECT_EQ(realise_blend(shape(Kind::sphere), shape(Kind::box), 0.99).mesh, realise(shape(Kind::sphere)).mesh);
   EXPECT_EQ(realise_blend(shape(Kind::sphere), shape(Kind::box), 1.5).mesh, realise(shape(Kind::box)).mesh);
 }

@@ -82,5 +82,18 @@ TEST_F(Files, AreReadByOtherProgramsOneByOne) {
   EXPECT_EQ(::access(file.c_str(), F_OK), 0);
 }
 
+// It has its folder, whose file it may also remove, and nothing else of ours.
+TEST_F(Files, AreChangedByOtherProgramsInOneFolder) {
+  const std::string outside = put("x", "x");
+  const Folder own;
+  const std::string inside = own.put("x", "x");
+  const auto give_up = [&] {
+    give_up_all_but_one_folder(own.path().string(), "/bin/sh", {std::uint64_t{1} << 50, 20, 20});
+  };
+  EXPECT_EQ(left_over(own.path().string(), inside, give_up), "rowulx");
+  EXPECT_EQ(left_over(folder_.path().string(), outside, give_up), "rx");
+  EXPECT_EQ(::access(outside.c_str(), F_OK), 0);
+}
+
 }  // namespace
 }  // namespace betwixt

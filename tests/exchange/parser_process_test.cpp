@@ -9,10 +9,13 @@
 #include <cstdlib>
 #include <thread>
 
+#include "base/base64.h"
 #include "betwixt/picture.h"
+#include "exchange/drawing.h"
 #include "exchange/files.h"
 #include "exchange/meshes.h"
 #include "exchange/pictures.h"
+#include "exchange/scene_file.h"
 #include "exchange/unpacking.h"
 
 namespace betwixt {
@@ -58,8 +61,8 @@ TEST_F(Files, ReadApartAreTheSame) {
   put("good.dae", collada(1));
   for (const std::string& path :
        {examples + "spot.obj", examples + "2CylinderEngine.glb", data + "BoxTextured.glb", at("good.dae")}) {
-    MachineShelf shelf(anything);
-    const auto apart = load_mesh(path, anything), here = parse_mesh(path, shelf);
+    LocalFiles files(anything);
+    const auto apart = load_mesh(path, anything), here = parse_mesh(path, files);
     ASSERT_TRUE(apart && here) << path;
     const Mesh &a = **apart, &b = **here;
     EXPECT_TRUE(a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs) << path;
@@ -76,6 +79,13 @@ TEST_F(Files, ReadApartAreTheSame) {
   const Picture paint{3, 2, std::vector<std::uint8_t>(24, 77)};
   ASSERT_TRUE(write_png(at("paint.png"), paint));
   expect_same(**read_picture(at("paint.png")), paint);
+  const LinearPicture light{2, 2, {0, 0.5F, 40, 1, 0.25F, 0, 0, 0.5F, 0, 0, 0, 0, 1, 1, 1, 1}};
+  ASSERT_TRUE(write_exr(at("light.exr"), light));
+  const auto apart = read_linear_picture(at("light.exr"));
+  ASSERT_TRUE(apart) << apart.error().message;
+  EXPECT_EQ(apart->width, 2);
+  EXPECT_EQ(apart->height, 2);
+  EXPECT_EQ(apart->rgba, light.rgba);
 }
 
 TEST_F(Files, ThatEndTheirReaderAreErrors) {
@@ -85,7 +95,7 @@ TEST_F(Files, ThatEndTheirReaderAreErrors) {
     const auto mesh = load_mesh(at(name), anything);
     ASSERT_FALSE(mesh) << name;
     EXPECT_EQ(mesh.error().code, ErrorCode::file);
-    EXPECT_EQ(mesh.error().message, at(name) + " is damaged: what reads such files fell over it");
+    EXPECT_EQ(mesh.error().message, at(name) + " is damaged: the program that reads it crashed");
   }
   EXPECT_TRUE(load_mesh(put("good.dae", collada(3)), anything)) << "the next one is read as ever";
 }
@@ -98,7 +108,7 @@ TEST_F(Files, TakeNoMoreThanTheirCeilings) {
     const Error* error = parsed ? std::get_if<Error>(&*parsed) : nullptr;
     return error ? error->message : "";
   };
-  EXPECT_EQ(why({plenty.memory, 1, 60}), at("large.tga") + " takes more than 1 s to be read");
+  EXPECT_EQ(why({plenty.memory, 1, 60}), "reading " + at("large.tga") + " takes more than 1 s");
   EXPECT_EQ(why({plenty.memory, 60, 1}), why({plenty.memory, 1, 60}));
   EXPECT_NE(why({std::uint64_t{300} << 20, 60, 60}), "");
 }
@@ -129,6 +139,85 @@ TEST_F(Files, UnpackToNoMoreThanAHundredTimesTheirSize) {
                      std::vector<std::uint8_t>(4 * 4096 * 4096, 77)};  // 64 MiB, within what any file may be
   ASSERT_TRUE(write_png(at("gray.png"), gray));
   EXPECT_TRUE(load_picture(at("gray.png"), false));
+}
+
+// A chunk of a PNG: its length, its type, its data, and their CRC.
+std::string chunk(const std::string& type, const std::string& data) {
+  const auto number = [](std::uint32_t n) {
+    return std::string{static_cast<char>(n >> 24), static_cast<char>(n >> 16), static_cast<char>(n >> 8),
+                       static_cast<char>(n)};
+  };
+  std::uint32_t crc = 0xffffffff;
+  for (const char c : type + data) {
+    crc ^= static_cast<std::uint8_t>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) * 0xedb88320);
+  }
+  return number(static_cast<std::uint32_t>(data.size())) + type + data + number(~crc);
+}
+
+// Some bytes that say that 16,384 by 16,384 pixels follow: a GiB. The size is refused before the pixels are missed.
+TEST_F(Files, ThatSayTheyAreLargePicturesAreRefused) {
+  const std::string png = "\x89PNG\r\n\x1a\n" + chunk("IHDR", std::string("\0\0\x40\0\0\0\x40\0\x08\0\0\0\0", 13)) +
+                          chunk("IDAT", "x") + chunk("IEND", "");
+  const std::string jpeg("\xff\xd8\xff\xc0\0\x0b\x08\x40\0\x40\0\x01\x01\x11\0", 15);
+  const std::string bmp(
+      "BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\0\x40\0\0\0\x40\0\0\1\0\x18\0\0\0\0\0\4\0\0\0\0\0\0\0\0"
+      "\0\0\0\0\0\0\0\0\0\0\0",
+      54);
+  const std::string tga("\0\0\x02\0\0\0\0\0\0\0\0\0\0\x40\0\x40\x18\0", 18);
+  for (const auto& [name, bytes] : {std::pair("a.png", png), {"a.jpg", jpeg}, {"a.bmp", bmp}, {"a.tga", tga}}) {
+    const auto picture = load_picture(put(name, bytes), false);
+    ASSERT_FALSE(picture) << name;
+    EXPECT_EQ(picture.error().code, ErrorCode::range) << name << ": " << picture.error().message;
+  }
+  // So is a mesh that wears one.
+  const std::string triangle("\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0", 36);
+  const auto mesh = load_mesh(
+      put("a.gltf",
+          fmt::format(
+              R"({{"asset":{{"version":"2.0"}},"accessors":[{{"componentType":5126,"count":3,"type":"VEC3","bufferView":0}}],)"
+              R"("buffers":[{{"byteLength":36,"uri":"data:application/octet-stream;base64,{}"}}],"bufferViews":[{{"buffer":0,)"
+              R"("byteLength":36}}],"images":[{{"uri":"a.png"}}],"textures":[{{"source":0}}],"materials":[{{)"
+              R"("pbrMetallicRoughness":{{"baseColorTexture":{{"index":0}}}}}}],"meshes":[{{"primitives":[{{"attributes":{{)"
+              R"("POSITION":0}},"material":0}}]}}],"nodes":[{{"mesh":0}}],"scenes":[{{"nodes":[0]}}]}})",
+              base64(triangle))),
+      anything);
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, ErrorCode::range) << mesh.error().message;
+}
+
+// Every reader counts what it makes: none has room when a counter has given away all that any file may become.
+TEST_F(Files, OfEveryKindAreCounted) {
+  constexpr std::uint64_t any_file = std::uint64_t{64} << 20;
+  ASSERT_TRUE(write_png(at("a.png"), Picture{2, 2, std::vector<std::uint8_t>(16, 77)}));
+  put("a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  put("a.stl",
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\nendsolid a\n");
+  put("a.dae", collada(1));
+  put("a.svg", "<svg viewBox='0 0 9 9'><rect width='9' height='9'/></svg>");
+  put("a.bvh",
+      "HIERARCHY\nROOT hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+      "End Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 2\nFrame Time: 0.04\n0 0 0 0 0 0\n1 0 0 0 0 0\n");
+  LocalFiles files(anything);
+  const auto expect_counted = [&](const auto& parse, const std::string& path) {
+    const auto whole = parse(path, files);
+    EXPECT_TRUE(whole) << path << ": " << (whole ? "" : whole.error().message);
+    Unpacking counter(false);
+    ASSERT_TRUE(counter.take(any_file, "others"));
+    const auto none = parse(path, files);
+    ASSERT_FALSE(none) << path;
+    EXPECT_EQ(none.error().code, ErrorCode::range) << path << ": " << none.error().message;
+  };
+  for (const std::string& mesh :
+       {at("a.ply"), at("a.stl"), at("a.dae"), examples + "spot.obj", examples + "2CylinderEngine.glb"})
+    expect_counted(parse_mesh, mesh);
+  for (const std::string& scene : {at("a.dae"), at("a.bvh"), examples + "figure.glb"})
+    expect_counted(parse_scene, scene);
+  expect_counted(parse_picture, at("a.png"));
+  expect_counted(parse_drawing, at("a.svg"));
 }
 
 // What is counted: each file that was read, whatever was made of them, to the byte.

@@ -67,7 +67,7 @@ TEST_F(Files, BrokenPicturesHaveAMessage) {
   EXPECT_EQ(told(read_picture(at("none.png"))), "file");
   EXPECT_TRUE(mentions(read_picture(at("none.png")), at("none.png")));
   EXPECT_EQ(message(put("e.png", "")), at("e.png") + " is empty");
-  EXPECT_EQ(message(put("w.png", "words")), at("w.png") + " is not a picture that can be read");
+  EXPECT_EQ(message(put("w.png", "words")), "the picture format of " + at("w.png") + " is not supported");
   EXPECT_EQ(message(put("h.png", "\x89PNG\r\n\x1a\n")).find(at("h.png") + " is broken or not a picture: "), 0U);
   const auto words = read_picture(put("j.jpg", "\xff\xd8\xff\xe0 words"));
   EXPECT_EQ(told(words), "file");
@@ -78,7 +78,7 @@ TEST_F(Files, BrokenPicturesHaveAMessage) {
   EXPECT_TRUE(mentions(read_picture(at("p.png")), at("p.png")));
   Picture wide{16385, 1, std::vector<std::uint8_t>(4 * 16385)};
   ASSERT_TRUE(write_png(at("wide.png"), wide));
-  EXPECT_EQ(message(at("wide.png")), at("wide.png") + " has 16385 by 1 pixels; 1 to 16384 a side can be read");
+  EXPECT_EQ(message(at("wide.png")), at("wide.png") + " has 16385 by 1 pixels; each side must have from 1 to 16384");
 }
 
 }  // namespace

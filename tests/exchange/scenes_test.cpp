@@ -13,8 +13,8 @@
 
 #include "base/files.h"
 #include "exchange/files.h"
-#include "exchange/handed_over.h"
 #include "exchange/scene_file.h"
+#include "exchange/wire_format.h"
 
 namespace betwixt {
 namespace {
@@ -32,7 +32,7 @@ std::string contents(const std::string& name) {
 }
 
 // One file, in this process.
-class OneFile final : public Shelf {
+class OneFile final : public FileSource {
  public:
   explicit OneFile(std::string bytes) : bytes_(std::move(bytes)) {}
   bool has(const std::string& path) override { return path.starts_with("it."); }
@@ -44,8 +44,8 @@ class OneFile final : public Shelf {
   std::string bytes_;
 };
 Result<std::shared_ptr<const SceneFile>> parsed(const std::string& bytes, const std::string& kind = "glb") {
-  OneFile shelf(bytes);
-  return parse_scene("it." + kind, shelf);
+  OneFile files(bytes);
+  return parse_scene("it." + kind, files);
 }
 
 // A file of glTF 2 with `json` instead of `was` in its text.
@@ -71,12 +71,12 @@ void refused(const std::string& bytes, const std::string& why) {
 }
 
 TEST(SceneFiles, ThatLieAreRefusedByTheirLie) {
-  refused(with("skin", "\"children\":[3]", "\"children\":[0]"), "hangs on itself or on two others");
+  refused(with("skin", "\"children\":[3]", "\"children\":[0]"), "is below itself or has two parents");
   refused(with("skin", "\"children\":[3]", "\"children\":[77]"), "there is no node 77");
   refused(with("skin", "\"mesh\":0", "\"mesh\":9"), "there is no mesh 9");
   refused(with("skin", "\"skin\":0", "\"skin\":9"), "there is no skin 9");
-  refused(with("skin", "\"joints\":[1,2,3]", "\"joints\":[1,2,9]"), "joint 9 of a skin is no node");
-  refused(with("skin", "\"joints\":[1,2,3]", "\"joints\":[1]"), "a vertex follows joint");
+  refused(with("skin", "\"joints\":[1,2,3]", "\"joints\":[1,2,9]"), "joint 9 of a skin is not a node");
+  refused(with("skin", "\"joints\":[1,2,3]", "\"joints\":[1]"), "a vertex uses joint");
   refused(with("skin", "\"joints\":[1,2,3]", "\"joints\":[]"), "0 joints");
   refused(with("skin", "\"joints\":[1,2,3]", "\"joints\":[1,2,3,3,2]"), "fewer matrices than joints");
   refused(with("skin", "\"target\":{\"node\":2", "\"target\":{\"node\":300"), "moves node 300");
@@ -84,7 +84,7 @@ TEST(SceneFiles, ThatLieAreRefusedByTheirLie) {
   refused(with("skin", "\"count\":3,\"type\":\"SCALAR\"", "\"count\":300000000,\"type\":\"SCALAR\""), "");
   refused(with("morph", "\"weights\":[0.25,0]", "\"weights\":[0.25,0,1,2,3]"), "more weights than targets");
   refused(with("stage", "\"camera\":0", "\"camera\":7"), "there is no camera 7");
-  refused(with("stage", "{\"light\":0}", "{\"light\":7}"), "a light that is not there");
+  refused(with("stage", "{\"light\":0}", "{\"light\":7}"), "a light that does not exist");
   // A picture that is said to lie beyond its buffer: nobody looks at it, and then somebody does.
   const auto picture = [](const std::string& material) {
     return "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/"
@@ -99,13 +99,13 @@ TEST(SceneFiles, ThatLieAreRefusedByTheirLie) {
   };
   const auto left = parsed(picture("{}"), "gltf");  // its triangle is a point
   ASSERT_FALSE(left);
-  EXPECT_NE(left.error().message.find("it holds no triangles"), std::string::npos) << left.error().message;
+  EXPECT_NE(left.error().message.find("it has no triangles"), std::string::npos) << left.error().message;
   const auto looked_at = parsed(picture("{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}"), "gltf");
   ASSERT_FALSE(looked_at);
-  EXPECT_NE(looked_at.error().message.find("buffer view 1 ends before its data does"), std::string::npos)
+  EXPECT_NE(looked_at.error().message.find("buffer view 1 is shorter than its data"), std::string::npos)
       << looked_at.error().message;
-  refused("{\"asset\":{\"version\":\"1.0\"}}", "it is glTF 1.0, and only glTF 2 can be read");
-  refused(std::string("glTF\1\0\0\0\24\0\0\0\0\0\0\0", 16), "it is glTF 1.0, and only glTF 2 can be read");
+  refused("{\"asset\":{\"version\":\"1.0\"}}", "it is glTF 1.0; only glTF 2 is supported");
+  refused(std::string("glTF\1\0\0\0\24\0\0\0\0\0\0\0", 16), "it is glTF 1.0; only glTF 2 is supported");
 }
 
 // Cut anywhere, with a byte changed, with two: all sorts of damage.
@@ -163,12 +163,12 @@ TEST(SceneFiles, AreHandedOverAsTheyAre) {
     const auto scene = parsed(contents(std::string(name) + ".glb"));
     ASSERT_TRUE(scene);
     Memory memory;
-    ASSERT_EQ(hand_over(*scene, memory.file.fd()), 0);
+    ASSERT_EQ(write_parsed(*scene, memory.file.fd()), 0);
     Parsed got;
-    ASSERT_EQ(take_over(memory.file.fd(), got), 0);
+    ASSERT_EQ(read_parsed(memory.file.fd(), got), 0);
     const SceneFile &is = *std::get<std::shared_ptr<const SceneFile>>(got), &wanted = **scene;
     Memory again;
-    ASSERT_EQ(hand_over(std::get<std::shared_ptr<const SceneFile>>(got), again.file.fd()), 0);
+    ASSERT_EQ(write_parsed(std::get<std::shared_ptr<const SceneFile>>(got), again.file.fd()), 0);
     EXPECT_EQ(again.bytes(), memory.bytes()) << name;
     ASSERT_EQ(is.nodes.size(), wanted.nodes.size());
     for (std::size_t i = 0; i < is.nodes.size(); ++i) {
@@ -185,7 +185,7 @@ TEST(SceneFiles, AreHandedOverAsTheyAre) {
       for (unsigned k = 0; k < 1 + random() % 3; ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
       if (i % 7 == 0) bytes.resize(random() % bytes.size());
       const Memory lie(bytes);
-      if (take_over(lie.file.fd(), got) != 0) continue;
+      if (read_parsed(lie.file.fd(), got) != 0) continue;
       const auto* taken = std::get_if<std::shared_ptr<const SceneFile>>(&got);
       ASSERT_TRUE(!taken || sound(**taken));
     }
@@ -246,7 +246,7 @@ TEST(SceneFiles, ColladaBringsItsKeys) {
   EXPECT_EQ(move->times, (std::vector<double>{0, 2}));
   EXPECT_EQ(move->values, (std::vector<double>{0, 0, 0, 4, 2, 0}));
   EXPECT_EQ((*scene)->meshes.size(), 1U);
-  EXPECT_EQ((*scene)->left_out.at(0), "between its keys all goes straight, whatever curves the file has");
+  EXPECT_EQ((*scene)->left_out.at(0), "the curves between keys are left out: all interpolation is linear");
 }
 
 }  // namespace

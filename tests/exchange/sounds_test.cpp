@@ -99,15 +99,15 @@ TEST_F(Sounds, WhatIsNoneIsRefusedInWords) {
   EXPECT_EQ(fails(path("none.wav")), "there is no file " + path("none.wav"));
   EXPECT_EQ(fails(folder_.path().string()), folder_.path().string() + " is a folder, not a file");
   std::ofstream(path("noise.wav")) << "RIFFxxxxWAVEnothing at all";
-  EXPECT_TRUE(fails(path("noise.wav")).starts_with(path("noise.wav") + " is broken or no sound: "))
+  EXPECT_TRUE(fails(path("noise.wav")).starts_with(path("noise.wav") + " is broken or not a sound: "))
       << fails(path("noise.wav"));
   made("heard.wav", wave_of(0.1, [](double) { return 0.5; }));
   // A list of other files is none, whatever it is called.
   std::ofstream(path("list.wav")) << "ffconcat version 1.0\nfile heard.wav\n";
   std::ofstream(path("list.m3u8")) << "#EXTM3U\n#EXT-X-TARGETDURATION:3\n#EXTINF:3,\nheard.wav\n#EXT-X-ENDLIST\n";
   for (const char* name : {"list.wav", "list.m3u8"})
-    EXPECT_TRUE(fails(path(name)).starts_with(path(name) + " is broken or no sound: ")) << fails(path(name));
-  EXPECT_EQ(fails(made("empty.wav", {})), path("empty.wav") + " is broken or no sound: nothing is heard");
+    EXPECT_TRUE(fails(path(name)).starts_with(path(name) + " is broken or not a sound: ")) << fails(path(name));
+  EXPECT_EQ(fails(made("empty.wav", {})), path("empty.wav") + " is broken or not a sound: it has no sound");
   const std::string was = std::getenv("PATH");
   ::setenv("PATH", folder_.path().c_str(), 1);
   EXPECT_EQ(fails(path("heard.wav")), "sounds need the program ffmpeg, which is not installed");

@@ -12,10 +12,10 @@
 #include "base/files.h"
 #include "exchange/drawing.h"
 #include "exchange/files.h"
-#include "exchange/handed_over.h"
 #include "exchange/outlines.h"
 #include "exchange/svg_path.h"
 #include "exchange/svg_style.h"
+#include "exchange/wire_format.h"
 
 namespace betwixt {
 namespace {
@@ -180,14 +180,14 @@ TEST(Svg, SaysWhatItLeavesOut) {
     return all;
   };
   EXPECT_EQ(said(""), "");
-  EXPECT_EQ(said("<image id='photo'/>"), "<image> is left out (of 'photo'); ");
-  EXPECT_EQ(said("<g clip-path='url(#c)' id='hat'/>"), "clip-path is left out (of 'hat'); ");
+  EXPECT_EQ(said("<image id='photo'/>"), "<image> is left out (in 'photo'); ");
+  EXPECT_EQ(said("<g clip-path='url(#c)' id='hat'/>"), "clip-path is left out (in 'hat'); ");
   EXPECT_EQ(said("<linearGradient id='g'><stop stop-color='red'/><stop offset='1' stop-color='blue'/></linearGradient>"
                  "<rect id='sky' width='1' height='1' fill='url(#g)'/>"),
-            "a gradient is one colour, its middle one (of 'sky'); ");
-  EXPECT_EQ(said("<use href='#nothing'/>"), "a use of 'nothing', which is not there, is left out; ");
-  EXPECT_EQ(said("<path id='p' d='M0 0h9v9 oops'/>"), "a path that breaks off is drawn so far (of 'p'); ");
-  EXPECT_NE(said("<style>g > path { fill: red }</style>").find("a rule of <style>"), std::string::npos);
+            "gradients are not supported: the middle colour is used (in 'sky'); ");
+  EXPECT_EQ(said("<use href='#nothing'/>"), "a use of 'nothing', which does not exist, is left out; ");
+  EXPECT_EQ(said("<path id='p' d='M0 0h9v9 oops'/>"), "a path with an error is drawn up to the error (in 'p'); ");
+  EXPECT_NE(said("<style>g > path { fill: red }</style>").find("a style rule"), std::string::npos);
   const DrawnThing middle = only(
       "<linearGradient id='a'><stop stop-color='red'/><stop offset='100%' stop-color='blue'/></linearGradient>"
       "<linearGradient id='b' href='#a'/><circle r='1' fill='url(#b)'/>");
@@ -195,13 +195,14 @@ TEST(Svg, SaysWhatItLeavesOut) {
 }
 
 TEST(Svg, RefusesWhatItCannotTake) {
-  EXPECT_NE(refusal(svg("<g><text id='title'>Hello</text></g>")).find("'title' is a text"), std::string::npos);
+  EXPECT_NE(refusal(svg("<g><text id='title'>Hello</text></g>")).find("the text 'title' may have another font"),
+            std::string::npos);
   EXPECT_NE(refusal(svg("<text>Hello</text>")).find("turn texts into paths"), std::string::npos);
   EXPECT_EQ(drawing("<text display='none'>Hello</text><circle r='1'/>").things.size(), 1U)
       << "what is not drawn is none";
   EXPECT_NE(refusal("<html/>").find("begins with <html>"), std::string::npos);
-  EXPECT_NE(refusal(svg("<circle r='1'/>").substr(0, 70)).find("line 1 is no XML"), std::string::npos);
-  EXPECT_NE(refusal("").find("no XML"), std::string::npos);
+  EXPECT_NE(refusal(svg("<circle r='1'/>").substr(0, 70)).find("line 1 is not XML"), std::string::npos);
+  EXPECT_NE(refusal("").find("not XML"), std::string::npos);
   EXPECT_NE(refusal("\x1f\x8b\x08").find("gunzip"), std::string::npos);
   EXPECT_NE(refusal(svg("")).find("draws nothing"), std::string::npos);
   EXPECT_NE(refusal("<svg width='0' height='9'><circle r='1'/></svg>").find("size"), std::string::npos);
@@ -247,8 +248,8 @@ TEST(Svg, SurvivesDamage) {
     }
     const OpenFile memory(::memfd_create("test", MFD_CLOEXEC));
     Parsed taken;
-    EXPECT_EQ(hand_over(*read, memory.fd()), 0);
-    EXPECT_EQ(take_over(memory.fd(), taken), 0) << bad;
+    EXPECT_EQ(write_parsed(*read, memory.fd()), 0);
+    EXPECT_EQ(read_parsed(memory.fd(), taken), 0) << bad;
   }
 }
 
@@ -261,8 +262,8 @@ TEST(Svg, ComesOverAsItWent) {
   ASSERT_TRUE(read);
   const OpenFile memory(::memfd_create("test", MFD_CLOEXEC));
   Parsed taken;
-  ASSERT_EQ(hand_over(*read, memory.fd()), 0);
-  ASSERT_EQ(take_over(memory.fd(), taken), 0);
+  ASSERT_EQ(write_parsed(*read, memory.fd()), 0);
+  ASSERT_EQ(read_parsed(memory.fd(), taken), 0);
   const DrawingFile &a = **read, &b = *std::get<std::shared_ptr<const DrawingFile>>(taken);
   EXPECT_EQ(a.width, b.width);
   EXPECT_EQ(a.left_out, b.left_out);

@@ -9,7 +9,9 @@
 
 #include <cmath>
 
+#include "base/child.h"
 #include "exchange/outlines.h"
+#include "exchange/parser_process.h"
 #include "support/fake_programs.h"
 #include "support/told.h"
 
@@ -124,18 +126,18 @@ TEST(Tex, WhatIsNoFormulaIsSaid) {
   for (const char* d : {"72 72", "L72 72", "M72", "M72 72L", "M72 72A1 1 0 2 0 9 9", "M72 72Z5 5", "Mnan 1", "M1 -nan",
                         "M72 72Linf 1", "M1e300 0", "M1e7 0", "M72 72L1e999 0", "M72 72\xff", "M- 1", "M72 72L1 2 3"})
     EXPECT_EQ(refused(drawing_of(fmt::format("<path d='{}'/>", d))),
-              "dvisvgm drew what is no formula: a path that is none")
+              "the output of dvisvgm cannot be read: a path that is not valid")
         << d;
   for (const auto& [rest, why] :
-       {std::pair("<use xlink:href='#none'/>", "a glyph that is none"),
-        {"<use x='1' y='1'/>", "a glyph that is none"},
-        {"<rect x='1' y='1' width='-1' height='1'/>", "a bar that is none"},
-        {"<rect x='1' y='1' width='1pt' height='1'/>", "a bar that is none"},
-        {"<g transform='turn(5)'></g>", "a transformation that is none"},
-        {"<g transform='matrix(1 0 0 1 0)'></g>", "a transformation that is none"},
-        {"<g transform='scale(1e5) scale(1e5)'></g>", "something too large"},
-        {"<g transform='scale(1e5)'><rect x='99' y='9' width='9' height='9'/></g>", "something too far away"},
-        {"<path d='M999999 0l999999 0 0 9z'/>", "something too far away"},
+       {std::pair("<use xlink:href='#none'/>", "a glyph that is not valid"),
+        {"<use x='1' y='1'/>", "a glyph that is not valid"},
+        {"<rect x='1' y='1' width='-1' height='1'/>", "a bar that is not valid"},
+        {"<rect x='1' y='1' width='1pt' height='1'/>", "a bar that is not valid"},
+        {"<g transform='turn(5)'></g>", "a transformation that is not valid"},
+        {"<g transform='matrix(1 0 0 1 0)'></g>", "a transformation that is not valid"},
+        {"<g transform='scale(1e5) scale(1e5)'></g>", "a number that is too large"},
+        {"<g transform='scale(1e5)'><rect x='99' y='9' width='9' height='9'/></g>", "a point that is too far away"},
+        {"<path d='M999999 0l999999 0 0 9z'/>", "a point that is too far away"},
         {"<image href='x.png'/>", "<image>"},
         {"<text>a</text>", "<text>"},
         {"<g>", "broken SVG"},
@@ -143,13 +145,13 @@ TEST(Tex, WhatIsNoFormulaIsSaid) {
         {"<path d='M1 1", "broken SVG"},
         {"<path d=5/>", "broken SVG"},
         {"< >", "broken SVG"}})
-    EXPECT_EQ(refused(drawing_of(rest)), std::string("dvisvgm drew what is no formula: ") + why) << rest;
+    EXPECT_EQ(refused(drawing_of(rest)), std::string("the output of dvisvgm cannot be read: ") + why) << rest;
   for (const char* none : {"", "no SVG", "<svg/>", "<svg></svg>", "<!-- <svg/> "})
-    EXPECT_EQ(refused(none), "dvisvgm drew what is no formula: nothing") << none;
-  EXPECT_EQ(refused("<svg><path d='M0 0H1V1Z'/></svg>"), "dvisvgm drew what is no formula: no baseline");
+    EXPECT_EQ(refused(none), "the output of dvisvgm cannot be read: nothing") << none;
+  EXPECT_EQ(refused("<svg><path d='M0 0H1V1Z'/></svg>"), "the output of dvisvgm cannot be read: no baseline");
   std::string deep;
   for (int i = 0; i < 100; ++i) deep += "<g>";
-  EXPECT_EQ(refused(drawing_of(deep)), "dvisvgm drew what is no formula: groups too deep in each other");
+  EXPECT_EQ(refused(drawing_of(deep)), "the output of dvisvgm cannot be read: groups that are nested too deep");
   std::string many;
   for (int i = 0; i < 20'001; ++i) many += "<use x='1' y='1' xlink:href='#g'/>";
   EXPECT_EQ(refused(drawing_of(many, "<path id='g' d='M0 0H1V1Z'/>")),
@@ -205,14 +207,14 @@ TEST(Tex, WhatTeXSaysIsPassedOn) {
   };
   const Error e =
       refused_by_latex("(/usr/share/article.cls)\n! Undefined control sequence.\nl.7 \\fracc\n          {a}{b}");
-  EXPECT_EQ(e.message, "the formula is wrong: Undefined control sequence: \\fracc");
+  EXPECT_EQ(e.message, "the formula has an error: Undefined control sequence: \\fracc");
   EXPECT_EQ(e.code, ErrorCode::syntax);
-  EXPECT_EQ(refused_by_latex("! Emergency stop.").message, "the formula is wrong: Emergency stop");
+  EXPECT_EQ(refused_by_latex("! Emergency stop.").message, "the formula has an error: Emergency stop");
   const Error long_one = refused_by_latex("! " + std::string(9999, 'x'));
   EXPECT_EQ(told(long_one), "syntax");
   EXPECT_TRUE(long_one.message.ends_with(" " + std::string(200, 'x'))) << long_one.message;
   EXPECT_TRUE(refused_by_latex("! \x1b[31m\xff").message.ends_with(" ?[31m?"));
-  EXPECT_EQ(refused_by_latex("nothing\nl.").message, "latex fails, and does not say why");
+  EXPECT_EQ(refused_by_latex("nothing\nl.").message, "latex failed without an error message");
 }
 
 TEST(Tex, WhatFailsIsSaid) {
@@ -223,14 +225,14 @@ TEST(Tex, WhatFailsIsSaid) {
     return o ? Error{} : o.error();
   };
   fake.draw(fraction_drawing);
-  EXPECT_EQ(error(std::string(10'001, 'x')).message, "a formula has at most 10000 characters");
+  EXPECT_EQ(error(std::string(10'001, 'x')).message, "a formula can have at most 10000 characters");
   EXPECT_EQ(fake.latex_calls(), 0U);
   EXPECT_EQ(error(std::string(10'000, 'x')).message, "");
   fake.put("dvisvgm", "echo broken >formula.svg");
   EXPECT_EQ(told(error()), "machine");
   EXPECT_TRUE(error().message.ends_with(": nothing")) << error().message;
   fake.put("dvisvgm", "exit 1");
-  EXPECT_EQ(error().message, "dvisvgm fails to draw the formula");
+  EXPECT_EQ(error().message, "dvisvgm failed to draw the formula");
   fake.put("dvisvgm", ":");
   EXPECT_EQ(told(error()), "machine") << "it wrote nothing";
   EXPECT_NE(error().message.find("dvisvgm"), std::string::npos);
@@ -238,7 +240,7 @@ TEST(Tex, WhatFailsIsSaid) {
   EXPECT_EQ(error().message, "the formula is too large: more than 1 MiB of paths");
   const auto begun = std::chrono::steady_clock::now();
   fake.put("dvisvgm", "sleep 100 & sleep 100");
-  EXPECT_EQ(error("x", 300).message, "the formula takes dvisvgm too long");
+  EXPECT_EQ(error("x", 300).message, "dvisvgm takes too long for this formula");
   fake.put("latex", "kill -XCPU $$");
   const Error late = error();
   EXPECT_EQ(told(late), "machine") << "of the processor's time";
@@ -248,11 +250,12 @@ TEST(Tex, WhatFailsIsSaid) {
 
 TEST(Tex, AMissingProgramIsNamed) {
   const FakePrograms fake;
-  fake.draw(fraction_drawing);
-  fake.put("dvisvgm", "exit 127");  // as env ends where there is none
+  fake.put("latex", ": >formula.dvi");
+  fake.put("env", "exec /usr/bin/env \"$@\"");
+  fake.alone();
   auto o = set_by_tex("x");
   ASSERT_FALSE(o);
-  EXPECT_EQ(o.error().message, "formulas need the programs latex and dvisvgm, and dvisvgm is not installed");
+  EXPECT_EQ(o.error().message, "formulas need the programs latex and dvisvgm, but dvisvgm is not installed");
   EXPECT_EQ(o.error().hint, "sudo apt-get install texlive-latex-base dvisvgm");
   EXPECT_EQ(o.error().code, ErrorCode::machine);
   const FakePrograms none;
@@ -261,6 +264,58 @@ TEST(Tex, AMissingProgramIsNamed) {
   ASSERT_FALSE(o);
   EXPECT_EQ(told(o), "machine");
   EXPECT_TRUE(mentions(o, "latex is not"));
+}
+
+// A latex of our own tells, in its log, what it can do in the jail. The shell ends where it cannot start a process.
+TEST(Tex, TheProgramsAreInAJail) {
+  const FakePrograms fake;
+  ::unsetenv("BETWIXT_PARSER");
+  ASSERT_NE(find_parser(), "");
+  const std::string outside = fake.folder().put("secret", "x\n");
+  fake.put("latex",
+           "can=; tell() { echo \"! can:$can\" >formula.log; }\n"
+           "for file in " +
+               outside +
+               " /etc/passwd formula.tex; do read -r x <$file && can=\"$can $file\"; done\n"
+               "for file in " +
+               outside +
+               " ../new mine; do echo x >$file && can=\"$can >$file\"; done\n"
+               "tell; x=$(exec echo x); can=\"$can start\"; tell; exit 1");
+  const auto o = set_by_tex("x");
+  ASSERT_FALSE(o);
+  EXPECT_EQ(o.error().message, "the formula has an error: can: formula.tex >mine");
+  EXPECT_EQ(fake.folder().get("secret"), "x\n");
+  EXPECT_TRUE(fake.tidied());
+}
+
+// With its own guards off, TeX is still refused by the jail.
+TEST(Tex, RealProgramsReachNothing) {
+  const std::string latex = find_program("latex");
+  if (latex.empty() || find_program("dvisvgm").empty()) GTEST_SKIP() << "no TeX";
+  const FakePrograms fake;
+  ::unsetenv("BETWIXT_PARSER");
+  fake.put("latex", "export openin_any=a openout_any=a\nexec " + latex +
+                        " -shell-escape -halt-on-error -interaction=nonstopmode formula.tex");
+  const std::string secret = fake.folder().put("secret.tex", "y"), made = fake / "new.tex";
+  for (const std::string& hostile : {"\\input{" + secret + "}", std::string("\\input{/etc/passwd}"),
+                                     "x\\newwrite\\w\\immediate\\openout\\w=" + made + "\\immediate\\write\\w{x}"})
+    EXPECT_FALSE(set_by_tex(hostile)) << hostile;
+  EXPECT_EQ(told(set_by_tex("x\\immediate\\write18{touch " + made + "}")), "");
+  EXPECT_FALSE(fake.folder().has("new.tex"));
+  EXPECT_TRUE(fake.tidied());
+}
+
+TEST(Tex, FormulasAreTheSameInTheJail) {
+  if (find_program("latex").empty() || find_program("dvisvgm").empty()) GTEST_SKIP() << "no TeX";
+  for (const char* formula :
+       {"\\frac{a}{b}", "\\sum_{n=1}^\\infty \\frac{1}{n^2} = \\frac{\\pi^2}{6}",
+        "\\begin{pmatrix} 1 & 0 \\\\ 0 & 1 \\end{pmatrix} \\in \\mathbb{R}", "\\text{area} \\approx \\sqrt{x}"}) {
+    const auto in_jail = set_by_tex(formula);
+    const FakePrograms no_jail;  // it has no latex
+    const auto free = set_by_tex(formula);
+    ASSERT_TRUE(in_jail && free) << formula << (in_jail ? "" : in_jail.error().message);
+    EXPECT_EQ((*in_jail)->contours, (*free)->contours) << formula;
+  }
 }
 
 }  // namespace

@@ -114,16 +114,16 @@ TEST(Planar, RefusesWhatIsNotFlat) {
     EXPECT_FALSE(out) << text;
     return out ? "" : out.error().message;
   };
-  EXPECT_EQ(refusal("create b sphere\n", make_css), "the film is seen in perspective, and a drawing is flat");
+  EXPECT_EQ(refusal("create b sphere\n", make_css), "the camera has perspective, but a drawing is flat");
   EXPECT_EQ(
       refusal("film flat\ncreate b circle\nb.rotation\n  1f euler(0 0 0) linear\n  24f euler(0 80deg 0)\n", make_css),
-      "'b' turns out of the plane of the picture");
-  EXPECT_EQ(refusal("film flat\ncreate b torus\n", make_lottie), "'b' is a torus, and not flat");
-  EXPECT_EQ(refusal("film flat\ncreate b torus\n", make_svg), "'b' is a torus, and not flat");
+      "'b' rotates out of the plane of the picture");
+  EXPECT_EQ(refusal("film flat\ncreate b torus\n", make_lottie), "'b' is a torus, which is not flat");
+  EXPECT_EQ(refusal("film flat\ncreate b torus\n", make_svg), "'b' is a torus, which is not flat");
   EXPECT_EQ(
       refusal("film flat\ncreate eye camera height=9 position=(9 0 9) look-at=(0 0 0)\ncreate b circle\n", make_lottie),
-      "the camera does not look along -z, and a drawing lies in the plane of x and y");
-  EXPECT_EQ(refusal("film flat\n", make_css), "nothing is drawn in the film");
+      "the camera does not look along -z, but a drawing is in the plane of x and y");
+  EXPECT_EQ(refusal("film flat\n", make_css), "the film has no visible objects");
 }
 
 TEST(Planar, NamesAreWordsOfOtherLanguages) {

@@ -29,10 +29,10 @@ TEST_F(Film, FfmpegDiesHalfWay) {
     const char *script, *message;
   };
   for (const Case c :
-       {Case{"head -c 20000 >/dev/null; kill -9 $$", "ffmpeg was ended from outside by signal 9 (Killed)"},
+       {Case{"head -c 20000 >/dev/null; kill -9 $$", "another program ended ffmpeg by signal 9 (Killed)"},
         Case{"echo one >&2; echo two >&2; echo three >&2; echo four >&2; exit 1", "ffmpeg failed: two; three; four"},
         Case{"cat >/dev/null; echo 'late trouble' >&2; exit 1", "ffmpeg failed: late trouble"},
-        Case{"exit 1", "ffmpeg failed: it did not say why"},
+        Case{"exit 1", "ffmpeg failed: it gave no reason"},
         Case{"head -c 20000 >/dev/null", "ffmpeg stopped before the end of the film"},
         Case{"cat >/dev/null; echo 'Error: No space left on device' >&2; exit 1",
              "the disk is full (ffmpeg said: Error: No space left on device)"}}) {
@@ -50,7 +50,7 @@ TEST_F(Film, FfmpegSaysThatAllIsWell) {
     const char *script, *message;
   };
   for (const Case c :
-       {Case{"cat >/dev/null", "ffmpeg wrote nothing: it did not say why"},
+       {Case{"cat >/dev/null", "ffmpeg wrote nothing: it gave no reason"},
         Case{"cat >/dev/null; echo one >&2; echo 'no such codec' >&2", "ffmpeg wrote nothing: one; no such codec"},
         Case{"for f; do :; done; cat >\"${f#file:}\"; echo 'x: No space left on device' >&2",
              "the disk is full (ffmpeg said: x: No space left on device)"}}) {

@@ -8,7 +8,7 @@
 #include <random>
 #include <thread>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "film/films.h"
 #include "support/told.h"
 
@@ -62,7 +62,7 @@ TEST_F(Film, APictureIsGivenUpInTheMiddle) {
   FilmOptions o = options("frame-%04d.png", 10);
   o.jobs = 2;
   const auto made = make_film(o, painting([&](int, Picture&) -> Status {
-                                for (;;) StillWanted::ask();
+                                for (;;) Cancellation::check();
                               }),
                               [](int, int, double) { return false; });
   ASSERT_FALSE(made);
@@ -107,10 +107,11 @@ TEST_F(Film, NumbersOutOfBounds) {
     return made ? std::string() : made.error().message;
   };
   EXPECT_EQ(message([](FilmOptions& o) { o.frames = 0; }), "a film needs at least one frame");
-  EXPECT_EQ(message([](FilmOptions& o) { o.width = 0; }), "a picture of 0x48 is not possible: 1 to 8192 pixels a side");
+  EXPECT_EQ(message([](FilmOptions& o) { o.width = 0; }),
+            "a picture of 0x48 is not possible: each side must have from 1 to 8192 pixels");
   EXPECT_NE(message([](FilmOptions& o) { o.height = 9000; }).find("64x9000"), std::string::npos);
   EXPECT_EQ(message([](FilmOptions& o) { o.rate = {0, 1}; }), "a film needs a rate above 0");
-  EXPECT_EQ(message([](FilmOptions& o) { o.jobs = -1; }), "jobs are 1 to 256");
+  EXPECT_EQ(message([](FilmOptions& o) { o.jobs = -1; }), "the number of jobs must be from 1 to 256");
 }
 
 TEST_F(Film, ProgressEndsWithAllFrames) {

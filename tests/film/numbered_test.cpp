@@ -34,7 +34,7 @@ TEST_F(Film, NumbersAreOfPicturesOfThatNameOnly) {
 // Each is in its place as soon as it is made, even where the film fails later.
 TEST_F(Film, OfWhatIsMissingEachPictureIsPutInPlaceAtOnce) {
   FilmOptions o = options("f-%d.png", 9);
-  o.missing = true, o.jobs = 1;
+  o.only_missing = true, o.jobs = 1;
   std::vector<int> painted;
   const auto paint = [&](int last) {
     painted.clear();

@@ -61,9 +61,9 @@ TEST_F(Film, EndingsNobodyKnows) {
     return made ? Error{} : made.error();
   };
   EXPECT_EQ(failure("a.mp5").code, ErrorCode::range);
-  EXPECT_EQ(failure("a.mp5").message, "a film cannot end in \".mp5\"; known endings: " + known);
+  EXPECT_EQ(failure("a.mp5").message, "a film cannot have the extension \".mp5\"; known extensions: " + known);
   EXPECT_EQ(failure("a.mp5").hint, "did you mean '.mp4'?");
-  EXPECT_EQ(failure("none").message, "\"none\" has no ending that says what to make");
+  EXPECT_EQ(failure("none").message, "\"none\" has no file extension that says what to make");
   EXPECT_EQ(failure("none").hint, known);
   EXPECT_EQ(told(failure("x/.mp4")), "range x/.mp4");
   EXPECT_EQ(failure("x/.mp4").hint, known);
@@ -73,8 +73,8 @@ TEST_F(Film, EndingsNobodyKnows) {
        {"a.png", "a%4d.png", "a%04d-%d.png", "a%s.png", "a%.png", "a%012d.png", "a%00d.png", "a%%.png"}) {
     const auto made = make_film(options(name), gray_steps());
     ASSERT_FALSE(made) << name;
-    EXPECT_EQ(made.error().message, "a film as pictures needs one number in its name, not \"" + name + "\"");
-    EXPECT_EQ(made.error().hint, "such as frame-%04d.png");
+    EXPECT_EQ(made.error().message, "the name of numbered pictures needs one number, unlike \"" + name + "\"");
+    EXPECT_EQ(made.error().hint, "as in frame-%04d.png");
   }
   EXPECT_TRUE(files().empty());
 }
@@ -89,13 +89,13 @@ TEST_F(Film, PlacesThatAreNone) {
   };
   const std::string at = folder_.string();
   EXPECT_EQ(failure(at + "/no/film.mp4").message, "there is no folder " + at + "/no");
-  EXPECT_EQ(failure(at + "/no/film.mp4").hint, "make it first: mkdir -p " + at + "/no");
+  EXPECT_EQ(failure(at + "/no/film.mp4").hint, "create it first: mkdir -p " + at + "/no");
   fs::create_directory(folder_ / "taken.mp4");
   EXPECT_EQ(failure(at + "/taken.mp4").message, at + "/taken.mp4 is a folder");
   std::ofstream(folder_ / "plain");
-  EXPECT_EQ(failure(at + "/plain/film.mp4").message, at + "/plain is no folder");
+  EXPECT_EQ(failure(at + "/plain/film.mp4").message, at + "/plain is not a folder");
   std::ofstream(folder_ / "old.mp4");
-  EXPECT_EQ(failure(at + "/old.mp4", false).message, at + "/old.mp4 is there already");
+  EXPECT_EQ(failure(at + "/old.mp4", false).message, at + "/old.mp4 already exists");
   std::ofstream(folder_ / "p3.png");
   EXPECT_EQ(told(failure(at + "/p%d.png", false)), "file");
   EXPECT_TRUE(failure(at + "/p%d.png", false).message.starts_with(at + "/p3.png "));

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "exchange/handed_over.h"
+#include "exchange/wire_format.h"
 #include "fuzz.h"
 
 using namespace betwixt;
@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // What is read is handed over whole: its names are names, its numbers are somewhere.
   const int memory = ::memfd_create("drawing", MFD_CLOEXEC);
   Parsed taken;
-  insist(hand_over(*drawing, memory) == 0 && take_over(memory, taken) == 0, "a drawing can be handed over");
+  insist(write_parsed(*drawing, memory) == 0 && read_parsed(memory, taken) == 0, "a drawing can be handed over");
   ::close(memory);
   return slow.verdict();
 }

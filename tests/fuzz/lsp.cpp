@@ -11,14 +11,13 @@
 //
 // Each request has one answer. What is said of a text is what is said of it when it is opened as it is by then; a tidy
 // text is tidy; a symbol's place holds its name; who renames there and back has the text that was.
-#include "server/lsp.h"
-
 #include <cstdint>
 #include <map>
 
 #include "fuzz.h"
 #include "language/lines.h"
-#include "server/lsp_state.h"
+#include "lsp/language_server.h"
+#include "lsp/state.h"
 
 using namespace betwixt;
 
@@ -90,7 +89,7 @@ class Editing {
   }
   LanguageServer server_;
   LspFrames frames_;
-  TextLines lines_;
+  ScriptText lines_;
   std::map<std::string, std::vector<Json>> answers_;
   std::string said_;
   int last_ = 0;
@@ -118,7 +117,7 @@ void rename_there_and_back(Editing& editing, std::size_t place, const std::strin
   const Json before = editing.at("prepareRename", place);
   if (!before.is_object()) return;
   const std::string text = editing.text();
-  const TextLines lines(text);
+  const ScriptText lines(text);
   const Span was = *span_of(lines, before["range"]);
   const Json there = editing.at("rename", was.end(), {{"newName", name}});
   if (!there.is_object() || there["changes"].empty()) return;
@@ -139,7 +138,7 @@ void look_over_text(Editing& editing) {
   const std::string text = editing.text();
   Editing fresh(text);
   insist(fresh.said() == editing.said(), "an edited text is the text it has become", text);
-  const TextLines lines(text);
+  const ScriptText lines(text);
   if (const Json symbols = editing.of("documentSymbol"); symbols.is_array())
     for (const Json& s : symbols) {
       const Span at = *span_of(lines, s["selectionRange"]), whole = *span_of(lines, s["range"]);

@@ -9,15 +9,15 @@
 #include <cstdint>
 
 #include "base/files.h"
-#include "exchange/handed_over.h"
 #include "exchange/scene_file.h"
+#include "exchange/wire_format.h"
 #include "fuzz.h"
 
 using namespace betwixt;
 
 namespace {
 
-class OneFile final : public Shelf {
+class OneFile final : public FileSource {
  public:
   explicit OneFile(std::string_view bytes) : bytes_(bytes) {}
   bool has(const std::string&) override { return false; }
@@ -32,9 +32,9 @@ class OneFile final : public Shelf {
 void hand_on(const std::shared_ptr<const SceneFile>& scene) {
   insist(sound(*scene), "a scene that is read is sound");
   const OpenFile memory(::memfd_create("fuzz", MFD_CLOEXEC));
-  insist(hand_over(scene, memory.fd()) == 0, "a scene can be handed over");
+  insist(write_parsed(scene, memory.fd()) == 0, "a scene can be handed over");
   Parsed got;
-  insist(take_over(memory.fd(), got) == 0, "a scene that is sound is taken over");
+  insist(read_parsed(memory.fd(), got) == 0, "a scene that is sound is taken over");
   insist(std::holds_alternative<std::shared_ptr<const SceneFile>>(got), "a scene is a scene");
 }
 
@@ -44,8 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Slow slow;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   if (bytes.starts_with("glTF") || bytes.starts_with("{")) {
-    OneFile shelf(bytes);
-    const auto scene = load_gltf_scene("it.glb", shelf);
+    OneFile files(bytes);
+    const auto scene = load_gltf_scene("it.glb", files);
     if (scene)
       hand_on(*scene);
     else
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const OpenFile memory(::memfd_create("fuzz", MFD_CLOEXEC));
   insist(write_all(memory.fd(), bytes) == 0, "memory can be written");
   Parsed got;
-  if (take_over(memory.fd(), got) == 0)
+  if (read_parsed(memory.fd(), got) == 0)
     if (const auto* scene = std::get_if<std::shared_ptr<const SceneFile>>(&got)) hand_on(*scene);
   return slow.verdict();
 }

@@ -38,7 +38,7 @@ verdict "the installed program" \
 { printf '; FBX 7.4.0 project file\n' && printf 'A: {%.0s' {1..50000}; } >"$folder/deep.fbx"
 printf 'create m mesh file="deep.fbx"\n' >"$folder/deep.bx"
 verdict "a damaged mesh" "$("$folder/prefix/bin/betwixt" check "$folder/deep.bx" 2>&1 | grep -o 'is damaged.*')" \
-  "is damaged: what reads such files fell over it"
+  "is damaged: the program that reads it crashed"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$folder/good.obj"
 printf 'create m mesh file="good.obj"\n' >"$folder/good.bx"
 verdict "a mesh without a parser" "$(BETWIXT_PARSER=/none "$folder/prefix/bin/betwixt" check "$folder/good.bx" >/dev/null 2>&1 && echo fine)" fine

@@ -133,36 +133,36 @@ TEST(Formula, EveryErrorInWords) {
       {"2m-3", "a length and a number cannot be subtracted"},
       {"2f*3s", "a time cannot be multiplied by a time"},
       {"2/3s", "a number cannot be divided by a time"},
-      {"2deg^2", "only numbers are raised to a power, and by numbers"},
+      {"2deg^2", "'^' needs plain numbers on both sides"},
       {"1/0", "this formula divides by zero"},
       {"1%0", "this formula divides by zero"},
-      {"10^400", "this formula has no finite value"},
-      {"sqrt(-1)", "this formula has no finite value"},
-      {"1e308*10", "this formula has no finite value"},
+      {"10^400", "the result of this formula is not finite"},
+      {"sqrt(-1)", "the result of this formula is not finite"},
+      {"1e308*10", "the result of this formula is not finite"},
       {"nosuch*2", "there is no number 'nosuch'"},
       {"bea*2", "there is no number 'bea'"},
-      {"sinn(2)", "formulas have no function 'sinn'"},
+      {"sinn(2)", "there is no function 'sinn' in formulas"},
       {"sin()", "sin takes 1 number, not 0"},
       {"sin(1,2)", "sin takes 1 number, not 2"},
       {"hash(1,2,3,4)", "hash takes 1 to 3 numbers, not 4"},
       {"sin(2f)", "sin takes an angle, not a time"},
       {"floor(2deg)", "floor takes plain numbers, not an angle"},
-      {"max(2deg,1)", "max takes numbers of one kind, not a number beside an angle"},
+      {"max(2deg,1)", "max takes numbers of one kind, not a number and an angle"},
       {"mix(1m,2m,1m)", "mix takes plain numbers, not a length"},
       {"3km*2", "'km' is not a unit"},
       {"p*2", "'p' is a vector, not a number"},
       {"warm*2", "'warm' is a colour, not a number"},
-      {"i1*2", "the pattern has no first range that i1 could count"},
+      {"i1*2", "the pattern has no first range for i1 to count"},
       {"(1+2", "a bracket is not closed before the text ends"},
       {"(1 -2)", "a closing bracket ')' is missing before '-2'"}};
   for (const auto& [text, words] : table) EXPECT_EQ(read_formula(text, lets).error, words) << text;
   EXPECT_EQ(read_formula("bea*2", lets).hint, "did you mean 'beat'?");
   for (const std::string& deep : {std::string(100'000, '(') + "1", std::string(100'000, '-') + "1"}) {
-    EXPECT_EQ(read_formula(deep).error, "formulas go at most 100 deep");
+    EXPECT_EQ(read_formula(deep).error, "a formula can be at most 100 brackets deep");
   }
   std::string powers = "1";
   for (int i = 0; i < 100'000; ++i) powers += "^1";
-  EXPECT_EQ(read_formula(powers).error, "formulas go at most 100 deep");
+  EXPECT_EQ(read_formula(powers).error, "a formula can be at most 100 brackets deep");
   std::string sums = "0";
   for (int i = 0; i < 100'000; ++i) sums += "+1";
   EXPECT_EQ(value_of(sums), 100'000);

@@ -85,9 +85,9 @@ TEST(Formulas, GiveHuesAndWhatFiltersAreTold) {
     expect_numbers(s, fmt::format("b{}.rotation.z", i), "7f", {i * pi / 18});
   }
   expect_numbers(s, "b6.color", "1f", {1, 1, 0});
-  EXPECT_EQ(first_error("create a box color=hsv(2*1f 1 1)\n"), "1:24: a plain number is wanted here, not a time");
+  EXPECT_EQ(first_error("create a box color=hsv(2*1f 1 1)\n"), "1:24: expected a plain number here, not a time");
   EXPECT_EQ(first_error("create a box\nfilter a.position wobble frequency=2*1f\n"),
-            "2:36: frequency is a plain number, without a unit");
+            "2:36: frequency must be a plain number, without a unit");
 }
 
 TEST(Formulas, AllOfAPatternOrNothing) {

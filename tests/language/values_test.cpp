@@ -53,9 +53,9 @@ TEST(Times, NotATime) {
            {"nan", "'nan' is not a time"},
            {"inf", "'inf' is not a time"},
            {"1e400s", "'1e400' is too large for a number"},
-           {"1e10s", "times reach 146 years (4.6e9 s) and no further"},
-           {"99999999999999999999f", "times reach 146 years (4.6e9 s) and no further"},
-           {"1:2:3:4", "a clock time is hours:minutes:seconds"},
+           {"1e10s", "a time must be within 146 years (4.6e9 s)"},
+           {"99999999999999999999f", "a time must be within 146 years (4.6e9 s)"},
+           {"1:2:3:4", "a clock time must be hours:minutes:seconds"},
            {"24f 25f", "'24f 25f' is not a time"}}) {
     const auto t = parse_time(text, d);
     ASSERT_FALSE(t) << text;

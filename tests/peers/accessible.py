@@ -6,9 +6,10 @@
 import os, subprocess, sys, tempfile
 
 root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.insert(0, f"{root}/tests/web")
+sys.path[:0] = [f"{root}/tests/web", f"{root}/web"]
 from browser import Browser, find_browser
 from checks import check, done
+from scripts import editor_scripts, player_scripts
 
 program, peers = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 if not find_browser():
@@ -17,8 +18,8 @@ if not find_browser():
 with tempfile.TemporaryDirectory() as folder:
     # The engine is in its place: it has nothing that anybody reads or touches.
     with open(f"{folder}/player.js", "w") as out:
-        for name in ("tests/web/mock_engine.js", "web/player.js", "web/editor.js"):
-            out.write(open(f"{root}/{name}").read())
+        for name in ("../tests/web/mock_engine.js", *player_scripts, *editor_scripts):
+            out.write(open(f"{root}/web/{name}").read())
     made = subprocess.run([f"{root}/tools/pages.sh", program, folder], capture_output=True, text=True,
                           env={**os.environ, "BETWIXT_PLAYER": f"{folder}/player.js"})
     if made.returncode != 0:

@@ -52,7 +52,7 @@ with tempfile.TemporaryDirectory() as folder:
     case("errors", errors, "")
     case("an editor's day", pairs(out), [
         ("diagnostic", "4:5-4:12 0 'ball', a sphere, has no function 'positon' / did you mean 'position'?"),
-        ("code action", "write 'position'"),
+        ("code action", "replace by 'position'"),
         ("mended", "true"),
         ("completion", "sphere 2:12-2:15"),
         ("hover", "ball, a sphere"),
@@ -61,7 +61,7 @@ with tempfile.TemporaryDirectory() as folder:
         ("references", "2"),
         ("highlights", "2"),
         ("can be renamed", "ball"),
-        ("cannot", "no name of this film stands here"),
+        ("cannot", "there is no name here that can be renamed"),
         ("renames", "orb,orb"),
         ("symbols", "ball,ball.position"),
         ("folds", "4-6"),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/kept_results.h"
 #include "procedure/routines.h"
 
 namespace betwixt {
@@ -39,40 +40,56 @@ TEST(Lua, TwerpersFiltersCommands) {
   EXPECT_TRUE(made(Role::command, "run('at ' .. value('x', 2))")->command(host, {}));
   EXPECT_EQ(host.lines.back(), "at 4");
   EXPECT_EQ(made(Role::twerper, "vec(1,2,3)")->blend(0).error().message,
-            "a twerper gives a number, this gave vec(1, 2, 3)");
+            "a twerper must return a number, not vec(1, 2, 3)");
   EXPECT_EQ(made(Role::twerper, "value('x')")->blend(0).error().message,
-            "value: only procedures and commands can ask for values");
-  EXPECT_EQ(made(Role::twerper, "u")->command(host, {}).error().message, "this procedure is no command");
+            "value: only procedures and commands can read values");
+  EXPECT_EQ(made(Role::twerper, "u")->command(host, {}).error().message, "this procedure is not a command");
 }
 
 // shows: G54
 TEST(Lua, EveryErrorInWords) {
   EXPECT_EQ(make_lua(Role::value, "1 +").error().message, "unexpected symbol near <eof>");
-  EXPECT_EQ(make_lua(Role::value, "  ").error().message, "there is no code");
+  EXPECT_EQ(make_lua(Role::value, "  ").error().message, "the code is empty");
   EXPECT_EQ(make_lua(Role::value, "local x = ").error().message, "unexpected symbol near <eof>");
   const std::pair<const char*, const char*> table[] = {
       {"local p\nreturn p.x", "line 2: attempt to index a nil value (local 'p')"},
       {"coss(t)", "attempt to call a nil value (global 'coss'); did you mean 'cos'?"},
       {"valu('x')", "attempt to call a nil value (global 'valu'); did you mean 'value'?"},
-      {"nil", "it gave no value"},
-      {"0/0", "it gave a number that is not finite"},
-      {"vec(1, 1/0, 0)", "it gave a vector with a number that is not finite"},
-      {"print", "it gave no value"},
-      {"{1, 2}", "a list is a value only where all in it are vectors, or all are texts"},
-      {"local t = {} t[1] = t return t", "a list is a value only where all in it are vectors, or all are texts"},
-      {"value('nowhere')", "there is no 'nowhere'"},
-      {"value('x', 1/0)", "value: the time is no number"},
+      {"nil", "it returned no value"},
+      {"0/0", "it returned a number that is not finite"},
+      {"vec(1, 1/0, 0)", "it returned a vector with a number that is not finite"},
+      {"print", "it returned no value"},
+      {"{1, 2}", "a list must contain only vectors or only texts"},
+      {"local t = {} t[1] = t return t", "a list must contain only vectors or only texts"},
+      {"value('nowhere')", "value('nowhere'): there is no 'nowhere'"},
+      {"value('x', 1/0)", "value: the time must be a number"},
       {"vec(1,2,3) + rgb(1,1,1)", "a vector and a color cannot be added"},
       {"vec(1,2,3) - true", "true or false cannot be subtracted from a vector"},
       {"vec(1,2,3) / rgb(1,1,1)", "a vector cannot be divided by a color"},
       {"quat(1,0,0,0) * 'a'", "a quaternion and a text cannot be multiplied"},
       {"vec(1,2,3) + nil", "a vector and nothing cannot be added"},
       {"{} + vec(1,2,3)", "a list and a vector cannot be added"},
-      {"error({})", "it ended with an error that is no text"},
-      {"run('x')", "run: only commands can"},
-      {"input()", "input: only filters have one"},
+      {"error({})", "it failed with an error that is not a text"},
+      {"run('x')", "run: only commands can use it"},
+      {"input()", "input: only filters can use it"},
       {"string.rep('x', 2000000)", "rep: a text of more than 1000000 characters"}};
   for (const auto& [code, words] : table) EXPECT_EQ(error(code), words) << code;
+}
+
+// A command that is carried out again uses the code that its first try compiled.
+TEST(Lua, IsCompiledOnceWhileResultsAreKept) {
+  KeptResults::Store store;
+  const auto made = [&](Role role, const char* source) {
+    const KeptResults kept(store);
+    const auto code = make_lua(role, source);
+    return code ? code->get() : nullptr;
+  };
+  EXPECT_EQ(made(Role::value, "t + 1"), made(Role::value, "t + 1"));
+  EXPECT_NE(made(Role::value, "t + 1"), made(Role::value, "t + 2"));
+  EXPECT_NE(made(Role::value, "t"), made(Role::twerper, "t"));
+  EXPECT_EQ(made(Role::value, "t +"), nullptr);
+  EXPECT_EQ(store.size(), 5u);
+  EXPECT_NE(*make_lua(Role::value, "t + 1"), *make_lua(Role::value, "t + 1"));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <thread>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "procedure/routines.h"
 
 namespace betwixt {
@@ -21,13 +21,13 @@ TEST(Lua, WorkThatIsCalledOffEnds) {
   FakeHost host;
   FakeInput in;
   {
-    const StillWanted wanted(gone, over, others, {});
+    const Cancellation wanted(gone, over, others, {});
     std::uint64_t cost = 0;
     for (const std::string& code : {loop, std::string("value('slow')"), std::string("slow()")})
-      EXPECT_THROW((void)made(Role::value, code)->value(q, {}, cost), NotWanted) << code;
-    EXPECT_THROW((void)made(Role::command, loop)->command(host, {}), NotWanted);
-    EXPECT_THROW((void)made(Role::filter, loop)->filter(in, 0, {}), NotWanted);
-    EXPECT_THROW((void)made(Role::twerper, loop)->blend(0.5), NotWanted);
+      EXPECT_THROW((void)made(Role::value, code)->value(q, {}, cost), Cancelled) << code;
+    EXPECT_THROW((void)made(Role::command, loop)->command(host, {}), Cancelled);
+    EXPECT_THROW((void)made(Role::filter, loop)->filter(in, 0, {}), Cancelled);
+    EXPECT_THROW((void)made(Role::twerper, loop)->blend(0.5), Cancelled);
   }
   EXPECT_EQ(number("value('slow')", q), 50005000);
   EXPECT_TRUE(made(Role::command, loop)->command(host, {}));
@@ -179,7 +179,7 @@ FakeQuestions chain(int length) {
 // shows: G54 G55
 TEST(Lua, TwoHundredDeep) {
   EXPECT_EQ(number("value('p200')", chain(200)), 201);
-  EXPECT_EQ(error("value('p350')", chain(350)), "procedures read each other more than 300 deep");
+  EXPECT_EQ(error("value('p350')", chain(350)), "procedures call each other more than 300 levels deep");
   FakeQuestions q;
   q.procedures["again"] = made(Role::value, "again()");
   EXPECT_TRUE(error("again()", q).ends_with(error("value('p350')", chain(350))));

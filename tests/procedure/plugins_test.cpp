@@ -60,7 +60,7 @@ TEST(Plugins, OneOfEach) {
   EXPECT_EQ(std::get<double>(*faster.value(q, {}, cost)), 9);
   EXPECT_EQ(std::get<double>(*faster.value(q, {Value(2.0)}, cost)), 18);
   EXPECT_EQ(cost, 220u);
-  EXPECT_EQ(item(*p, "lost").code->value(q, {}, cost).error().message, "there is no 'nowhere'");
+  EXPECT_EQ(item(*p, "lost").code->value(q, {}, cost).error().message, "value('nowhere'): there is no 'nowhere'");
   q.procedures["ball"] = item(*p, "faster").code;  // reads itself
   EXPECT_EQ(told(faster.value(q, {}, cost)), "type");
   EXPECT_TRUE(mentions(faster.value(q, {}, cost), "300"));
@@ -78,15 +78,19 @@ TEST(Plugins, OneOfEach) {
 // shows: G19
 TEST(Plugins, BadOnesAreRefusedInWords) {
   EXPECT_EQ(error("nowhere.so"), "nowhere.so: no such file");
-  EXPECT_EQ(error(PLUGIN_DIR), PLUGIN_DIR ": not a plug-in: it is no file");
+  EXPECT_EQ(error(PLUGIN_DIR), PLUGIN_DIR ": not a plug-in: it is not a regular file");
   const std::string text = testing::TempDir() + "betwixt_text.so";
   std::ofstream(text) << "not a library";
-  EXPECT_EQ(error(text), text + ": not a plug-in: it is no shared library of this machine, or lacks one that it needs");
-  EXPECT_EQ(error(at("missing")), at("missing") + ": not a plug-in: there is no BETWIXT_PLUGIN in it");
-  EXPECT_EQ(error(at("newer")), at("newer") + ": made for version 2 of plug-ins; this program knows those up to 1");
+  EXPECT_EQ(
+      error(text),
+      text + ": not a plug-in: it is not a shared library for this machine, or a library that it needs is missing");
+  EXPECT_EQ(error(at("missing")), at("missing") + ": not a plug-in: it has no BETWIXT_PLUGIN");
+  EXPECT_EQ(
+      error(at("newer")),
+      at("newer") + ": it is made for version 2 of the plug-in interface; this program supports versions up to 1");
   EXPECT_EQ(error(at("crashing")), at("crashing") + ": it crashes when loaded");
   EXPECT_EQ(error(at("double")), at("double") + ": it registers 'same' twice");
-  EXPECT_EQ(error(at("refusing")), at("refusing") + ": it refuses to be loaded (it says 7)");
+  EXPECT_EQ(error(at("refusing")), at("refusing") + ": it refuses to be loaded (its code is 7)");
 }
 
 }  // namespace

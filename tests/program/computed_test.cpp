@@ -52,7 +52,7 @@ TEST(Computed, MatricesAreNoNumbers) {
   const std::string hint = "; its .x, .y and .z are numbers, as in value('a.world.x')";
   EXPECT_EQ(why("value('a.world') - value('b.world')"), "a matrix cannot be subtracted from a matrix" + hint);
   EXPECT_EQ(why("2 * value('b.world')"), "a number and a matrix cannot be multiplied" + hint);
-  EXPECT_EQ(why("-value('b.world')"), "a matrix has no opposite; its .x, .y and .z have");
+  EXPECT_EQ(why("-value('b.world')"), "a matrix cannot be negated, but its .x, .y and .z can");
 }
 
 // Where a thing is follows from its position; how it is turned, and what it looks at, does not count for that.
@@ -82,7 +82,7 @@ TEST(Computed, WhereAThingIsIsNotHowItIsTurned) {
 
 // These are circles.
 TEST(Computed, HowAThingIsTurnedMovesWhatIsOffItsPivot) {
-  const char* const said = "a.rotation reads itself in a circle: inside, its last value without a procedure counts";
+  const char* const said = "a.rotation depends on itself: it uses its last value without code there";
   const std::string turns = "set a.rotation.z = \"value('a.world.x')\"\n";
   EXPECT_EQ(problem("create a box\n" + turns), "");
   EXPECT_EQ(problem("create a box pivot=(1 0 0)\n" + turns), said);
@@ -131,9 +131,9 @@ TEST(Computed, WordsAreThoseThatThereAre) {
   EXPECT_EQ(later.items[1].shape->letters.align, Align::right);
   EXPECT_TRUE(first.problems.empty());
   EXPECT_EQ(problem("create b sphere\nset b.material = \"'gold'\"\n"),
-            "b.material: the procedure \"'gold'\" gives no value: 'gold' is none of plastic, matte, metal, glow");
+            "b.material: the procedure \"'gold'\" gives no value: 'gold' is not one of plastic, matte, metal, glow");
   EXPECT_EQ(problem("create b sphere\nset b.material = \"vec(1, 2, 3)\"\n"),
-            "b.material: the procedure \"vec(1, 2, 3)\" gives no value: it gives a vector where a text is wanted");
+            "b.material: the procedure \"vec(1, 2, 3)\" gives no value: it must return a text, not a vector");
 }
 
 TEST(Computed, ComponentsAndPlacesInTheWorld) {
@@ -163,7 +163,7 @@ TEST(Computed, ASetComponent) {
 
 TEST(Computed, PartsOfWhatCanBeAsked) {
   EXPECT_EQ(problem("create b box\nset b.position.x = \"value('b.world.w')\"\n"),
-            "b.position.x: the procedure \"value('b.world.w')\" gives no value: value('b.world.w'): this has no such "
+            "b.position.x: the procedure \"value('b.world.w')\" gives no value: value('b.world.w'): there is no such "
             "part; a matrix is a table of 16 numbers, with x y z");
   const std::string seen = problem("create b box\nset b.color.r = \"value('b.in-view.x')\"\n");
   EXPECT_TRUE(seen.starts_with("b.color.r: ")) << seen;
@@ -196,8 +196,7 @@ TEST(Computed, WhatIsReadOnceIsNot) {
     ASSERT_EQ(all.size(), 1u) << line;
     EXPECT_EQ(all[0], words) << line;
   }
-  EXPECT_NE(problem("create m polyline\nset m.points = \"vec(1, 2, 3)\"\n").find("a list of points is wanted"),
-            std::string::npos);
+  EXPECT_NE(problem("create m polyline\nset m.points = \"vec(1, 2, 3)\"\n").find("list of points"), std::string::npos);
 }
 
 // What a procedure makes of points is written and read back; bake makes plain events of it.

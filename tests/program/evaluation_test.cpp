@@ -37,6 +37,10 @@ TEST(Evaluation, GivesTheSameWhereverItWasBeforeAndSaysWhatChanged) {
     Evaluation e(p);
     std::vector<Seen> before;
     for (const Time t : times_of(l.document, random)) {
+      if (random() % 8 == 0) {  // a new one that was prepared, at this time or another one
+        e = Evaluation(p), before.clear();
+        e.prepare(random() % 2 == 0 ? t : l.document.rate().frame(static_cast<double>(random() % 60)));
+      }
       e.to(t);
       const std::vector<Seen> now = seen(e), alone = seen_alone(p, t);
       const std::string where = format_time(t, l.document) + "\n" + PlainFilm(seed).script();

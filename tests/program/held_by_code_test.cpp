@@ -87,8 +87,7 @@ TEST(HeldByCode, ACircleIsNamedAndTheFrameComes) {
     EXPECT_TRUE(s.frame("10f").problems.empty());
     const Frame f = s.frame("11f");
     ASSERT_EQ(f.problems.size(), 1u);
-    EXPECT_EQ(f.problems[0],
-              "a.attachment: its code would have it hang on itself, a → b → a: nothing holds it meanwhile");
+    EXPECT_EQ(f.problems[0], "a.attachment: its code would make a cycle, a → b → a, so the object has no parent");
     ASSERT_EQ(f.errors.size(), 1u);
     EXPECT_EQ(f.errors[0].source, "frame > 10 and 'b'");
     EXPECT_EQ(translation_of(f.items[1].world).x, 3);  // b hangs on a, and a on nothing
@@ -108,7 +107,7 @@ TEST(HeldByCode, ACircleIsNamedAndTheFrameComes) {
   }
   {
     const LoadedFilm s(head + "set a.attachment = \"self\"\n");
-    EXPECT_NE(s.frame("1f").problems[0].find(", a → a:"), std::string::npos) << s.frame("1f").problems[0];
+    EXPECT_NE(s.frame("1f").problems[0].find(", a → a,"), std::string::npos) << s.frame("1f").problems[0];
   }
   {  // Where it is says what holds it says where it is.
     const LoadedFilm s(head + "set a.attachment = \"value('a.world.x') > 0 and 'b'\"\n");
@@ -122,8 +121,8 @@ TEST(HeldByCode, WhatIsWrongIsSaidAndTheFrameComes) {
   for (const auto& [code, why] : std::initializer_list<std::pair<std::string, const char*>>{
            {"'nobody'", "'nobody'"},
            {"couple('nobody')", "'nobody'"},
-           {"'sway'", "'sway' is nowhere: nothing hangs on it"},
-           {"3", "it gives no name of what holds it: an object, \"none\" or false"},
+           {"'sway'", "'sway' has no position, so it cannot be a parent"},
+           {"3", "it must return the name of the parent, \"none\" or false"},
            {"true", "\"none\" or false"},
            {"vec(1, 2, 3)", "\"none\" or false"},
            {"nil", "value"},
@@ -183,7 +182,7 @@ TEST(HeldByCode, OthersKnowOfIt) {
   EXPECT_NEAR(place(row, "b", "1f").x - place(row, "a", "1f").x, 2, 1e-12);  // 3/2 + 1/2
   const Loaded falls =
       read("rate 24\ncreate a box\ncreate b box position=(0 5 0)\nat 1f fall b\nb.attachment\n  9f = \"'a'\"\n");
-  EXPECT_NE(said(falls.diagnostics).find("b falls no further than to 9f"), std::string::npos);
+  EXPECT_NE(said(falls.diagnostics).find("the fall of b now ends at 9f"), std::string::npos);
   // A hand that code hangs on its arm reaches as one that is coupled.
   const std::string arm =
       "create upper box\ncreate fore box position=(1 0 0)\ncreate palm sphere position=(1 0 0)\ncouple fore to upper\n";

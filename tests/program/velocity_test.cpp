@@ -49,8 +49,7 @@ TEST(Velocity, TheExampleOfTheNotesAndItsMaskedEvent) {
   EXPECT_NEAR(s.numbers("ball.position.x", "49f")[0], 20, 1e-12);
   ASSERT_EQ(s.loaded.diagnostics.size(), 1U) << said(s.loaded.diagnostics);
   EXPECT_EQ(told(s.loaded.diagnostics[0]), "warning syntax 6:32 10");
-  EXPECT_EQ(s.loaded.diagnostics[0].what.message,
-            "a velocity has priority: 1 event is masked (ball.position.x at 24f)");
+  EXPECT_EQ(s.loaded.diagnostics[0].what.message, "a velocity overrides 1 event (ball.position.x at 24f)");
 }
 
 const char* const twerpers[] = {"hold", "linear", "smooth", "bspline", "hermite tangent=3", "bezier(0.3 0.1 0.6 1.2)",
@@ -436,7 +435,7 @@ TEST(Velocity, AReleaseWithoutAReignIsNoticed) {
       out += fmt::format("{}: {}\n", d.what.place.line, d.what.message);
     return out;
   };
-  EXPECT_EQ(notices("  9f release\n"), "4: no velocity reigns at 9f: there is nothing to release\n");
+  EXPECT_EQ(notices("  9f release\n"), "4: no velocity is active at 9f, so there is nothing to release\n");
   EXPECT_EQ(notices("  9f release\n  1f 2\n"), "");  // rows come in any order
   EXPECT_EQ(remarks_told("rate 24\ncreate a sphere\na.radius.velocity\n  1f 2\n  5f release\n  9f release\n"),
             std::vector<std::string>{"notice syntax 6:6 release"});

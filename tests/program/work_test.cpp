@@ -5,7 +5,7 @@
 // films ask for would take from minutes to the age of the universe.
 #include <algorithm>
 
-#include "base/still_wanted.h"
+#include "base/cancellation.h"
 #include "support/loaded_film.h"
 #include "track/track.h"
 
@@ -62,7 +62,7 @@ TEST(Work, TooMuchIsSaidAndTheValueIsWhatItIsWithoutIt) {
   const LoadedFilm s(ramp + deep);
   const auto said_of = problems(s, "a.position", "121f");
   ASSERT_EQ(said_of.size(), 1u);
-  EXPECT_EQ(said_of[0], "a.position takes more than 10000000 steps: its value without procedures and filters counts");
+  EXPECT_EQ(said_of[0], "a.position takes more than 10000000 steps: its value is shown without code and filters");
   // Whoever asks for it counts all of it, and is cut itself.
   const LoadedFilm two(ramp + "create b sphere\nset b.radius = \"1 + value('a.position.x')\"\n" + deep);
   EXPECT_EQ(two.numbers("b.radius", "121f")[0], 1);
@@ -78,9 +78,8 @@ TEST(Work, AFrameHasAnEndToo) {
   const Frame one = program.frame(Rate{}.frame(24)), two = program.frame(Rate{}.frame(24));
   EXPECT_EQ(one.items.size(), 120u);
   EXPECT_TRUE(
-      std::find(
-          one.problems.begin(), one.problems.end(),
-          "one frame takes more than 50000000 steps: the values that are left count without procedures and filters") !=
+      std::find(one.problems.begin(), one.problems.end(),
+                "one frame takes more than 50000000 steps: the remaining values are shown without code and filters") !=
       one.problems.end());
   for (std::size_t i = 0; i < one.items.size(); ++i) EXPECT_EQ(one.items[i].shape->size, two.items[i].shape->size) << i;
 }
@@ -127,9 +126,9 @@ TEST(Work, CodeIsAsItWasAfterWorkThatWasCalledOff) {
   for (int n = 0; n < 300; ++n) {
     bool called_off = false;
     try {
-      const StillWanted wanted(no, no, others, std::chrono::nanoseconds(1));  // it ends with its 64th question
+      const Cancellation wanted(no, no, others, std::chrono::nanoseconds(1));  // it ends with its 64th question
       (void)load_text(text, "film.bx");
-    } catch (const NotWanted&) {
+    } catch (const Cancelled&) {
       called_off = true;
     }
     ASSERT_TRUE(called_off);

@@ -92,8 +92,8 @@ class Pictures(unittest.TestCase):
 
     def test_wrong_calls(self):
         film = betwixt.loads(FLAT)
-        for how, said in (({"style": "shadd"}, "no style is called 'shadd'"), ({"size": (0, 4)}, "a picture of 0x4"),
-                          ({"samples": 3}, "3 samples"), ({"shutter": "x"}, "'x' is not how long"),
+        for how, said in (({"style": "shadd"}, "there is no style 'shadd'"), ({"size": (0, 4)}, "a picture of 0x4"),
+                          ({"samples": 3}, "3 samples"), ({"shutter": "x"}, "'x' is not a shutter time"),
                           ({"subframes": 0}, "subframes are 1 to 4096")):
             with self.assertRaisesRegex(betwixt.Error, said):
                 film.picture(1, **how)

@@ -18,19 +18,19 @@ struct Taken {
                  const std::string& style = "shaded")
       : film(script), evaluation(film.program), width(width) {
     RenderOptions options;
-    options.width = width, options.height = height, options.samples = samples, options.deep = true;
+    options.width = width, options.height = height, options.samples = samples, options.linear = true;
     options.style = style;
     renderer = *make_renderer(options);
   }
-  DeepPicture at(std::string_view time, int subframes = 64, std::optional<double> shutter = {}) {
-    DeepPicture out;
+  LinearPicture at(std::string_view time, int subframes = 64, std::optional<double> shutter = {}) {
+    LinearPicture out;
     const Status taken =
-        renderer->expose(evaluation, *parse_time(time, film.loaded.document), {subframes, shutter}, out);
+        renderer->render_blurred(evaluation, *parse_time(time, film.loaded.document), {subframes, shutter}, out);
     EXPECT_TRUE(taken) << (taken ? "" : taken.error().message);
     return out;
   }
-  DeepPicture sharp(std::string_view time) {
-    DeepPicture out;
+  LinearPicture sharp(std::string_view time) {
+    LinearPicture out;
     evaluation.to(*parse_time(time, film.loaded.document));
     EXPECT_TRUE(renderer->render(evaluation, out));
     return out;
@@ -41,7 +41,7 @@ struct Taken {
   int width;
 };
 
-double light(const DeepPicture& p, int x, int y, int channel = 1) {
+double light(const LinearPicture& p, int x, int y, int channel = 1) {
   return static_cast<double>(
       p.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(p.width) + static_cast<std::size_t>(x)) +
              static_cast<std::size_t>(channel)]);
@@ -81,7 +81,7 @@ TEST(Exposure, AnEdgeThatMovesIsTheClosedForm) {
         drawing(fmt::format("create wall rectangle size=(20 20) color=white\nwall.position\n  1f {} linear\n  2f {}\n",
                             place(start), place(start + 2 * far))));
     for (const int subframes : {64, 256}) {
-      const DeepPicture picture = film.at("1f", subframes);
+      const LinearPicture picture = film.at("1f", subframes);
       for (int i = 0; i < (up ? 54 : 96); ++i) {
         const double is = up ? light(picture, 48, i) : light(picture, i, 27),
                      wanted = swept(start - i, start + far - i);
@@ -113,7 +113,7 @@ TEST(Exposure, HasTheSameBitsWhateverWasTakenBefore) {
       "a.position\n  1f (-4 0 0) linear\n  9f (4 2 0)\nb.rotation\n  1f euler(0 0 0) linear\n"
       "  9f euler(0 0 500deg)\n");
   Taken one(script), other(script);
-  const DeepPicture third = one.at("3f"), fourth = one.at("4.3f");
+  const LinearPicture third = one.at("3f"), fourth = one.at("4.3f");
   EXPECT_EQ(other.at("4.3f").rgba, fourth.rgba);
   other.sharp("8f");
   EXPECT_EQ(other.at("3f").rgba, third.rgba);
@@ -126,11 +126,11 @@ TEST(Exposure, IsTheSumOfSharpPictures) {
       "create eye camera position=(0 1 8) look-at=(0 0 0)\nset eye.shutter 1f\nbackground navy\n"
       "bar.rotation\n  1f euler(0 0 0) linear\n  5f euler(0 0 400deg)\n",
       96, 54, 16);
-  const DeepPicture taken = film.at("2f");
+  const LinearPicture taken = film.at("2f");
   std::vector<double> sum(taken.rgba.size());
   constexpr int many = 256;
   for (int k = 0; k < many; ++k) {
-    const DeepPicture one = film.sharp(fmt::format("{}f", 2 + (k + 0.5) / many));
+    const LinearPicture one = film.sharp(fmt::format("{}f", 2 + (k + 0.5) / many));
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(one.rgba[i]) / many;
   }
   double most = 0, mean = 0;
@@ -162,7 +162,7 @@ TEST(Exposure, NothingBlursAcrossWhatJumps) {
   for (const std::string& jump : jumps) {
     SCOPED_TRACE(jump);
     Taken film(drawing(moving + jump));
-    const DeepPicture taken = film.at("3f"), sharp = film.sharp("3f"), later = film.sharp("3.4f");
+    const LinearPicture taken = film.at("3f"), sharp = film.sharp("3f"), later = film.sharp("3.4f");
     bool differs = false;
     for (int y = 20; y < 54; ++y)  // below what moves
       for (int x = 0; x < 96; ++x) {
@@ -182,7 +182,7 @@ TEST(Exposure, ForWhatJumpsTheShutterClosesBefore) {
   Taken film(
       drawing("create wall rectangle size=(20 20) color=white\nwall.position\n  1f (-13.8 0 0) linear\n"
               "  1.25f (-11.8 0 0) cut (40 0 0)\n"));
-  const DeepPicture picture = film.at("1f");
+  const LinearPicture picture = film.at("1f");
   for (int i = 0; i < 96; ++i) EXPECT_NEAR(light(picture, i, 27), swept(10 - i, 30 - i), 3.0 / 255) << i;
 }
 
@@ -195,7 +195,7 @@ TEST(Exposure, NothingBlursAcrossCamerasAndLights) {
                            "eye.lens\n  1f 35mm hold\n  3.15f 90mm\n"}) {
     SCOPED_TRACE(jump);
     Taken taken(film + jump);
-    const DeepPicture was = taken.sharp("3f"), now = taken.at("3f");
+    const LinearPicture was = taken.sharp("3f"), now = taken.at("3f");
     double most = 0;
     for (std::size_t i = 0; i < was.rgba.size(); ++i)
       most = std::max(most, static_cast<double>(std::abs(was.rgba[i] - now.rgba[i])));
@@ -215,8 +215,8 @@ TEST(Exposure, WhatIsOutOfFocusIsADisc) {
         240, 135, 16);
     const double aperture = 0.035 / 0.05, scale = 120 / (18.0 / 35);  // metres; pixels a unit of tangent
     const double radius = 0.5 * aperture * std::abs(1 / depth - 1.0 / 8) * scale, own = 0.01 * scale;
-    const DeepPicture taken = film.at("1f", 256);
-    const DeepPicture sharp = film.sharp("1f");
+    const LinearPicture taken = film.at("1f", 256);
+    const LinearPicture sharp = film.sharp("1f");
     double sum = 0, square = 0, all = 0;
     const double middle_x = 120 + scale * 0.3 / depth, middle_y = 67.5 - scale * 0.2 / depth;
     for (int y = 0; y < 135; ++y)
@@ -234,7 +234,7 @@ TEST(Exposure, TracedPicturesAreBlurredAlike) {
   const std::string script =
       drawing("create a circle radius=0.6 color=gold\na.position\n  1f (-4 0 0) linear\n  5f (4 2 0)\n");
   Taken shaded(script), traced(script, 96, 54, 64, "traced"), again(script, 96, 54, 64, "traced");
-  const DeepPicture one = shaded.at("2f", 16), other = traced.at("2f", 16);
+  const LinearPicture one = shaded.at("2f", 16), other = traced.at("2f", 16);
   double mean = 0, most = 0;
   for (std::size_t i = 0; i < one.rgba.size(); ++i) {
     const auto off = static_cast<double>(std::abs(one.rgba[i] - other.rgba[i]));

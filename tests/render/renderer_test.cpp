@@ -17,7 +17,7 @@ TEST(RenderOptions, SizesOutOfBounds) {
     const Error e = refused({w, h, 4, "shaded"});
     EXPECT_EQ(e.code, ErrorCode::range);
     EXPECT_EQ(e.message, "a picture of " + std::to_string(w) + "x" + std::to_string(h) + " pixels cannot be drawn");
-    EXPECT_EQ(e.hint, "each side may have 1 to 8192 pixels");
+    EXPECT_EQ(e.hint, "each side must have from 1 to 8192 pixels");
   }
 }
 
@@ -25,7 +25,7 @@ TEST(RenderOptions, SamplesThatDoNotExist) {
   for (const int n : {0, -1, 2, 8, 25}) {
     const Error e = refused({10, 10, n, "shaded"});
     EXPECT_EQ(e.code, ErrorCode::range);
-    EXPECT_EQ(e.message, std::to_string(n) + " samples a pixel cannot be drawn");
+    EXPECT_EQ(e.message, std::to_string(n) + " samples per pixel cannot be drawn");
     EXPECT_EQ(e.hint, "1, 4, 9 or 16");
   }
 }
@@ -34,7 +34,7 @@ TEST(RenderOptions, SamplesThatDoNotExist) {
 TEST(RenderOptions, UnknownStyleWithTheNearestOne) {
   const Error near = refused({10, 10, 4, "wirefame"});
   EXPECT_EQ(near.code, ErrorCode::name);
-  EXPECT_EQ(near.message, "no style is called 'wirefame'");
+  EXPECT_EQ(near.message, "there is no style 'wirefame'");
   EXPECT_EQ(near.hint, "wireframe");
   EXPECT_EQ(refused({10, 10, 4, "cubist"}).hint, "the styles are shaded, wireframe, hidden-line, traced");
 }

@@ -9,7 +9,7 @@ namespace {
 
 using namespace scenes;
 
-constexpr RenderOptions square_picture{100, 100, 4, "shaded"};
+const RenderOptions square_picture{100, 100, 4, "shaded"};
 
 void expect_near(const Pixel& is, Vec3 linear, int within = 1) {
   EXPECT_NEAR(is.r, encoded_byte(linear.x), within);

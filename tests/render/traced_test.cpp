@@ -9,7 +9,7 @@
 
 #include "betwixt/language.h"
 #include "betwixt/program.h"
-#include "render/scattered.h"
+#include "render/pixel_sampler.h"
 #include "render/scenes.h"
 
 namespace betwixt {
@@ -306,16 +306,16 @@ TEST(Traced, LightStaysAsBrightAsItIs) {
   f.items.push_back(item(square(), translation({2, 0, 0}) * scaling({4, 20, 1}), {1, 1, 1}));
   f.items[1].transparency = 0.75;
   RenderOptions options = with(10, 10, 4);  // a pixel is a metre
-  DeepPicture p;
+  LinearPicture p;
   EXPECT_EQ(renderer(options)->render(f, p).error().code, ErrorCode::range);
   EXPECT_EQ(pixel(draw(f, options), 9, 5), (Pixel{0, 0, 0, 255}));
-  options.deep = options.open = true;
+  options.linear = options.unclamped = true;
   ASSERT_TRUE(renderer(options)->render(f, p));
   const auto at = [&](std::size_t x) { return std::array{p.rgba[200 + 4 * x], p.rgba[203 + 4 * x]}; };
   EXPECT_EQ(at(3), (std::array{2.0F, 1.0F}));
   EXPECT_EQ(at(6), (std::array{0.25F, 0.25F}));
   EXPECT_EQ(at(9), (std::array{0.0F, 0.0F}));
-  options.open = false;
+  options.unclamped = false;
   ASSERT_TRUE(renderer(options)->render(f, p));
   EXPECT_LT(p.rgba[200 + 4 * 3], 1);
   EXPECT_EQ(pixel(draw(f, options), 6, 5).a, 64);
@@ -381,28 +381,28 @@ TEST(Traced, PlaceIsNoMatter) {
 }
 
 // Of 2^k samples each box of all that have the area 2^-k holds one.
-TEST(Scattered, EachBoxHoldsOneSample) {
+TEST(PixelSampler, EachBoxHoldsOneSample) {
   for (const std::uint32_t count : {1U, 2U, 16U, 64U, 256U})
     for (int question = 0; question < 3; ++question)
       for (std::uint32_t columns = 1; columns <= count; columns *= 2) {
         std::set<std::pair<int, int>> boxes;
         for (std::uint32_t s = 0; s < count; ++s) {
-          traced::Scattered dice(77, s, count);
-          for (int k = 0; k < question; ++k) dice.two();
-          const auto [x, y] = dice.two();
+          traced::PixelSampler dice(77, s, count);
+          for (int k = 0; k < question; ++k) dice.next_2d();
+          const auto [x, y] = dice.next_2d();
           boxes.emplace(static_cast<int>(x * columns), static_cast<int>(y * (count / columns)));
         }
         EXPECT_EQ(boxes.size(), count) << columns << " " << question;
       }
 }
 
-TEST(Scattered, QuestionsAndPixelsKnowNothingOfEachOther) {
+TEST(PixelSampler, QuestionsAndPixelsKnowNothingOfEachOther) {
   constexpr std::uint32_t count = 64, pixels = 200;
   double together = 0, beside = 0;
   for (std::uint32_t pixel = 0; pixel < pixels; ++pixel)
     for (std::uint32_t s = 0; s < count; ++s) {
-      traced::Scattered dice(pixel, s, count), next(pixel + 1, s, count);
-      const double a = dice.one() - 0.5, b = dice.one() - 0.5, c = next.one() - 0.5;
+      traced::PixelSampler dice(pixel, s, count), next(pixel + 1, s, count);
+      const double a = dice.next_1d() - 0.5, b = dice.next_1d() - 0.5, c = next.next_1d() - 0.5;
       together += a * b * 12 / (count * pixels), beside += a * c * 12 / (count * pixels);
     }
   EXPECT_NEAR(together, 0, 0.03);

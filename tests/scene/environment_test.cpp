@@ -95,7 +95,7 @@ TEST(Environment, IsWarnedAboutOnceWhenAnimatesComeTooFast) {
   EXPECT_EQ(e.problems()[0].number, 1U);
   EXPECT_EQ(e.problems()[0].severity, Severity::warning);
   EXPECT_EQ(e.problems()[0].what.message,
-            "this animate comes before the first update of the one before it: repeated like this, nothing moves");
+            "this animate comes before the first update of the previous one; if it repeats like this, nothing moves");
   for (Event& event : events) std::get<Animate>(event.what).keep_phase = true;
   const Environment kept = Environment::compile(events);
   EXPECT_EQ(kept.count(0, 99), 49);
@@ -221,19 +221,18 @@ TEST(Environment, WhatMeansNothingIsRefusedInWords) {
             "there is nothing to cancel: it has not been animated since it was killed");
   EXPECT_EQ(refused(gone, {-1, 3, Halt{}}), "there is nothing to halt: it has not been animated before this");
   EXPECT_EQ(refused(gone, {3, 3, Halt{}}), "");
-  EXPECT_EQ(refused(none, {0, 1, every(0, step)}), "an interval is at least 1 tick, and this is 0 ticks");
+  EXPECT_EQ(refused(none, {0, 1, every(0, step)}), "an interval must be at least 1 tick, not 0 ticks");
   EXPECT_EQ(refused(none, {0, 1, between(5, 5, every(1, step))}),
-            "an environment has to halt after it starts: until 5t is not after from 5t");
+            "an environment must halt after it starts: until 5t is not after from 5t");
   EXPECT_EQ(refused(none, {0, 1, between({}, 0, every(1, step))}),
-            "an environment has to halt after its animate, not after 0t");
+            "an environment must halt after its animate, not after 0t");
   EXPECT_EQ(refused(none, {0, 1, between(-1, {}, every(1, step))}), "an environment cannot start before its animate");
   EXPECT_EQ(refused(none, {0, 1, between(INT64_MAX, {}, every(1, step))}),
-            "a start or a stop so far in the future cannot be counted in ticks");
-  EXPECT_EQ(refused(none, {INT64_MIN, 1, every(1, step)}), "a time so far away cannot be counted in ticks");
+            "a start or a stop is too far in the future");
+  EXPECT_EQ(refused(none, {INT64_MIN, 1, every(1, step)}), "this time is too far away");
   Mat4 broken;
   broken(1, 2) = std::nan("");
-  EXPECT_EQ(refused(none, {0, 1, every(1, broken)}),
-            "the matrix of a motion is made of numbers, and this has an element that is none");
+  EXPECT_EQ(refused(none, {0, 1, every(1, broken)}), "the matrix of a motion has an element that is not finite");
   const Environment e = Environment::compile({{5, 7, Halt{}}, {6, 8, every(1, step)}});
   ASSERT_EQ(e.problems().size(), 1U);
   EXPECT_EQ(e.problems()[0].number, 7U);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/rig.h"
 #include "support/objects.h"
 
 namespace betwixt {
@@ -36,6 +37,45 @@ TEST(SceneSize, CountsOnceWhatManyShare) {
   const std::string verse(100'000, 'x');
   set_value(s, {add(s, "text", Kind::text), fn::text}, Text(verse));
   EXPECT_GE(size_of(s).bytes - one, verse.size());
+}
+
+// Two meshes of three vertices wear one picture.
+TEST(ContentBytes, CountsOnceWhatManyShare) {
+  const auto picture = std::make_shared<const Picture>(Picture{2, 3, std::vector<std::uint8_t>(24)});
+  Mesh m;
+  m.positions = m.normals = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  m.triangles = {0, 1, 2};
+  m.parts = {{0, 3, {1, 1, 1}, picture, true}};
+  const std::size_t of_mesh = 3 * (12 + 12 + 4) + sizeof(MeshPart);
+  const auto one = std::make_shared<const Mesh>(m), other = std::make_shared<const Mesh>(m);
+  ContentBytes all;
+  all.add(one);
+  EXPECT_EQ(all.sum(), of_mesh + 24);
+  all.add(one), all.add(picture);
+  EXPECT_EQ(all.sum(), of_mesh + 24);
+  all.add(other);
+  EXPECT_EQ(all.sum(), 2 * of_mesh + 24);
+  Rig rig;
+  rig.joints.resize(3), rig.weights.resize(3), rig.inverse_bind.resize(2);
+  rig.targets = {{"smile", m.positions, {}}};
+  m.rig = std::make_shared<const Rig>(rig);
+  all.add(std::make_shared<const Mesh>(m));
+  EXPECT_EQ(all.sum(), 3 * of_mesh + 24 + 3 * (8 + 16 + 12) + 2 * sizeof(Mat4));
+  auto sound = std::make_shared<Sound>();
+  sound->energy.resize(5), sound->onsets.resize(2);
+  const std::size_t before = all.sum();
+  all.add(std::shared_ptr<const Sound>(sound));
+  EXPECT_EQ(all.sum(), before + 7 * 8);
+}
+
+// Points that only a display list has, and code that nothing calls.
+TEST(ValueBytes, CountsAllThatTheSceneHolds) {
+  Scene s;
+  edit_list(s, "tree", Time{}).commands.put(0, {Drawing::polygon, Points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), {}});
+  EXPECT_EQ(bytes_of_values(s), 3 * sizeof(Vec3));
+  s.pictures.edit()["a.png"] = std::make_shared<const Picture>(Picture{2, 3, std::vector<std::uint8_t>(24)});
+  s.pictures.edit()["./a.png"] = s.pictures->at("a.png");
+  EXPECT_EQ(bytes_of_values(s), 3 * sizeof(Vec3) + 24);
 }
 
 }  // namespace

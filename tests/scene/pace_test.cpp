@@ -129,16 +129,16 @@ TEST(Pace, LargeNumbersDoNotOverflow) {
 
 TEST(Pace, WhatCannotBeIsSaidInWords) {
   const auto message = [](const Timing& t) { return Pace::make(t).error().message; };
-  EXPECT_EQ(message({0}), "an interval is at least 1 tick, and this is 0 ticks");
+  EXPECT_EQ(message({0}), "an interval must be at least 1 tick, not 0 ticks");
   EXPECT_EQ(told(Pace::make({-3})), "range");
   EXPECT_TRUE(mentions(Pace::make({-3}), "-3 ticks"));
-  EXPECT_EQ(message({1, 1, 0}), "an interval is changed every 1 tick or more, and this is every 0 ticks");
-  EXPECT_EQ(message({1, 1, 1, 0}), "a limit is at least 1 tick, and this is 0 ticks");
+  EXPECT_EQ(message({1, 1, 0}), "an interval must change every 1 tick or more, not every 0 ticks");
+  EXPECT_EQ(message({1, 1, 1, 0}), "a limit must be at least 1 tick, not 0 ticks");
   EXPECT_EQ(message({1, std::numeric_limits<std::int64_t>::min(), 1}),
-            "an interval that changes is made of at most 1099511627776 ticks, not -9223372036854775808 ticks");
+            "an interval that changes can have at most 1099511627776 ticks, not -9223372036854775808 ticks");
   const Result<Pace> many = Pace::make({1, 1, 1'000'000, 1'000'000});
   EXPECT_EQ(many.error().message, "this interval changes more than 4096 times");
-  EXPECT_EQ(many.error().hint, "let it change by more ticks each time");
+  EXPECT_EQ(many.error().hint, "make each change larger");
 }
 
 }  // namespace

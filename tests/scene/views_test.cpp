@@ -23,7 +23,7 @@ struct Lister {
   std::ostringstream out{};
 
   std::string time(Time t) const {
-    return t == from_the_beginning ? "beginning" : t == for_good ? "end" : format_time(t, d);
+    return t == earliest_time ? "beginning" : t == latest_time ? "end" : format_time(t, d);
   }
   std::string value(const Value& v) const {
     std::ostringstream o;
@@ -54,15 +54,16 @@ struct Lister {
   void track(const TrackView& t) {
     out << "  " << d.name(t.target);
     if (t.target.layer) out << " on " << d.name(t.target.layer);
-    out << ": " << t.events << " events";
-    if (t.events > 0) out << ' ' << time(t.first) << ".." << time(t.last);
+    out << ": " << t.event_count << " events";
+    if (t.event_count > 0) out << ' ' << time(t.first) << ".." << time(t.last);
     if (!t.twerper.empty()) out << ", all " << t.twerper;
-    out << ", else " << t.unsaid << ", " << t.before << ' ' << t.after << (t.srgb ? ", srgb" : "") << '\n';
+    out << ", else " << t.default_twerper << ", " << t.extrapolation_before << ' ' << t.extrapolation_after
+        << (t.srgb ? ", srgb" : "") << '\n';
     for (const EventView& e : events(d, t.target)) event(e);
   }
   void event(const EventView& e) {
     out << "    " << time(e.time) << ' ';
-    if (e.before) out << value(*e.before) << " cut ";
+    if (e.cut_from) out << value(*e.cut_from) << " cut ";
     out << (e.what == EventView::What::keep      ? "keep"
             : e.what == EventView::What::release ? "release"
                                                  : value(*e.value));
@@ -80,7 +81,7 @@ struct Lister {
     for (const FunctionView& f : functions(d, id)) {
       if (f.set) out << "  " << f.name << " set " << value(*f.set) << '\n';
       for (const FilterView& filter : filters(d, {id, f.id})) {
-        out << "  " << f.name << " filter " << filter.name << (filter.own ? " (own)" : "");
+        out << "  " << f.name << " filter " << filter.name << (filter.custom ? " (own)" : "");
         if (filter.component >= 0) out << " of " << f.components[static_cast<std::size_t>(filter.component)];
         for (const auto& [key, v] : filter.parameters) out << ' ' << key << '=' << value(v);
         if (filter.segment) out << ' ' << time(filter.segment->first) << ".." << time(filter.segment->second);
@@ -115,8 +116,7 @@ struct Lister {
       for (const ObjectId id : objects(d, word)) out << ' ' << d.name(id);
       out << " (" << meant.size() << " patterns)\n";
     }
-    for (const auto& [t, text] : d.notes(from_the_beginning, for_good))
-      out << "note " << time(t) << ' ' << text << '\n';
+    for (const auto& [t, text] : d.notes(earliest_time, latest_time)) out << "note " << time(t) << ' ' << text << '\n';
     for (const auto& [t, eye] : d.cuts()) out << "cut " << time(t) << ' ' << d.name(eye) << '\n';
     for (const ProcedureView& p : procedures(d))
       if (p.language != "plug-in")  // those of other tests are in every document made after them
@@ -326,7 +326,7 @@ TEST(Views, OfATrackAnyPartIsLookedAt) {
   EXPECT_EQ(seen, "25f 49f 61f ");
   EXPECT_FALSE(track(d, scale));
   EXPECT_TRUE(events(d, scale).empty());
-  EXPECT_EQ(track(d, {scale.object, scale.function, 1})->events, 2U);
+  EXPECT_EQ(track(d, {scale.object, scale.function, 1})->event_count, 2U);
   EXPECT_FALSE(track(d, {scale.object, scale.function, 2}));
   const auto behind = [&](const Target& t) {
     std::string names;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How much hosts may make of a document, and of its history. (R-E8)
+#include "betwixt/picture.h"
 #include "server/stage.h"
 
 namespace betwixt {
@@ -24,12 +25,12 @@ TEST(Imaging, HasACeilingOfObjects) {
   Stage s(at_most(&Ceilings::objects, 3));
   const auto host = s.imaging.arrive();
   s.done(host, "create a{1..3} sphere");
-  changes_nothing(s, host, "create b sphere", "there would be more than 3 objects, removed ones included");
+  changes_nothing(s, host, "create b sphere", "the film would have more than 3 objects, including removed ones");
   changes_nothing(s, host, "animate e every 1t by rotate(1deg, y)", "more than 3 objects");
   s.say(host, "bundle");
   s.say(host, "set a1.radius 2");
   s.say(host, "create b sphere");
-  changes_nothing(s, host, "end", "line 6: there would be more than 3 objects");
+  changes_nothing(s, host, "end", "line 6: the film would have more than 3 objects");
   s.done(host, "set a{1..3}.radius 2");  // what is there may change
   s.done(host, "remove a1");
   s.refused(host, "create b sphere", "more than 3 objects");
@@ -46,7 +47,7 @@ TEST(Imaging, HasACeilingOfEvents) {
                            "at 1f a1.rotation.velocity (0deg 90deg 0deg)", "animate e every 1t by rotate(1deg, y)"})
     s.done(host, line);
   EXPECT_TRUE(holds(s.say(host, "stats"), "\"objects\":3,\"events\":5,"));
-  s.refused(host, "at 2f a{1..2}.radius 3", "there would be more than 6 events");
+  s.refused(host, "at 2f a{1..2}.radius 3", "the film would have more than 6 events");
   s.done(host, "at 1f a{1..2}.radius 3");  // in their place
   s.done(host, "at 2f a1.radius 3");
   s.refused(host, "halt e", "more than 6 events");
@@ -75,7 +76,7 @@ TEST(Imaging, HasACeilingOfItsHistory) {
   s.done(host, "set a.radius 2");   // 15 + 1
   s.done(host, "set a.radius 3");   // 49 so far
   EXPECT_TRUE(holds(s.say(host, "stats"), "\"history\":49"));
-  changes_nothing(s, host, "set a.radius 4", "the history would be longer than 60 bytes");
+  changes_nothing(s, host, "set a.radius 4", "the history cannot be longer than 60 bytes");
   s.done(host, "eval a.radius");
   s.done(other, "# nothing");
   s.done(other, "undo");
@@ -95,7 +96,7 @@ TEST(Imaging, HasACeilingOfBytes) {
     return all + ")";
   };
   s.done(host, "create l{1..40} polygon");
-  const char* const why = "texts, points, lists of names and code would have more than 10000 bytes";
+  const char* const why = "lists of names, code and the contents of files would have more than 10000 bytes";
   changes_nothing(s, host, "set l*.points " + points(20, "i"), why);  // 40 times 480 bytes
   s.done(host, "set l*.points " + points(300, "1"));                  // 7,200
   changes_nothing(s, host, "set l1.points " + points(200, "2"), why);
@@ -125,6 +126,35 @@ TEST(Imaging, TextsAndCodeCountToo) {
   s.done(host, "set t2.text \"" + std::string(6'000, 'y') + "\"");
 }
 
+// Pictures count as they are unpacked: here 400 bytes, with five letters of its name. What one shows already, another
+// may show, too.
+TEST(Imaging, ContentsOfFilesCount) {
+  const Folder folder;
+  folder.put("show.bx", "create a sphere\ncreate b sphere\n");
+  for (const char* name : {"1.png", "2.png"})
+    ASSERT_TRUE(write_png(folder / name, Picture{10, 10, std::vector<std::uint8_t>(400, 9)}));
+  const std::string first = "set a.texture \"1.png\"";
+  for (const auto& [most, column] : {std::pair<std::size_t, int>(399, 15), {404, 1}}) {
+    Stage s(at_most(&Ceilings::values, most), folder / "show.bx");
+    const auto host = s.imaging.arrive();
+    changes_nothing(s, host, first, fmt::format("\"column\":{}", column));
+    changes_nothing(s, host, first, fmt::format("would have more than {} bytes", most));
+  }
+  Stage s(at_most(&Ceilings::values, 410), folder / "show.bx");
+  const auto host = s.imaging.arrive();
+  s.done(host, first);
+  changes_nothing(s, host, "set b.texture \"2.png\"", "\"column\":15");
+  s.done(host, "set b.texture \"1.png\"");
+  for (int i = 0; i < 2; ++i) s.done(host, "undo");
+  s.done(host, "set b.texture \"2.png\"");
+  folder.put("more.bx", "# more\nset a.texture \"1.png\"\n");
+  changes_nothing(s, host, "use more.bx", "more.bx:2:15: ");
+  s.say(host, "bundle");
+  s.say(host, "set a.radius 2");
+  s.say(host, first);
+  changes_nothing(s, host, "end", "\"errors\":[{\"line\":10,");
+}
+
 // After undo and redo, the counts are right.
 TEST(Imaging, CountsAreThoseOfTheDocumentThatIsGoneBackTo) {
   Stage s;
@@ -151,7 +181,7 @@ TEST(Imaging, HasACeiling) {
   Stage s(at_most(&Ceilings::environments, 3));
   const auto host = s.imaging.arrive();
   s.done(host, "animate e{1..3} every 1t by rotate(1deg, y)");
-  changes_nothing(s, host, "animate e4 every 1t by rotate(1deg, y)", "there would be more than 3 environments");
+  changes_nothing(s, host, "animate e4 every 1t by rotate(1deg, y)", "the film would have more than 3 environments");
   s.done(host, "animate e3 every 2t by rotate(1deg, y)");
   s.done(host, "kill e1");
   s.done(host, "animate e4 every 1t by rotate(1deg, y)");

@@ -29,10 +29,10 @@ TEST(Imaging, BundlesAreAtomic) {
   EXPECT_TRUE(s.imaging.document() == before);
   EXPECT_EQ(s.say(a, "bundle"), "");
   EXPECT_EQ(s.say(a, "bundle"), "");
-  s.refused(a, "end", "a bundle is open already");
+  s.refused(a, "end", "a bundle is already open");
   EXPECT_EQ(s.say(a, "bundle"), "");
   EXPECT_EQ(s.say(a, std::string(Imaging::longest_line + 1, 'x')), "");
-  s.refused(a, "end", "bytes long");
+  s.refused(a, "end", "at most 1048576 bytes");
 
   EXPECT_EQ(s.say(a, "bundle"), "");
   EXPECT_EQ(s.say(a, "remove ball"), "");

@@ -7,6 +7,7 @@
 #include <rapidcheck.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "server/stage.h"
 #include "support/fake_programs.h"
@@ -122,13 +123,34 @@ TEST(Imaging, NobodyWaitsForWhatTakesLong) {
     return true;
   });
   const std::string answer = s.say(slow, "create many{1..60000} sphere");
-  EXPECT_TRUE(holds(answer, "others changed the document each of 12 times that this was worked out")) << answer;
-  EXPECT_TRUE(holds(answer, "say it in smaller parts, or when they rest"));
+  EXPECT_TRUE(holds(answer, "other hosts changed the document during each of 12 attempts")) << answer;
+  EXPECT_TRUE(holds(answer, "split the command, or repeat it when they are idle"));
   EXPECT_EQ(works, 12);
   EXPECT_TRUE(holds(s.say(quick, "eval ball12.radius"), "\"ball12.radius\":1"));
   s.imaging.work_beside({});
   s.refused(slow, "set many1.radius 2", "");
   s.expect_history();
+}
+
+// A file is read once for a command, however often the document changes under it.
+TEST(Imaging, WhatWasReadIsKeptForTheNextTry) {
+  const Folder folder;
+  folder.put("show.bx", "create ball sphere\n");
+  Stage s({}, folder / "show.bx");
+  const auto slow = s.imaging.arrive(), quick = s.imaging.arrive();
+  int works = 0;
+  s.imaging.work_beside([&](const std::function<void()>& work, Imaging::Claim) {
+    work();
+    std::filesystem::remove(folder / "m.obj");
+    if (++works < 3) s.done(quick, fmt::format("set ball.radius {}", works));
+    return true;
+  });
+  folder.put("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  s.done(slow, "create m mesh file=\"m.obj\"");
+  EXPECT_EQ(works, 3);
+  s.refused(slow, "create n mesh file=\"other.obj\"", "other.obj");
+  EXPECT_EQ(s.imaging.document().scene().meshes->at("m.obj")->triangles.size(), 3u);
+  EXPECT_TRUE(holds(s.say(slow, "eval ball.radius"), "\"ball.radius\":2"));
 }
 
 // The server answers questions about many objects from one version of the document, beside other lines.
@@ -157,7 +179,7 @@ TEST(Imaging, QuestionsAboutManyLetOthersGoOn) {
     EXPECT_GE(works, 1) << question;
     s.done(changes, "undo"), s.done(changes, "undo");
   }
-  s.refused(asks, "eval " + std::string(Imaging::longest_question, 'x'), "'eval' has at most 65536 bytes");
+  s.refused(asks, "eval " + std::string(Imaging::longest_question, 'x'), "'eval' can have at most 65536 bytes");
 }
 
 // Names that stand for many, and rows below a pattern, do not look as if they spoke of many.
@@ -223,32 +245,32 @@ TEST(Imaging, SaysNoInWords) {
   for (const auto& [line, why] : std::vector<std::pair<std::string, std::string>>{
            {"open other.bx", "a server has one document"},
            {"load ./swirl.so", "plug-ins are programs"},
-           {"plot ball.position", "they write no files here"},
+           {"plot ball.position", "it would write a file on the server"},
            {"play", "a server always plays"},
            {"save elsewhere.bx", "a host cannot choose the file"},
-           {"save", "this server keeps no history"},
+           {"save", "this server saves no history"},
            {"end", "no bundle is open"},
-           {"eval", "what shall be evaluated?"},
-           {"eval ball at", "a time is missing behind 'at'\",\"hint\":\"as in eval ball at 24f\""},
+           {"eval", "a target is missing here"},
+           {"eval ball at", "a time is missing after 'at'\",\"hint\":\"as in eval ball at 24f\""},
            {"point (0 0)", "'point' is a row of a display list, not a command\",\"hint\":\"rows are indented"},
-           {"help plot", "they write no files here"},
+           {"help plot", "it would write a file on the server"},
            {"help play", "a server always plays"},
            {"eval ball", "'ball'"},
-           {"subscribe", "to what?"},
-           {"subscribe gossip", "there are no events called 'gossip'"},
-           {"seek", "to which time?"},
+           {"subscribe", "a kind of event is missing here"},
+           {"subscribe gossip", "there is no kind of event 'gossip'"},
+           {"seek", "a time is missing here"},
            {"seek soon", "soon"},
            {"undo", "there is nothing to undo"},
            {"redo", "there is nothing to redo"},
-           {"help nothing", "there is no help about 'nothing'"},
-           {"time flies", "'flies' is one word too many"},
+           {"help nothing", "there is no help for 'nothing'"},
+           {"time flies", "'flies' is not expected here"},
            {"quit now", "'now'"},
            {"use /etc/passwd", "/etc/passwd"},
            {"  12f 3", "no sheet is open"},
            {std::string("create b\0ll sphere", 18), "this is not a text"},
            {"create b\xffll sphere", "this is not a text"},
            {"ev\xff", "this is not a text"},
-           {std::string(Imaging::longest_line + 1, 'x'), "a line is at most 1048576 bytes long"},
+           {std::string(Imaging::longest_line + 1, 'x'), "a line can have at most 1048576 bytes"},
        })
     s.refused(host, line, why);
   EXPECT_EQ(s.imaging.history(), "");
@@ -379,7 +401,7 @@ TEST(Imaging, KilledEnvironmentsAreUnknown) {
   s.done(host, "kill spin", tick(9));
   EXPECT_TRUE(holds(s.say(host, "eval spin.every", tick(9)), "\"spin.every\":1"));
   for (const char* line : {"eval spin.every", "eval spin.world", "eval spin", "eval spin.by at 20t"})
-    s.refused(host, line, "there is no environment 'spin' any more: it was killed", tick(11));
+    s.refused(host, line, "the environment 'spin' no longer exists: it was killed", tick(11));
   EXPECT_TRUE(holds(s.say(host, "eval spin.every at 5t", tick(11)), "\"spin.every\":1"));
   EXPECT_TRUE(holds(s.say(host, "eval *.every", tick(11)), "\"values\":{\"drift.every\":1}"));
   s.done(host, "animate spin every 3t by translate(1 0 0)", tick(20));
@@ -393,7 +415,7 @@ TEST(Imaging, WithoutAScriptNothingIsRead) {
   folder.put("show.bx", "");
   std::filesystem::current_path(folder / "");
   Stage without, with({}, "show.bx");
-  without.refused(without.imaging.arrive(), "use other.bx", "this server began without a script: it reads no files");
+  without.refused(without.imaging.arrive(), "use other.bx", "this server has no script, so it reads no files");
   with.done(with.imaging.arrive(), "use other.bx");
   std::filesystem::current_path("/");
 }
@@ -407,9 +429,23 @@ TEST(Imaging, HostsShowTheAuthorsFormulasOnly) {
   options.load.tex = true;
   Stage s(options, folder.put("film.bx", "create f text tex=\"x\"\n"));
   const auto host = s.imaging.arrive();
-  s.refused(host, "create g text tex=\"y\"", "hosts show the formulas of the server's script only");
+  s.refused(host, "create g text tex=\"y\"", "hosts can use only the formulas of the server's script");
   s.done(host, "create g text tex=\"x\"");
   EXPECT_EQ(fake.latex_calls(), 1U);
+}
+
+// Programs read the list, people the text. Other output is no warning.
+TEST(Imaging, WarningsAreAList) {
+  Stage s;
+  using Json = nlohmann::json;
+  const auto host = s.imaging.arrive();
+  const Json one = Json::parse(s.say(host, "halt b*"));
+  ASSERT_EQ(one["warnings"].size(), 1U) << one;
+  EXPECT_EQ(one["said"], one["warnings"][0].get<std::string>() + "\n");
+  EXPECT_FALSE(Json::parse(s.say(host, "create ball sphere")).contains("warnings"));
+  EXPECT_FALSE(Json::parse(s.say(host, "help animate")).contains("warnings"));
+  for (const char* line : {"bundle", "halt c*", "halt d*"}) s.say(host, line);
+  EXPECT_EQ(Json::parse(s.say(host, "end"))["warnings"].size(), 2U);
 }
 
 // shows: C124 C130 R-E1
@@ -430,10 +466,10 @@ TEST(Imaging, HelpIsForHosts) {
   Stage s;
   const auto host = s.imaging.arrive();
   const std::string all = s.say(host, "help");
-  for (const char* word : {"Words of the shell", "\\n  plot ", "\\n  open ", "\\n  play "})
+  for (const char* word : {"Shell commands", "\\n  plot ", "\\n  open ", "\\n  play "})
     EXPECT_FALSE(holds(all, word)) << word;
   for (const char* word : {"bundle ", "subscribe ", "animate ", "Rows of display lists"}) EXPECT_TRUE(holds(all, word));
-  EXPECT_TRUE(holds(s.say(host, "help bundle"), "done together, all at one moment or none; end has the answer"));
+  EXPECT_TRUE(holds(s.say(host, "help bundle"), "together, at one moment: all or none; end has the answer"));
   const std::string events = s.say(host, "help subscribe");
   for (const char* topic : {"changes", "contacts", "frames", "notes"})
     EXPECT_TRUE(holds(events, fmt::format("\\n  {} ", topic))) << events;

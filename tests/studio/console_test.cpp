@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Lines that are typed into the console, and what it says.
-#include "studio/console.h"
+#include "studio/shell/console.h"
 
 #include <QTest>
 #include <QTreeWidget>
@@ -15,7 +15,7 @@ class ConsoleTest : public QObject {
   Q_OBJECT
 
   struct Shown : Film {
-    Console console{desk};
+    Console console{workspace};
     ConsoleLine& line{*console.findChild<ConsoleLine*>("console_line")};
     QPlainTextEdit& log{*console.findChild<QPlainTextEdit*>("console_log")};
     QLabel& help{*console.findChild<QLabel*>("console_help")};
@@ -32,12 +32,12 @@ class ConsoleTest : public QObject {
   void says_what_is_entered() {
     Shown s;
     s.enter("create ball sphere");
-    QCOMPARE(s.desk.document().names(), std::vector<std::string>{"ball"});
-    QVERIFY(QString::fromStdString(s.desk.text()).endsWith("create ball sphere\n"));
+    QCOMPARE(s.workspace.document().names(), std::vector<std::string>{"ball"});
+    QVERIFY(QString::fromStdString(s.workspace.text()).endsWith("create ball sphere\n"));
     QVERIFY(s.line.toPlainText().isEmpty());
     QVERIFY(s.log.toPlainText().contains("› create ball sphere"));
     s.enter("undo");
-    QVERIFY(s.desk.document().names().empty());
+    QVERIFY(s.workspace.document().names().empty());
   }
 
   void says_what_is_wrong_where() {
@@ -73,9 +73,9 @@ class ConsoleTest : public QObject {
   void goes_on_over_lines() {
     Shown s;
     s.enter("create p polygon points=((0 0) (1 0)");
-    QVERIFY(s.desk.document().names().empty());
+    QVERIFY(s.workspace.document().names().empty());
     s.enter("(1 1))");
-    QCOMPARE(s.desk.document().names(), std::vector<std::string>{"p"});
+    QCOMPARE(s.workspace.document().names(), std::vector<std::string>{"p"});
     QVERIFY(s.line.toPlainText().isEmpty());
   }
 
@@ -85,8 +85,8 @@ class ConsoleTest : public QObject {
     s.enter("ball.radius");
     s.enter("1f 1");
     s.enter("24f 3");
-    const auto f = find_targets("ball.radius", s.desk.document());
-    QCOMPARE(events(s.desk.document(), f->front()).size(), std::size_t{2});
+    const auto f = find_targets("ball.radius", s.workspace.document());
+    QCOMPARE(events(s.workspace.document(), f->front()).size(), std::size_t{2});
     s.type("48f ");
     QVERIFY(s.help.text().contains("ball.radius"));
   }
@@ -95,9 +95,9 @@ class ConsoleTest : public QObject {
     Shown s;
     s.line.setPlainText("create a sphere\ncreate b box\nball.nothing");
     QTest::keyClick(&s.line, Qt::Key_Return);
-    QCOMPARE(s.desk.document().names(), (std::vector<std::string>{"a", "b"}));
-    s.desk.undo();
-    QCOMPARE(s.desk.document().names(), (std::vector<std::string>{"a"}));
+    QCOMPARE(s.workspace.document().names(), (std::vector<std::string>{"a", "b"}));
+    s.workspace.undo();
+    QCOMPARE(s.workspace.document().names(), (std::vector<std::string>{"a"}));
   }
 
   void offers_words() {
@@ -116,7 +116,7 @@ class ConsoleTest : public QObject {
     QTest::keyClick(&s.line, Qt::Key_Return);
     QCOMPARE(s.line.toPlainText(), "create b sphere");
     QVERIFY(!s.words().isVisible());
-    QVERIFY(s.desk.document().names().empty());
+    QVERIFY(s.workspace.document().names().empty());
   }
 
   void helps_while_it_is_written() {
@@ -144,7 +144,7 @@ class ConsoleTest : public QObject {
     s.enter("create ball sphere");
     s.type("half a li");
     QTest::keyClick(&s.line, Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(s.desk.document().names().empty());
+    QVERIFY(s.workspace.document().names().empty());
     QCOMPARE(s.line.toPlainText(), "half a li");
   }
 };

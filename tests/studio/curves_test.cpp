@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/curves.h"
+#include "studio/curves/curves.h"
 
 #include <QMenu>
 
 #include "betwixt/language.h"
 #include "hands.h"
-#include "studio/curve_pane.h"
+#include "studio/curves/curve_pane.h"
 
 using namespace betwixt;
 using namespace betwixt::studio;
@@ -24,12 +24,12 @@ using What = Handle::What;
 // The panel with the ball's curves.
 struct Shown {
   Film at;
-  Curves panel{at.desk};
+  Curves panel{at.workspace};
   CurvePane& pane;
-  TimeAxis& axis{TimeAxis::of(at.desk)};
+  TimeAxis& axis{TimeAxis::of(at.workspace)};
   explicit Shown(const std::string& text = film) : at(text), pane(*panel.findChild<CurvePane*>("curve_pane")) {
     show(panel, 1000, 500);
-    at.desk.select({at.find("ball")});
+    at.workspace.select({at.find("ball")});
     pane.finish(), pane.fit();
   }
   QPoint place(double frame, double value) const { return pane.place(0, at.frame(frame), value).toPoint(); }
@@ -39,12 +39,12 @@ struct Shown {
   }
   // Of a handle of the first line.
   Handle handle(double frame, What what) const {
-    for (const Handle& h : studio::handles(at.desk.document(), pane.lines().front(), at.frame(frame)))
+    for (const Handle& h : studio::handles(at.workspace.document(), pane.lines().front(), at.frame(frame)))
       if (h.what == what) return h;
     qFatal("there is no such handle");
   }
   Lines put(double frame, What what, double to, double value, bool both = false) const {
-    return handle_lines(at.desk.document(), pane.lines().front(), handle(frame, what), at.frame(to), value, both);
+    return handle_lines(at.workspace.document(), pane.lines().front(), handle(frame, what), at.frame(to), value, both);
   }
 };
 
@@ -60,7 +60,7 @@ class CurvesTest : public QObject {
     const double pixel = 48.0 / (s.place(49, 0).x() - s.place(1, 0).x());
     for (const double frame : {5., 13., 25., 30.})
       QVERIFY(std::abs(s.value(frame) - (frame <= 25 ? frame - 1 : 49 - frame)) <= pixel);
-    s.at.desk.say("set ball.position.y = \"2 * t\"");
+    s.at.workspace.say("set ball.position.y = \"2 * t\"");
     s.pane.finish();
     QCOMPARE(s.pane.lines().size(), std::size_t(2));
   }
@@ -98,20 +98,20 @@ class CurvesTest : public QObject {
     drag(s.pane, s.place(25, 24), s.place(31, 18));
     QVERIFY(s.at.said.size() == 1 && s.at.said[0].starts_with("move ball.position.x 25f..25f by 6f\nat 31f "));
     const Target x = s.pane.lines()[0].target;
-    QCOMPARE(event_before(s.at.desk.document(), x, s.at.frame(49)), s.at.frame(31));
-    const double value = numbers(s.at.desk.program().read(x, s.at.frame(31)))[0];
+    QCOMPARE(event_before(s.at.workspace.document(), x, s.at.frame(49)), s.at.frame(31));
+    const double value = numbers(s.at.workspace.program().read(x, s.at.frame(31)))[0];
     QVERIFY(std::abs(value - 18) < 0.2);
     QCOMPARE(value, std::round(value * 100) / 100);  // no more digits than pixels tell
-    QCOMPARE(s.at.desk.events_selected().size(), std::size_t(1));
-    QCOMPARE(s.at.desk.events_selected()[0].time, s.at.frame(31));
-    s.at.desk.undo();
-    QCOMPARE(s.at.desk.text(), film);
+    QCOMPARE(s.at.workspace.events_selected().size(), std::size_t(1));
+    QCOMPARE(s.at.workspace.events_selected()[0].time, s.at.frame(31));
+    s.at.workspace.undo();
+    QCOMPARE(s.at.workspace.text(), film);
   }
   void shift_keeps_to_one_axis() {
     Shown s;
     drag(s.pane, s.place(25, 24), s.place(31, 23), Qt::ShiftModifier);
     QCOMPARE(s.at.said, std::vector<std::string>{"move ball.position.x 25f..25f by 6f"});
-    s.at.desk.undo();
+    s.at.workspace.undo();
     drag(s.pane, s.place(25, 24), s.place(26, 12), Qt::ShiftModifier);
     QVERIFY(s.at.said.back().starts_with("at 25f ball.position.x 1"));
     QVERIFY(s.at.said.back().ends_with(" linear"));
@@ -119,11 +119,11 @@ class CurvesTest : public QObject {
   void what_is_dragged_can_be_called_off() {
     Shown s;
     drag(s.pane, s.place(25, 24), s.place(31, 18), Qt::NoModifier, true);
-    QVERIFY(s.at.desk.looks_ahead());
+    QVERIFY(s.at.workspace.looks_ahead());
     QTest::keyClick(&s.pane, Qt::Key_Escape);
     QTest::mouseRelease(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(31, 18));
     QVERIFY(s.at.is(film));
-    QCOMPARE(s.at.desk.text(), film);
+    QCOMPARE(s.at.workspace.text(), film);
   }
   void handles_say_what_they_are() {
     Shown s(head + "ball.position.x\n 1f 0 fcurve\n 25f 10 hermite\n 49f 0\n");
@@ -141,19 +141,19 @@ class CurvesTest : public QObject {
     QCOMPARE(b.put(1, What::bezier_start, 13, 5), Lines{"at 1f ball.position.x 0 bezier(0.5 0.5 0.25 1)"});
     QCOMPARE(b.put(1, What::bezier_end, 13, 20), Lines{"at 1f ball.position.x 0 bezier(0.25 0.1 0.5 2)"});
     for (const Lines& lines : {b.put(1, What::bezier_end, 13, 20), b.put(1, What::ease_out, 5, 0)})
-      QVERIFY(b.at.desk.say(lines));
+      QVERIFY(b.at.workspace.say(lines));
   }
   void an_ease_is_drawn() {
     Shown s;
     QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(1, 0));
-    QCOMPARE(s.at.desk.events_selected().size(), std::size_t(1));
+    QCOMPARE(s.at.workspace.events_selected().size(), std::size_t(1));
     QPoint bar;
     for (const auto& [line, h] : s.pane.handles())
       if (h.what == What::ease_out) bar = s.pane.place(line, h).toPoint();
     drag(s.pane, bar, QPoint(bar.x() + s.place(9, 0).x() - s.place(1, 0).x(), bar.y()));
     QCOMPARE(s.at.said, std::vector<std::string>{"at 1f ball.position.x 0 linear ease-out=8f"});
-    s.at.desk.undo();
-    QCOMPARE(s.at.desk.text(), film);
+    s.at.workspace.undo();
+    QCOMPARE(s.at.workspace.text(), film);
   }
   void metres_and_degrees_fill_the_height() {
     Shown s(film + "ball.rotation.z\n  1f 0 linear\n  25f 360deg\n");
@@ -162,11 +162,11 @@ class CurvesTest : public QObject {
     QCOMPARE(s.pane.place(0, s.at.frame(25), 24), s.pane.place(1, s.at.frame(25), 360));
     QCOMPARE(s.pane.place(0, s.at.frame(1), 0), s.pane.place(1, s.at.frame(1), 0));
     const QPoint at = s.pane.place(1, s.at.frame(25), 360).toPoint();
-    s.at.desk.select_events({{s.pane.lines()[1].target, s.at.frame(25)}});
+    s.at.workspace.select_events({{s.pane.lines()[1].target, s.at.frame(25)}});
     QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, {10, 40});  // the first line is put away
     drag(s.pane, at, s.pane.place(1, s.at.frame(25), 180).toPoint(), Qt::ShiftModifier);
     QVERIFY(s.at.said.size() == 1 && s.at.said[0].starts_with("at 25f ball.rotation.z 1"));
-    const double angle = numbers(s.at.desk.program().read(s.pane.lines()[1].target, s.at.frame(25)))[0];
+    const double angle = numbers(s.at.workspace.program().read(s.pane.lines()[1].target, s.at.frame(25)))[0];
     QVERIFY(std::abs(angle - pi) < 0.03);
   }
   void the_twerper_is_chosen_beside_the_curve() {
@@ -194,7 +194,7 @@ class CurvesTest : public QObject {
     QCOMPARE(s.pane.lines()[line].name, "scale.y");
     QCOMPARE(swing.at, s.at.frame(25));
     QVERIFY(std::abs(swing.value - (1 + 0.5 * 6 * 18 / 21 / 4)) < 1e-9);
-    QVERIFY(s.at.desk.say(std::string("at 16f ball.scale.y 1 auto")));
+    QVERIFY(s.at.workspace.say(std::string("at 16f ball.scale.y 1 auto")));
     s.pane.finish();
     QVERIFY(s.pane.swings().empty());
   }

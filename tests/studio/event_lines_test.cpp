@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/event_lines.h"
+#include "studio/timeline/event_lines.h"
 
 #include <filesystem>
 #include <random>
@@ -41,7 +41,7 @@ on sway ball.position
 struct Events {
   Film at{film};
   std::vector<EventAt> some;
-  const Document& d() const { return at.desk.document(); }
+  const Document& d() const { return at.workspace.document(); }
   // "ball.position", 6 12; on a layer: "ball.position", of it.
   Events& add(const std::string& target, std::vector<double> frames, const std::string& layer = "") {
     Target t = find_targets(target, d())->front();
@@ -69,7 +69,7 @@ class EventLinesTest : public QObject {
              (Lines{"move ball.position 12f..24f by 11f", "move ball.position 1f..1f by 11f"}));
     QCOMPARE(move_lines(e.d(), e.some, -e.frames(11)),
              (Lines{"move ball.position 1f..1f by -11f", "move ball.position 12f..24f by -11f"}));
-    QVERIFY(e.at.desk.say(move_lines(e.d(), e.some, e.frames(11))));
+    QVERIFY(e.at.workspace.say(move_lines(e.d(), e.some, e.frames(11))));
     // 1f lands where 12f was; 6f stays.
     std::vector<Time> times;
     for (const EventView& v : events(e.d(), e.some.front().target)) times.push_back(v.time);
@@ -85,7 +85,7 @@ class EventLinesTest : public QObject {
     const Lines lines = move_lines(f.d(), f.some, f.frames(0.5));
     QCOMPARE(lines.size(), std::size_t(4));
     QVERIFY(std::ranges::find(lines, "on sway move ball.position 6f..6f by 0.5f") == lines.end());
-    QVERIFY(f.at.desk.say(lines));
+    QVERIFY(f.at.workspace.say(lines));
   }
   void what_stands_between_others_is_written_anew_when_stretched() {
     Events e;
@@ -122,7 +122,7 @@ class EventLinesTest : public QObject {
     Events e;
     e.add("ball.position", {6, 12});
     const Document before = e.d();
-    QVERIFY(e.at.desk.say(clear_lines(e.d(), e.some)));
+    QVERIFY(e.at.workspace.say(clear_lines(e.d(), e.some)));
     QCOMPARE(e.at.said, Lines{"clear ball.position 6f..12f"});
     QCOMPARE(copy_lines(e.d(), before, e.some, e.at.frame(6)),
              (Lines{"at 6f ball.position (1 0 0)", "at 12f ball.position (2 0 0) linear"}));
@@ -134,15 +134,15 @@ class EventLinesTest : public QObject {
              (Lines{"at 6f ball.position (1 0 0) linear", "on sway at 6f ball.position (0 0 1) linear"}));
     QCOMPARE(twerper_lines(e.d(), e.some, ""), Lines{"at 12f ball.position (2 0 0)"});
     for (const char* name : {"steps", "bezier", "hermite", "bounce-out"})
-      QVERIFY(e.at.desk.say(twerper_lines(e.d(), e.some, name)));
+      QVERIFY(e.at.workspace.say(twerper_lines(e.d(), e.some, name)));
   }
   void an_event_that_is_put_in_has_its_tracks_own_value() {
     Events e;
     e.add("ball.position", {18}).add("ball.position", {9}, "sway").add("box.rotation.z", {9});
     // Half way, linear, of 2 and 3; without what the layer adds.
-    QCOMPARE(insert_lines(e.d(), e.at.desk.program(), {e.some[0].target}, e.at.frame(18)),
+    QCOMPARE(insert_lines(e.d(), e.at.workspace.program(), {e.some[0].target}, e.at.frame(18)),
              Lines{"at 18f ball.position (2.5 0 0) linear"});
-    QCOMPARE(insert_lines(e.d(), e.at.desk.program(), {e.some[1].target, e.some[2].target}, e.at.frame(9)),
+    QCOMPARE(insert_lines(e.d(), e.at.workspace.program(), {e.some[1].target, e.some[2].target}, e.at.frame(9)),
              (Lines{"on sway at 9f ball.position (0 0 1.5) auto", "at 9f box.rotation.z 45deg auto"}));
   }
   // In all examples, many times: what is done is done, and to nothing else.
@@ -152,14 +152,15 @@ class EventLinesTest : public QObject {
     int done = 0;
     for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/examples")) {
       if (entry.path().extension() != ".bx") continue;
-      Desk desk;
-      if (!desk.open(QString::fromStdString(entry.path().string()))) continue;
-      const Document& d = desk.document();
+      Workspace workspace;
+      if (!workspace.open(QString::fromStdString(entry.path().string()))) continue;
+      const Document& d = workspace.document();
       std::vector<TrackView> all;
       for (const ObjectId id : objects(d))
         for (const TrackView& t : tracks(d, id)) {
           const auto is_velocity = [&](const TrackView& other) { return other.target.velocity; };
-          if (t.events > 0 && t.events < 200 && std::ranges::none_of(tracks(d, id), is_velocity)) all.push_back(t);
+          if (t.event_count > 0 && t.event_count < 200 && std::ranges::none_of(tracks(d, id), is_velocity))
+            all.push_back(t);
         }
       for (int round = 0; round < 4 && !all.empty(); ++round) {
         std::vector<EventAt> some;
@@ -172,8 +173,8 @@ class EventLinesTest : public QObject {
         }
         if (some.empty()) continue;
         const Time by = d.rate().span(static_cast<double>(chance(41)) - 20.5);
-        QVERIFY2(desk.look_ahead(move_lines(d, some, by)), entry.path().c_str());
-        desk.look_back();
+        QVERIFY2(workspace.look_ahead(move_lines(d, some, by)), entry.path().c_str());
+        workspace.look_back();
         const Document before = d;
         const auto same_times = [&](const std::function<Time(Time)>& when, const char* what) {
           for (const Picked& p : by_track(some)) {
@@ -188,28 +189,28 @@ class EventLinesTest : public QObject {
         const bool motion =
             std::ranges::any_of(some, [&](const EventAt& e) { return d.name(e.target).ends_with(".motion"); });
         if (motion) continue;  // the ends of motions come and go with them
-        QVERIFY(desk.look_ahead(move_lines(before, some, by)));
+        QVERIFY(workspace.look_ahead(move_lines(before, some, by)));
         same_times([&](Time t) { return t + by; }, "move");
-        desk.look_back();
+        workspace.look_back();
         const auto [first, last] = span(some);
         if (first < last) {
           const auto to = std::pair(first - by, last + (last - first));
           const Lines lines = stretch_lines(before, some, {first, last}, to);
           const double k = (to.second - to.first).seconds() / (last - first).seconds();
           if (k > 0.1) {
-            QVERIFY2(desk.look_ahead(lines), (entry.path().string() + " " + lines.front()).c_str());
+            QVERIFY2(workspace.look_ahead(lines), (entry.path().string() + " " + lines.front()).c_str());
             same_times([&, a = first](
                            Time t) { return to.first + Time{std::llround(static_cast<double>((t - a).flicks) * k)}; },
                        "stretch");
-            desk.look_back();
+            workspace.look_back();
           }
         }
         for (const Lines& lines :
              {reverse_lines(before, some), clear_lines(before, some), copy_lines(before, before, some, last + by),
               twerper_lines(before, some, "linear")}) {
           if (lines.empty()) continue;
-          QVERIFY2(desk.look_ahead(lines), (entry.path().string() + " " + lines.front()).c_str());
-          desk.look_back(), ++done;
+          QVERIFY2(workspace.look_ahead(lines), (entry.path().string() + " " + lines.front()).c_str());
+          workspace.look_back(), ++done;
         }
       }
     }

@@ -11,9 +11,9 @@
 #include <random>
 
 #include "betwixt/language.h"
-#include "studio/theme.h"
-#include "studio/viewport.h"
-#include "studio/window.h"
+#include "studio/shell/theme.h"
+#include "studio/shell/window.h"
+#include "studio/viewport/viewport.h"
 
 using namespace betwixt;
 using namespace betwixt::studio;
@@ -35,7 +35,7 @@ const char* const film =
 
 class Hands {
  public:
-  Hands(Desk& desk, Window& window, unsigned seed) : desk_(desk), window_(window), random_(seed) {}
+  Hands(Workspace& workspace, Window& window, unsigned seed) : workspace_(workspace), window_(window), random_(seed) {}
 
   void do_something() {
     switch (below(10)) {
@@ -132,7 +132,7 @@ class Hands {
         break;
     }
     last_ = "say " + line;
-    desk_.say(line);
+    workspace_.say(line);
   }
 
   QWidget* widget() {
@@ -209,17 +209,17 @@ class Hands {
     last_ = "look";
     switch (below(5)) {
       case 0:
-        desk_.go_to(desk_.document().rate().frame(1 + below(72)));
+        workspace_.go_to(workspace_.document().rate().frame(1 + below(72)));
         break;
       case 1:
-        desk_.play(pick({1, -1}));
+        workspace_.play(pick({1, -1}));
         break;
       case 2:
-        desk_.pause();
+        workspace_.pause();
         break;
       case 3:
-        if (const auto all = objects(desk_.document()); !all.empty())
-          desk_.select({all[below(static_cast<unsigned>(all.size()))]});
+        if (const auto all = objects(workspace_.document()); !all.empty())
+          workspace_.select({all[below(static_cast<unsigned>(all.size()))]});
         break;
       case 4:
         window_.set_layout(Window::layouts()[static_cast<int>(below(4))]);
@@ -233,7 +233,7 @@ class Hands {
     return out;
   }
 
-  Desk& desk_;
+  Workspace& workspace_;
   Window& window_;
   std::mt19937 random_;
   std::string last_;
@@ -271,13 +271,13 @@ int main(int argc, char** argv) {
     if (!file.open(QIODevice::WriteOnly)) return 3;
     file.write(film);
   }
-  Desk desk;
-  Window window(desk);
-  desk.ask = [](const std::string&) { return std::string("stay"); };
+  Workspace workspace;
+  Window window(workspace);
+  workspace.ask = [](const Session::Question&) { return std::string("stay"); };
   window.resize(1400, 900);
   window.show();
-  if (!desk.open(name)) return complain(desk.last_said());
-  const Document first = desk.session().document();
+  if (!workspace.open(name)) return complain(workspace.last_said());
+  const Document first = workspace.session().document();
   // Whatever opens beside the window is closed again.
   QTimer closes;
   QObject::connect(&closes, &QTimer::timeout, [] {
@@ -285,37 +285,38 @@ int main(int argc, char** argv) {
     if (QWidget* w = QApplication::activeModalWidget()) w->close();
   });
   closes.start(5);
-  Hands hands(desk, window, seed);
+  Hands hands(workspace, window, seed);
   for (int i = 0; i < count; ++i) {
     hands.do_something();
     QApplication::processEvents();
     if (!window.isVisible()) window.show();
     if (i % 10 == 0) {
-      desk.settle_typing();
-      if (!(load_text(desk.text(), name.toStdString()).document == desk.session().document()))
+      workspace.settle_typing();
+      if (!(load_text(workspace.text(), name.toStdString()).document == workspace.session().document()))
         return complain(fmt::format(
             "after {} gestures ({}) the text is another film: {}\n{}", i, hands.last(),
-            difference(desk.session().document(), load_text(desk.text(), name.toStdString()).document), desk.text()));
+            difference(workspace.session().document(), load_text(workspace.text(), name.toStdString()).document),
+            workspace.text()));
     }
     if (i % 1000 == 999)
-      fmt::print("{} gestures, {} steps to undo, {} bytes of script\n", i + 1, desk.session().unsaved(),
-                 desk.text().size()),
+      fmt::print("{} gestures, {} steps to undo, {} bytes of script\n", i + 1, workspace.session().unsaved(),
+                 workspace.text().size()),
           std::fflush(stdout);
   }
-  desk.pause();
-  desk.settle_typing();
-  const Document last = desk.session().document();
-  const std::string text = desk.text();
+  workspace.pause();
+  workspace.settle_typing();
+  const Document last = workspace.session().document();
+  const std::string text = workspace.text();
   std::size_t undone = 0;
-  while (desk.session().enter("undo").done) ++undone;
-  if (desk.session().text() != film)
-    return complain("undone, the text is not the first one:\n" + desk.session().text());
-  if (!(desk.session().document() == first)) return complain("undone, the film is not the first one");
+  while (workspace.session().enter("undo").done) ++undone;
+  if (workspace.session().text() != film)
+    return complain("undone, the text is not the first one:\n" + workspace.session().text());
+  if (!(workspace.session().document() == first)) return complain("undone, the film is not the first one");
   for (std::size_t i = 0; i < undone; ++i)
-    if (!desk.session().enter("redo").done) return complain("a step cannot be done again");
-  if (desk.session().text() != text || !(desk.session().document() == last))
+    if (!workspace.session().enter("redo").done) return complain("a step cannot be done again");
+  if (workspace.session().text() != text || !(workspace.session().document() == last))
     return complain("done again, it is not the last one");
-  if (!desk.say(std::string("save"))) return complain("it cannot be saved: " + desk.last_said());
+  if (!workspace.say(std::string("save"))) return complain("it cannot be saved: " + workspace.last_said());
   if (!(load_file(name.toStdString()).document == last)) return complain("saved and loaded, it is another film");
   fmt::print("{} gestures with seed {}: {} steps undone to the first film, done again, saved and loaded\n", count, seed,
              undone);

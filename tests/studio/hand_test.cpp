@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/hand.h"
+#include "studio/viewport/hand.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "betwixt/language.h"
-#include "studio/navigation.h"
+#include "studio/viewport/navigation.h"
 
 namespace betwixt::studio {
 namespace {
@@ -96,42 +96,42 @@ class HandTest : public QObject {
     int moved = 0, turned = 0;
     for (const QString& file : QDir(folder.path()).entryList({"*.bx"})) {
       if (otherwise.contains(file)) continue;
-      Desk desk;
-      QVERIFY2(desk.open(folder.filePath(file)), qPrintable(file));
-      const auto range = desk.document().range();
-      const Time t = desk.document().rate().frame(
-          std::floor(desk.document().rate().frame_number({(range.first.flicks + range.second.flicks) / 2})));
+      Workspace workspace;
+      QVERIFY2(workspace.open(folder.filePath(file)), qPrintable(file));
+      const auto range = workspace.document().range();
+      const Time t = workspace.document().rate().frame(
+          std::floor(workspace.document().rate().frame_number({(range.first.flicks + range.second.flicks) / 2})));
       int of_film = 0;
-      for (const ObjectId id : objects(desk.document())) {
+      for (const ObjectId id : objects(workspace.document())) {
         if (++of_film > 15) break;
         const auto world = [&] {
-          const Value v = desk.program().read(Target{id, Query::world}, t);
+          const Value v = workspace.program().read(Target{id, Query::world}, t);
           return *std::get<Matrix>(v);
         };
-        const Hand hand(desk.program(), t, {id}, false);
+        const Hand hand(workspace.program(), t, {id}, false);
         if (hand.empty()) continue;
-        const QString name = file + ": " + QString::fromStdString(desk.name(id));
+        const QString name = file + ": " + QString::fromStdString(workspace.name(id));
         const Vec3 by{0.3, -0.2, 0.1};
         const Mat4 before = world();
         if (hand.refusal(0).empty()) {
           const auto lines = hand.move(by, 1e-9);
-          QVERIFY2(desk.look_ahead(lines), qPrintable(name + said(lines)));
+          QVERIFY2(workspace.look_ahead(lines), qPrintable(name + said(lines)));
           const double off = length(translation_of(world()) - translation_of(before) - by);
           QVERIFY2(off < 1e-6, qPrintable(name + " " + said(lines) + " " + QString::number(off)));
-          desk.look_back();
+          workspace.look_back();
           ++moved;
         }
         if (hand.refusal(1).empty()) {
           const Vec3 axis = normalize(Vec3{1, 2, 3});
           const auto lines = hand.turn(axis, 0.3, 1e-9);
           if (lines.empty()) continue;
-          QVERIFY2(desk.look_ahead(lines), qPrintable(name + said(lines)));
+          QVERIFY2(workspace.look_ahead(lines), qPrintable(name + said(lines)));
           const Mat4 wanted = linear_product(rotation(axis_angle(axis, 0.3)), before), after = world();
           double off = 0;
           for (int c = 0; c < 3; ++c)
             off = std::max(off, length(normalize(column(after, c)) - normalize(column(wanted, c))));
           QVERIFY2(off < 0.005, qPrintable(name + " " + said(lines) + " " + QString::number(off)));
-          desk.look_back();
+          workspace.look_back();
           ++turned;
         }
       }
@@ -153,11 +153,11 @@ class HandTest : public QObject {
   void what_a_display_list_says_is_left_alone() {
     QTemporaryDir folder;
     QVERIFY(QFile::copy(SOURCE_DIR "/examples/frisbee.bx", folder.filePath("frisbee.bx")));
-    Desk desk;
-    QVERIFY(desk.open(folder.filePath("frisbee.bx")));
-    const Hand hand(desk.program(), {}, {desk.document().find("flight")}, false);
+    Workspace workspace;
+    QVERIFY(workspace.open(folder.filePath("frisbee.bx")));
+    const Hand hand(workspace.program(), {}, {workspace.document().find("flight")}, false);
     QVERIFY(hand.empty());
-    QCOMPARE(hand.refusal(0), std::string("a display list says what this is"));
+    QCOMPARE(hand.refusal(0), std::string("this object belongs to a display list"));
   }
 
   void the_eye_turns_about_a_place_and_stays_upright() {

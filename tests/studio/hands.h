@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film at a desk, and hands on a panel, for tests.
+// A film at a workspace, and hands on a panel, for tests.
 #pragma once
 
 #include <QTemporaryDir>
@@ -10,27 +10,27 @@
 #include <string>
 #include <vector>
 
-#include "studio/desk.h"
+#include "studio/shell/workspace.h"
 
 namespace betwixt::studio {
 
-// A desk at which this text is open; what is said is kept.
+// A workspace at which this text is open; what is said is kept.
 struct Film {
   QTemporaryDir folder;
-  Desk desk;
+  Workspace workspace;
   std::vector<std::string> said;
   explicit Film(const std::string& text) {
     const std::string file = folder.path().toStdString() + "/film.bx";
     std::ofstream(file) << text;
-    if (!desk.open(QString::fromStdString(file))) qFatal("%s", desk.last_said().c_str());
-    QObject::connect(&desk, &Desk::said, [this](const QString& line, const QString& answer, bool refused) {
+    if (!workspace.open(QString::fromStdString(file))) qFatal("%s", workspace.last_said().c_str());
+    QObject::connect(&workspace, &Workspace::said, [this](const QString& line, const QString& answer, bool refused) {
       said.push_back((refused ? "refused: " + answer : line).toStdString());
     });
   }
   // What the film is, made from a text by itself.
-  bool is(const std::string& text) const { return desk.document() == load_text(text, "expected").document; }
-  Time frame(double n) const { return desk.document().rate().frame(n); }
-  ObjectId find(const std::string& name) const { return desk.document().find(name); }
+  bool is(const std::string& text) const { return workspace.document() == load_text(text, "expected").document; }
+  Time frame(double n) const { return workspace.document().rate().frame(n); }
+  ObjectId find(const std::string& name) const { return workspace.document().find(name); }
 };
 
 inline void show(QWidget& panel, int w, int h) {

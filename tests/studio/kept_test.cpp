@@ -6,10 +6,10 @@
 #include <QtWidgets>
 
 #include "studio/film.h"
-#include "studio/script_edit.h"
-#include "studio/theme.h"
-#include "studio/transport.h"
-#include "studio/window.h"
+#include "studio/script/script_edit.h"
+#include "studio/shell/theme.h"
+#include "studio/shell/transport.h"
+#include "studio/shell/window.h"
 
 using namespace betwixt;
 using namespace betwixt::studio;
@@ -20,8 +20,8 @@ QSettings settings() { return QSettings("betwixt", "studio"); }
 
 // Starts the studio as its program does, and looks at it until it stands.
 void start_and_close(Qt::WindowStates states = {}) {
-  Desk desk;
-  Window window(desk, {.remembers = true});
+  Workspace workspace;
+  Window window(workspace, {.remembers = true});
   window.show();
   if (states) window.setWindowState(states);
   QTRY_VERIFY(!settings().contains("starting"));
@@ -52,8 +52,8 @@ class KeptTest : public QObject {
     settings().setValue("geometry", "what no window has said");
     settings().setValue("panels", "nor this");
     {
-      Desk desk;
-      Window window(desk, {.remembers = true});
+      Workspace workspace;
+      Window window(workspace, {.remembers = true});
       QVERIFY(!settings().contains("geometry"));
       QVERIFY(!settings().contains("panels"));
     }
@@ -108,7 +108,7 @@ class KeptTest : public QObject {
 
   void whatIsTypedWithoutAPauseIsInTheJournal() {
     Film film("create ball sphere\n");
-    ScriptEdit edit(film.desk);
+    ScriptEdit edit(film.workspace);
     edit.resize(400, 300);
     edit.show();
     edit.moveCursor(QTextCursor::End);
@@ -120,7 +120,7 @@ class KeptTest : public QObject {
       QTest::qWait(20);
     }
     // A second's worth may be missing, and what a slow machine adds.
-    const std::string kept = film.desk.session().text();
+    const std::string kept = film.workspace.session().text();
     QVERIFY2(kept.find("# xxx") != std::string::npos, kept.c_str());
   }
 };

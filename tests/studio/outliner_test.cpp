@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What hangs on what, changed by hand.
-#include "studio/outliner.h"
+#include "studio/panels/outliner.h"
 
 #include <QMenu>
 #include <QTest>
@@ -15,7 +15,7 @@ class OutlinerTest : public QObject {
   Q_OBJECT
 
   struct Shown : Film {
-    Outliner panel{desk};
+    Outliner panel{workspace};
     OutlinerTree& tree{*panel.findChild<OutlinerTree*>("outliner_tree")};
     QLineEdit& pattern{*panel.findChild<QLineEdit*>("pattern")};
     explicit Shown(const QByteArray& text) : Film(text) {
@@ -61,9 +61,9 @@ class OutlinerTest : public QObject {
         "rate 24\ncreate car group\ncreate car/wheel{1..2} cylinder\ncreate ball sphere\n"
         "create hand box\nat 13f attach ball to hand\n");
     QCOMPARE(s.told(), "car(wheel1 wheel2) ball hand");
-    s.desk.go_to(s.at_time("13f"));
+    s.workspace.go_to(s.at_time("13f"));
     QCOMPARE(s.told(), "car(wheel1 wheel2) hand(ball)");
-    s.desk.go_to(s.at_time("1f"));
+    s.workspace.go_to(s.at_time("1f"));
     QCOMPARE(s.told(), "car(wheel1 wheel2) ball hand");
   }
 
@@ -73,7 +73,7 @@ class OutlinerTest : public QObject {
     QCOMPARE(s.selected(), "b");
     s.click("a", Qt::ControlModifier);
     QCOMPARE(s.selected(), "b a");  // the last one leads
-    s.desk.select({s.id("c")});
+    s.workspace.select({s.id("c")});
     QVERIFY(s.tree.selectionModel()->isSelected(s.at("c")));
     QVERIFY(!s.tree.selectionModel()->isSelected(s.at("a")));
   }
@@ -96,11 +96,11 @@ class OutlinerTest : public QObject {
     for (const auto& [held, how] : ways) {
       Shown s(film);
       s.drag("ball", s.place("hand"), held);
-      const auto spans = attachments(s.desk.document(), s.id("ball"));
+      const auto spans = attachments(s.workspace.document(), s.id("ball"));
       QVERIFY(!spans.empty());
       QCOMPARE(spans[0].to, (Attachment{how, s.id("hand"), true}));
       QCOMPARE(s.told(), "hand(ball)");
-      s.desk.undo();
+      s.workspace.undo();
       QCOMPARE(s.text(), film);
       QCOMPARE(s.told(), "hand ball");
     }
@@ -110,17 +110,17 @@ class OutlinerTest : public QObject {
     Shown s("create hand box\ncreate ball sphere\ncouple ball to hand\n");
     s.drag("ball", s.nowhere());
     QCOMPARE(s.told(), "hand ball");
-    QCOMPARE(attachments(s.desk.document(), s.id("ball")).back().to.kind, AttachmentKind::detach);
+    QCOMPARE(attachments(s.workspace.document(), s.id("ball")).back().to.kind, AttachmentKind::detach);
   }
 
   void where_it_hangs_by_time_it_does_so_from_now_on() {
     Shown s("rate 24\ncreate hand box\ncreate ball sphere\nat 1f attach ball to hand\n");
-    s.desk.go_to(s.at_time("25f"));
+    s.workspace.go_to(s.at_time("25f"));
     s.drag("ball", s.nowhere());
-    const auto spans = attachments(s.desk.document(), s.id("ball"));
+    const auto spans = attachments(s.workspace.document(), s.id("ball"));
     QCOMPARE(spans.back().to.kind, AttachmentKind::letgo);
     QCOMPARE(spans.back().from, s.at_time("25f"));
-    s.desk.go_to(s.at_time("12f"));
+    s.workspace.go_to(s.at_time("12f"));
     QCOMPARE(s.told(), "hand(ball)");
   }
 
@@ -134,7 +134,7 @@ class OutlinerTest : public QObject {
     QTest::keyClick(&s.tree, Qt::Key_Escape);
     QTest::mouseRelease(w, Qt::LeftButton, {}, to);
     QCOMPARE(s.told(), "hand ball");
-    QCOMPARE(s.desk.session().unsaved(), std::size_t{0});
+    QCOMPARE(s.workspace.session().unsaved(), std::size_t{0});
   }
 
   void several_are_dragged_in_one_step() {
@@ -143,7 +143,7 @@ class OutlinerTest : public QObject {
     s.click("b", Qt::ControlModifier);
     s.drag("a", s.place("hand"));
     QCOMPARE(s.told(), "hand(a b)");
-    s.desk.undo();
+    s.workspace.undo();
     QCOMPARE(s.told(), "hand a b");
   }
 
@@ -154,12 +154,12 @@ class OutlinerTest : public QObject {
     QCOMPARE(s.events_of("ball.display"), std::size_t{0});
     s.click("ball", {}, OutlinerModel::eye);
     QVERIFY(s.display("ball"));
-    s.desk.say(std::string("at 1f show ball"));
-    s.desk.go_to(s.at_time("13f"));
+    s.workspace.say(std::string("at 1f show ball"));
+    s.workspace.go_to(s.at_time("13f"));
     s.click("ball", {}, OutlinerModel::eye);
     QVERIFY(!s.display("ball"));
     QCOMPARE(s.events_of("ball.display"), std::size_t{2});
-    s.desk.go_to(s.at_time("12f"));
+    s.workspace.go_to(s.at_time("12f"));
     QVERIFY(s.display("ball"));
   }
 
@@ -172,13 +172,13 @@ class OutlinerTest : public QObject {
     line->selectAll();
     QTest::keyClicks(line, "globe");
     QTest::keyClick(line, Qt::Key_Return);
-    QTRY_COMPARE(s.desk.document().names(), (std::vector<std::string>{"globe", "car"}));
+    QTRY_COMPARE(s.workspace.document().names(), (std::vector<std::string>{"globe", "car"}));
     QCOMPARE(s.told(), "globe car");
     s.click("car");
     QTest::keyClick(&s.tree, Qt::Key_Delete);
-    QCOMPARE(s.desk.document().names(), std::vector<std::string>{"globe"});
-    s.desk.undo();
-    s.desk.undo();
+    QCOMPARE(s.workspace.document().names(), std::vector<std::string>{"globe"});
+    s.workspace.undo();
+    s.workspace.undo();
     QCOMPARE(s.text(), "create ball sphere\ncreate car box\n");
   }
 
@@ -194,14 +194,14 @@ class OutlinerTest : public QObject {
     Shown s("create car group\ncreate car/wheel box\ncreate ball sphere\n");
     s.click("car");
     QTest::keyClick(&s.tree, Qt::Key_Minus);
-    s.desk.say(std::string("create more box"));
+    s.workspace.say(std::string("create more box"));
     QVERIFY(!s.tree.isExpanded(s.at("car")));
   }
 
   void ten_thousand_are_a_tree_too() {
     Shown s("create all group\ncreate all/s{1..10000} sphere\n");
     QCOMPARE(s.model().rowCount(s.at("all")), 10000);
-    s.desk.select({s.id("all/s10000")});
+    s.workspace.select({s.id("all/s10000")});
     QVERIFY(s.tree.visualRect(s.at("all/s10000")).isValid());
   }
 };

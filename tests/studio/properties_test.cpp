@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Values that are changed by hand: the lines that come of it.
-#include "studio/properties.h"
+#include "studio/panels/properties.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
@@ -11,7 +11,7 @@
 
 #include "betwixt/language.h"
 #include "studio/film.h"
-#include "studio/number_field.h"
+#include "studio/shell/number_field.h"
 
 namespace betwixt::studio {
 
@@ -19,7 +19,7 @@ class PropertiesTest : public QObject {
   Q_OBJECT
 
   struct Shown : Film {
-    Properties panel{desk};
+    Properties panel{workspace};
     explicit Shown(const QByteArray& text, const char* selected = "ball") : Film(text) {
       panel.resize(500, 900);
       panel.show();
@@ -70,11 +70,11 @@ class PropertiesTest : public QObject {
     s.type(s.at("radius"), "3.5");
     QCOMPARE(s.radius("ball"), 3.5);
     QCOMPARE(s.text(), "create ball sphere radius=3.5\n");
-    QVERIFY(s.desk.last_said().empty());
+    QVERIFY(s.workspace.last_said().empty());
     s.type(s.at("radius"), "2*3");  // a formula
     QCOMPARE(s.radius("ball"), 6.0);
-    s.desk.undo();
-    s.desk.undo();
+    s.workspace.undo();
+    s.workspace.undo();
     QCOMPARE(s.text(), "create ball sphere radius=2\n");
     QCOMPARE(s.at("radius").text(), "2");
   }
@@ -89,17 +89,17 @@ class PropertiesTest : public QObject {
   void a_number_is_dragged_and_called_off() {
     Shown s("create ball sphere radius=2\n");
     s.drag(s.at("radius"), 40, false);
-    QVERIFY(s.desk.looks_ahead());
+    QVERIFY(s.workspace.looks_ahead());
     QCOMPARE(s.radius("ball"), 2.2);  // 20 steps of a hundredth
     QCOMPARE(s.text(), "create ball sphere radius=2\n");
     QTest::keyClick(&s.at("radius"), Qt::Key_Escape);
-    QVERIFY(!s.desk.looks_ahead());
+    QVERIFY(!s.workspace.looks_ahead());
     QCOMPARE(s.radius("ball"), 2.0);
     QTest::mouseRelease(&s.at("radius"), Qt::LeftButton);
     QCOMPARE(s.text(), "create ball sphere radius=2\n");
     s.drag(s.at("radius"), 40);
     QCOMPARE(s.text(), "create ball sphere radius=2.2\n");
-    s.desk.undo();  // one step
+    s.workspace.undo();  // one step
     QCOMPARE(s.text(), "create ball sphere radius=2\n");
   }
 
@@ -113,7 +113,7 @@ class PropertiesTest : public QObject {
 
   void where_events_are_an_event_is_made() {
     Shown s("create ball sphere\nball.radius\n  1f 1\n  25f 3\n");
-    s.desk.go_to(s.at_time("13f"));
+    s.workspace.go_to(s.at_time("13f"));
     QCOMPARE(s.at("radius").text().toDouble(), 2.0);
     QCOMPARE(s.made("radius"), "between 1f and 25f");
     s.type(s.at("radius"), "5");
@@ -123,26 +123,26 @@ class PropertiesTest : public QObject {
 
   void the_diamond_makes_and_clears() {
     Shown s("create ball sphere radius=2\n");
-    s.desk.go_to(s.at_time("13f"));
+    s.workspace.go_to(s.at_time("13f"));
     QTest::mouseClick(&s.diamond("radius"), Qt::LeftButton);
     QCOMPARE(s.made("radius"), "event here");
     QCOMPARE(s.events_of("ball.radius"), std::size_t{1});
     QCOMPARE(s.radius("ball"), 2.0);
     QTest::mouseClick(&s.diamond("radius"), Qt::LeftButton);
     QCOMPARE(s.events_of("ball.radius"), std::size_t{0});
-    s.desk.undo(), s.desk.undo();
+    s.workspace.undo(), s.workspace.undo();
     QCOMPARE(s.text(), "create ball sphere radius=2\n");
   }
 
   void all_that_are_selected_are_changed_in_one_step() {
     Shown s("create ball sphere radius=2 position=(1 0 0)\ncreate car box position=(5 0 0)\n", "car");
-    s.desk.select({s.id("car"), s.id("ball")});
+    s.workspace.select({s.id("car"), s.id("ball")});
     s.type(s.at("radius"), "4");  // the box has none
     QCOMPARE(s.radius("ball"), 4.0);
     s.type(s.at("position", "y"), "3");
     QCOMPARE(s.value("ball.position"), Value(Vec3{1, 3, 0}));
     QCOMPARE(s.value("car.position"), Value(Vec3{5, 3, 0}));
-    s.desk.undo();
+    s.workspace.undo();
     QCOMPARE(s.value("ball.position"), Value(Vec3{1, 0, 0}));
     QCOMPARE(s.value("car.position"), Value(Vec3{5, 0, 0}));
   }
@@ -169,7 +169,7 @@ class PropertiesTest : public QObject {
   void it_is_hung_on_another() {
     Shown s("create ball sphere position=(1 0 0)\ncreate car box position=(5 0 0)\n");
     s.type(*s.at<QComboBox>("attachment").lineEdit(), "car");
-    const auto spans = attachments(s.desk.document(), s.id("ball"));
+    const auto spans = attachments(s.workspace.document(), s.id("ball"));
     QVERIFY(!spans.empty());
     QCOMPARE(spans.back().to.parent, s.id("car"));
     QCOMPARE(spans.back().to.kind, AttachmentKind::couple);
@@ -191,14 +191,14 @@ class PropertiesTest : public QObject {
   void it_is_renamed() {
     Shown s("create ball sphere\nhide ball\n");
     s.type(*s.panel.findChild<QLineEdit*>("name"), "globe");
-    QCOMPARE(s.desk.document().names(), std::vector<std::string>{"globe"});
+    QCOMPARE(s.workspace.document().names(), std::vector<std::string>{"globe"});
     QCOMPARE(s.panel.findChild<QLineEdit*>("name")->text(), "globe");
   }
 
   void widgets_stay_while_it_plays() {
     Shown s("create ball sphere\nball.radius\n  1f 1\n  25f 3\n");
     NumberField* before = &s.at("radius");
-    for (int f = 1; f < 25; ++f) s.desk.go_to(s.desk.document().rate().frame(f));
+    for (int f = 1; f < 25; ++f) s.workspace.go_to(s.workspace.document().rate().frame(f));
     QCOMPARE(&s.at("radius"), before);
     QVERIFY(before->text().startsWith("2.9"));
   }

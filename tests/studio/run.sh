@@ -65,6 +65,11 @@ maximised() {
     export DISPLAY=":$number" QT_QPA_PLATFORM=xcb
     printf 'create ball sphere\n' >big.bx
     openbox >openbox.log 2>&1 &
+    # A window that is shown while the window manager starts may get lost.
+    for _ in {1..1000}; do
+      wmctrl -m >/dev/null 2>&1 && break
+      sleep 0.1
+    done
     for how in add,maximized_vert,maximized_horz remove,above; do
       timeout 900 "$build/bin/betwixt-studio" big.bx --discard >said 2>&1 &
       studio=$!

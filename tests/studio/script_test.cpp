@@ -7,7 +7,7 @@
 #include <QTreeWidget>
 
 #include "studio/film.h"
-#include "studio/script_panel.h"
+#include "studio/script/script_panel.h"
 
 namespace betwixt::studio {
 
@@ -15,7 +15,7 @@ class ScriptTest : public QObject {
   Q_OBJECT
 
   struct Shown : Film {
-    ScriptPanel panel{desk};
+    ScriptPanel panel{workspace};
     ScriptEdit& edit{*panel.findChild<ScriptEdit*>("script")};
     QListWidget& errors{*panel.findChild<QListWidget*>("script_errors")};
     explicit Shown(const QByteArray& text) : Film(text) {
@@ -25,7 +25,7 @@ class ScriptTest : public QObject {
       if (!QTest::qWaitForWindowActive(&panel)) qFatal("no window");
     }
     QString text() const { return edit.toPlainText(); }
-    QString films() const { return QString::fromStdString(desk.text()); }
+    QString films() const { return QString::fromStdString(workspace.text()); }
     void put_cursor(int line, int column) {
       QTextCursor c(edit.document()->findBlockByNumber(line - 1));
       c.movePosition(QTextCursor::Right, QTextCursor::MoveAnchor, column);
@@ -45,10 +45,10 @@ class ScriptTest : public QObject {
     QTest::keyClick(&s.edit, Qt::Key_Backspace);
     QTest::keyClicks(&s.edit, "35");
     QCOMPARE(s.radius("ball"), 35.0);  // at once
-    QCOMPARE(s.desk.session().unsaved(), std::size_t{0});
-    s.desk.settle_typing();
+    QCOMPARE(s.workspace.session().unsaved(), std::size_t{0});
+    s.workspace.settle_typing();
     QCOMPARE(s.films(), "rate 24\ncreate ball sphere radius=35\n");
-    QCOMPARE(s.desk.session().unsaved(), std::size_t{1});
+    QCOMPARE(s.workspace.session().unsaved(), std::size_t{1});
     QTest::keyClick(&s.edit, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(s.films(), "rate 24\ncreate ball sphere radius=2\n");
     QCOMPARE(s.text(), s.films());
@@ -69,13 +69,13 @@ class ScriptTest : public QObject {
   void what_others_do_changes_its_lines_only() {
     Shown s("# above\ncreate ball sphere radius=2\ncreate box1 box\n# below\n");
     s.put_cursor(4, 3);
-    QVERIFY(s.desk.say(std::string("set ball.radius 5")));
+    QVERIFY(s.workspace.say(std::string("set ball.radius 5")));
     QCOMPARE(s.text(), s.films());
     QCOMPARE(s.edit.textCursor().block().text(), "# below");
     QCOMPARE(s.edit.textCursor().positionInBlock(), 3);
     QVERIFY(!s.edit.extraSelections().isEmpty());  // it flashes
     QVERIFY(s.edit.extraSelections().size() > 1);
-    s.desk.undo();
+    s.workspace.undo();
     QCOMPARE(s.text(), "# above\ncreate ball sphere radius=2\ncreate box1 box\n# below\n");
     QCOMPARE(s.edit.textCursor().positionInBlock(), 3);
   }
@@ -86,7 +86,7 @@ class ScriptTest : public QObject {
     Shown s("rate 24\n" + text);
     s.edit.verticalScrollBar()->setValue(150);
     const QString top = s.edit.cursorForPosition({2, 2}).block().text();
-    QVERIFY(s.desk.say(Session::rewrite_line(1, 1, "rate 25\n# new\n# new\n")));
+    QVERIFY(s.workspace.say(Session::rewrite_line(1, 1, "rate 25\n# new\n# new\n")));
     QCOMPARE(s.edit.cursorForPosition({2, 2}).block().text(), top);
   }
 
@@ -120,13 +120,13 @@ class ScriptTest : public QObject {
     Shown s("create ball sphere\ncreate car box\nball.radius\n  1f 1\n  24f 3\nhide {ball,car}\n");
     s.put_cursor(2, 3);
     QCOMPARE(s.selected(), "car");
-    QCOMPARE(s.desk.script_line(), 2);
+    QCOMPARE(s.workspace.script_line(), 2);
     s.put_cursor(5, 3);
     QCOMPARE(s.selected(), "ball");
     s.put_cursor(6, 0);
     QCOMPARE(s.selected(), "ball car");
-    QCOMPARE(s.desk.time(), Time{});
-    s.desk.select({s.desk.document().find("ball")});
+    QCOMPARE(s.workspace.time(), Time{});
+    s.workspace.select({s.workspace.document().find("ball")});
     s.edit.grab();
     QVERIFY(s.edit.speaks(1) && s.edit.speaks(3) && s.edit.speaks(4) && s.edit.speaks(5) && s.edit.speaks(6));
     QVERIFY(!s.edit.speaks(2));
@@ -135,7 +135,7 @@ class ScriptTest : public QObject {
   void a_double_click_on_a_time_goes_there() {
     Shown s("rate 24\ncreate ball sphere\nball.radius\n  1f 1\n  25f 3\n");
     QTest::mouseDClick(s.edit.viewport(), Qt::LeftButton, {}, s.at(5, 3));
-    QCOMPARE(s.desk.time().seconds(), 1.0);
+    QCOMPARE(s.workspace.time().seconds(), 1.0);
   }
 
   void numbers_are_dragged() {
@@ -148,11 +148,11 @@ class ScriptTest : public QObject {
     QCoreApplication::sendEvent(s.edit.viewport(), &move);
     const double now = s.radius("ball");
     QVERIFY(now > 2.5 && now <= 3.3);  // while it is dragged
-    QCOMPARE(s.desk.session().unsaved(), std::size_t{0});
+    QCOMPARE(s.workspace.session().unsaved(), std::size_t{0});
     QTest::mouseRelease(s.edit.viewport(), Qt::LeftButton, Qt::AltModifier, p + QPoint(7 * step, 0));
-    QCOMPARE(s.desk.session().unsaved(), std::size_t{1});
+    QCOMPARE(s.workspace.session().unsaved(), std::size_t{1});
     QCOMPARE(s.radius("ball"), now);
-    s.desk.undo();
+    s.workspace.undo();
     QCOMPARE(s.text(), "create ball sphere radius=2.5\n");
   }
 
@@ -186,9 +186,9 @@ class ScriptTest : public QObject {
     QTest::keyClick(&s.edit, Qt::Key_Return);
     QTest::keyClicks(&s.edit, "24f 3");
     QCOMPARE(s.text(), "create ball sphere\nball.radius\n  1f 1\n  24f 3");
-    s.desk.settle_typing();
-    const auto f = find_targets("ball.radius", s.desk.document());
-    QCOMPARE(events(s.desk.document(), f->front()).size(), std::size_t{2});
+    s.workspace.settle_typing();
+    const auto f = find_targets("ball.radius", s.workspace.document());
+    QCOMPARE(events(s.workspace.document(), f->front()).size(), std::size_t{2});
   }
 
   void words_are_found() {
@@ -211,7 +211,7 @@ class ScriptTest : public QObject {
     Shown s("create ball sphere\r\ncreate car box\r\n");
     s.put_cursor(1, 18);
     QTest::keyClicks(&s.edit, " radius=3");
-    s.desk.settle_typing();
+    s.workspace.settle_typing();
     QCOMPARE(s.films(), "create ball sphere radius=3\r\ncreate car box\r\n");
   }
 
@@ -223,16 +223,16 @@ class ScriptTest : public QObject {
     s.edit.moveCursor(QTextCursor::End);
     QTest::keyClick(&s.edit, Qt::Key_Return);
     QTest::keyClicks(&s.edit, "hide car");
-    QVERIFY(!s.desk.looks_ahead());
-    QTRY_VERIFY(s.desk.looks_ahead());
+    QVERIFY(!s.workspace.looks_ahead());
+    QTRY_VERIFY(s.workspace.looks_ahead());
     QCOMPARE(s.value("car.display"), Value(false));
-    s.desk.settle_typing();
+    s.workspace.settle_typing();
     QTest::keyClick(&s.edit, Qt::Key_Return);
     QTest::keyClicks(&s.edit, "hide ball");
-    QVERIFY(s.desk.say(std::string("set ball.radius 5")));
+    QVERIFY(s.workspace.say(std::string("set ball.radius 5")));
     QTRY_COMPARE(s.value("ball.display"), Value(false));
     QCOMPARE(s.radius("ball"), 5.0);
-    s.desk.settle_typing();
+    s.workspace.settle_typing();
     QCOMPARE(s.text(), s.films());
     QVERIFY(s.text().startsWith("create ball sphere radius=5\n"));
     QVERIFY(s.text().endsWith("create car box\nhide car\nhide ball"));

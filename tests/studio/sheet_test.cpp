@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/sheet.h"
+#include "studio/timeline/sheet.h"
 
 #include <QElapsedTimer>
 #include <QLineEdit>
@@ -8,8 +8,8 @@
 
 #include "betwixt/language.h"
 #include "hands.h"
-#include "studio/exposures.h"
-#include "studio/sheet_pane.h"
+#include "studio/timeline/exposures.h"
+#include "studio/timeline/sheet_pane.h"
 
 using namespace betwixt;
 using namespace betwixt::studio;
@@ -31,7 +31,7 @@ box.position
 // The panel with its rows: ball, position, color, box, position.
 struct Shown {
   Film at;
-  Sheet panel{at.desk};
+  Sheet panel{at.workspace};
   SheetPane& pane;
   explicit Shown(const std::string& text = film) : at(text), pane(*panel.findChild<SheetPane*>("sheet_pane")) {
     show(panel, 1000, 400);
@@ -39,8 +39,9 @@ struct Shown {
   QPoint place(std::size_t row, double frame) const { return pane.place(row, at.frame(frame)).toPoint(); }
   std::vector<double> selected(const std::string& target) const {
     std::vector<double> frames;
-    for (const EventAt& e : at.desk.events_selected())
-      if (at.desk.document().name(e.target) == target) frames.push_back(at.desk.document().rate().frame_number(e.time));
+    for (const EventAt& e : at.workspace.events_selected())
+      if (at.workspace.document().name(e.target) == target)
+        frames.push_back(at.workspace.document().rate().frame_number(e.time));
     std::ranges::sort(frames);
     return frames;
   }
@@ -55,13 +56,13 @@ class SheetTest : public QObject {
   void rows_are_objects_and_their_tracks() {
     Shown s;
     QCOMPARE(s.pane.rows().size(), std::size_t(5));
-    s.at.desk.select({s.at.find("box")});
+    s.at.workspace.select({s.at.find("box")});
     QCOMPARE(s.pane.rows().size(), std::size_t(2));
     s.panel.findChild<QToolButton*>("only_selected")->click();
     QCOMPARE(s.pane.rows().size(), std::size_t(5));
     QTest::keyClicks(s.panel.findChild<QLineEdit*>("search"), "b*.col");
     QCOMPARE(s.pane.rows().size(), std::size_t(2));
-    QCOMPARE(s.at.desk.document().name(s.pane.rows()[1].target), "ball.color");
+    QCOMPARE(s.at.workspace.document().name(s.pane.rows()[1].target), "ball.color");
     QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, {3, s.place(0, 1).y()});
     QCOMPARE(s.pane.rows().size(), std::size_t(1));
   }
@@ -80,7 +81,7 @@ class SheetTest : public QObject {
     QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(0, 24));  // all of the ball's
     QCOMPARE(s.selected("ball.position"), (Frames{24, 48}));                     // was selected already, and stays
     QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(1, 70));
-    QVERIFY(s.at.desk.events_selected().empty());
+    QVERIFY(s.at.workspace.events_selected().empty());
     QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(0, 24));
     QCOMPARE(s.selected("ball.position"), Frames{24});
     QCOMPARE(s.selected("ball.color"), Frames{24});
@@ -95,9 +96,9 @@ class SheetTest : public QObject {
     QVERIFY(s.at.is(head + "ball.position\n 1f (0 0 0)\n 30f (1 0 0)\n 54f (2 0 0) linear\n"
                            "ball.color\n 30f red\n 54f blue\nbox.position\n 24f (0 1 0)\n"));
     QCOMPARE(s.selected("ball.color"), (Frames{30, 54}));
-    QVERIFY(load_text(s.at.desk.text(), "again").document == s.at.desk.document());
-    s.at.desk.undo();
-    QCOMPARE(s.at.desk.text(), film);
+    QVERIFY(load_text(s.at.workspace.text(), "again").document == s.at.workspace.document());
+    s.at.workspace.undo();
+    QCOMPARE(s.at.workspace.text(), film);
     QVERIFY(s.at.is(film));
   }
   void what_is_dragged_is_seen_and_can_be_called_off() {
@@ -105,7 +106,7 @@ class SheetTest : public QObject {
     QTest::mouseClick(&s.pane, Qt::LeftButton, Qt::NoModifier, s.place(1, 24));
     const int by = s.place(0, 30).x() - s.place(0, 24).x();
     drag(s.pane, s.place(1, 24), s.place(1, 24) + QPoint(by, 0), Qt::NoModifier, true);
-    QVERIFY(s.at.desk.looks_ahead());
+    QVERIFY(s.at.workspace.looks_ahead());
     QVERIFY(s.at.is(head + "ball.position\n 1f (0 0 0)\n 30f (1 0 0)\n 48f (2 0 0) linear\n"
                            "ball.color\n 24f red\n 48f blue\nbox.position\n 24f (0 1 0)\n"));
     QTest::keyClick(&s.pane, Qt::Key_Escape);
@@ -123,7 +124,7 @@ class SheetTest : public QObject {
     drag(s.pane, side, side + QPoint(s.place(0, 72).x() - s.place(0, 48).x(), 0));
     QCOMPARE(s.at.said, std::vector<std::string>{"stretch ball.{position,color} 24f..48f by 2"});
     QCOMPARE(s.selected("ball.color"), (Frames{24, 72}));
-    s.at.desk.undo();
+    s.at.workspace.undo();
     QVERIFY(s.at.is(film));
   }
   void keys_do_what_they_say() {
@@ -131,20 +132,20 @@ class SheetTest : public QObject {
     drag(s.pane, s.place(1, 10), s.place(2, 55) + QPoint(0, 3));
     QTest::keyClick(&s.pane, Qt::Key_R);
     QTest::keyClick(&s.pane, Qt::Key_C, Qt::ControlModifier);
-    s.at.desk.go_to(s.at.frame(60));
+    s.at.workspace.go_to(s.at.frame(60));
     QTest::keyClick(&s.pane, Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(s.selected("ball.color"), (Frames{60, 84}));
     QTest::keyClick(&s.pane, Qt::Key_Right, Qt::ControlModifier);
     QTest::keyClick(&s.pane, Qt::Key_X);
-    s.at.desk.select({s.at.find("box")});
-    s.at.desk.go_to(s.at.frame(12));
+    s.at.workspace.select({s.at.find("box")});
+    s.at.workspace.go_to(s.at.frame(12));
     QTest::keyClick(&s.pane, Qt::Key_K);
     QCOMPARE(s.at.said, (std::vector<std::string>{
                             "reverse ball.{position,color} 24f..48f", "copy ball.{position,color} 24f..48f to 60f",
                             "move ball.{position,color} 60f..84f by 1f", "clear ball.{position,color} 61f..85f",
                             "at 12f box.position (0 1 0) auto"}));
-    for (int i = 0; i < 5; ++i) s.at.desk.undo();
-    QCOMPARE(s.at.desk.text(), film);
+    for (int i = 0; i < 5; ++i) s.at.workspace.undo();
+    QCOMPARE(s.at.workspace.text(), film);
   }
   void a_double_click_writes_an_event_or_another_value() {
     Shown s;
@@ -181,9 +182,9 @@ class SheetTest : public QObject {
     QCOMPARE(s.selected("ball.position"), Frames{5});
     QTest::keyClick(&cells, Qt::Key_Delete);
     QCOMPARE(s.at.said.back(), "clear ball.position 5f");
-    QCOMPARE(s.at.desk.time(), s.at.frame(1));
+    QCOMPARE(s.at.workspace.time(), s.at.frame(1));
     QTest::keyClick(&cells, Qt::Key_Down);
-    QCOMPARE(s.at.desk.time(), s.at.frame(2));
+    QCOMPARE(s.at.workspace.time(), s.at.frame(2));
   }
   // 1,000 objects with 1,000 events each.
   void a_million_events_are_painted_at_once() {

@@ -9,13 +9,13 @@
 
 #include "betwixt/language.h"
 #include "real_hands.h"
-#include "studio/outliner.h"
-#include "studio/picture_maker.h"
-#include "studio/ruler.h"
-#include "studio/sheet_pane.h"
-#include "studio/theme.h"
-#include "studio/viewport.h"
-#include "studio/window.h"
+#include "studio/panels/outliner.h"
+#include "studio/shell/theme.h"
+#include "studio/shell/window.h"
+#include "studio/timeline/ruler.h"
+#include "studio/timeline/sheet_pane.h"
+#include "studio/viewport/picture_maker.h"
+#include "studio/viewport/viewport.h"
 
 namespace betwixt::studio {
 namespace {
@@ -48,7 +48,7 @@ class Story : public QObject {
   Q_OBJECT
 
   QTemporaryDir folder_;
-  Desk desk_;
+  Workspace workspace_;
   std::unique_ptr<Window> window_;
   std::unique_ptr<Hands> hands_;
   QImage picture_;
@@ -65,8 +65,8 @@ class Story : public QObject {
   SheetPane& sheet() { return part<SheetPane>("sheet_pane"); }
   QPlainTextEdit& script() { return part<QPlainTextEdit>("script"); }
   OutlinerTree& tree() { return part<OutlinerTree>("outliner_tree"); }
-  Time frame(double n) const { return desk_.document().rate().frame(n); }
-  ObjectId id(const char* name) const { return desk_.document().find(name); }
+  Time frame(double n) const { return workspace_.document().rate().frame(n); }
+  ObjectId id(const char* name) const { return workspace_.document().find(name); }
   QPoint in_ruler(double n) { return {qRound(part<Ruler>("ruler").x_of(frame(n))), 5}; }
   QPoint in_sheet(std::size_t row, double n) { return sheet().place(row, frame(n)).toPoint(); }
   QPoint in_tree(const char* name) {
@@ -87,20 +87,20 @@ class Story : public QObject {
   }
   std::string selected() const {
     std::string all;
-    for (const ObjectId i : desk_.selected()) all += (all.empty() ? "" : " ") + desk_.name(i);
+    for (const ObjectId i : workspace_.selected()) all += (all.empty() ? "" : " ") + workspace_.name(i);
     return all;
   }
   Value value(const char* of, double n) const {
-    return desk_.program().read(find_targets(of, desk_.document())->front(), frame(n));
+    return workspace_.program().read(find_targets(of, workspace_.document())->front(), frame(n));
   }
   // The text, the film that is made of it, what the script panel shows.
   void is(const std::string& text) {
-    const std::string now = desk_.text();  // a failure prints what differs
+    const std::string now = workspace_.text();  // a failure prints what differs
     const auto same = std::mismatch(now.begin(), now.end(), text.begin(), text.end());
     QCOMPARE(QString::fromStdString({same.first, now.end()}), QString::fromStdString({same.second, text.end()}));
-    QVERIFY(desk_.document() == load_text(text, "expected").document);
+    QVERIFY(workspace_.document() == load_text(text, "expected").document);
     QCOMPARE(script().toPlainText().toStdString(), text);
-    QVERIFY(desk_.diagnostics().empty());
+    QVERIFY(workspace_.diagnostics().empty());
   }
   // The picture becomes the one that is made of a text by itself.
   void shows(const std::string& text, double n) {
@@ -146,12 +146,12 @@ class Story : public QObject {
     QFile f(folder_.filePath("film.bx"));
     QVERIFY(f.open(QIODevice::WriteOnly));
     f.write(QByteArray::fromStdString(film)), f.close();
-    window_ = std::make_unique<Window>(desk_);
-    connect(&desk_, &Desk::said, this, [this](const QString& line, const QString&, bool refused) {
+    window_ = std::make_unique<Window>(workspace_);
+    connect(&workspace_, &Workspace::said, this, [this](const QString& line, const QString&, bool refused) {
       if (!refused && line != "undo" && line != "redo") ++steps_;
     });
     connect(&window_->viewport(), &Viewport::picture_came, this, [this](const PictureMade& p) { picture_ = p.image; });
-    QVERIFY(desk_.open(f.fileName()));
+    QVERIFY(workspace_.open(f.fileName()));
     steps_ = 0;
     window_->setGeometry(0, 0, 1380, 880);
     window_->show();
@@ -178,16 +178,16 @@ class Story : public QObject {
     hands_->key("K");
     is(before_ += "at 1f ball.position (-4 2 0) auto\n");
     scrub(8, 25);
-    QCOMPARE(desk_.time(), frame(25));
+    QCOMPARE(workspace_.time(), frame(25));
     hands_->key("Ctrl+1");
     hands_->type("gx3");
-    QVERIFY(desk_.looks_ahead());
+    QVERIFY(workspace_.looks_ahead());
     QCOMPARE(value("ball.position", 25), Value(Vec3{-1, 2, 0}));
     hands_->key("Return");
     // Two events are a sheet.
     is(before_ = replaced(before_, "at 1f ball.position (-4 2 0) auto\n",
                           "ball.position\n  1f (-4 2 0) auto\n  25f (-1 2 0) auto\n"));
-    shows(desk_.text(), 25);
+    shows(workspace_.text(), 25);
   }
 
   void its_scale_gets_one_in_the_properties() {
@@ -222,8 +222,8 @@ class Story : public QObject {
       hands_->press(on, from);
       hands_->move(on, (from + to) / 2);
       hands_->move(on, to);
-      QVERIFY(desk_.looks_ahead());
-      QVERIFY(desk_.document() != load_text(before_, "expected").document);
+      QVERIFY(workspace_.looks_ahead());
+      QVERIFY(workspace_.document() != load_text(before_, "expected").document);
       hands_->key("Escape");
       is(before_);
       hands_->release(on, to);
@@ -250,7 +250,7 @@ class Story : public QObject {
       QTRY_VERIFY(!edit.isVisible());
       is(row == std::string("Undo") ? replaced(before_, "(1 1.5 1) hold", "(1 2 1) auto") : before_);
     }
-    when_asked<QMenu>([this](QMenu& menu) { choose(menu, "Take out"); });
+    when_asked<QMenu>([this](QMenu& menu) { choose(menu, "Delete"); });
     hands_->click(sheet(), in_sheet(1, 37), {}, Qt::RightButton);
     QTRY_VERIFY(!QApplication::activePopupWidget());
     is(replaced(before_, "  37f (-1 2 0) auto\n", ""));
@@ -272,10 +272,10 @@ class Story : public QObject {
   void it_plays_and_stops() {
     hands_->key("Ctrl+1");
     hands_->key("Space");
-    QTRY_VERIFY(desk_.time() != frame(25));
-    QVERIFY(desk_.transport().playing());
+    QTRY_VERIFY(workspace_.time() != frame(25));
+    QVERIFY(workspace_.transport().playing());
     hands_->key("Space");
-    QVERIFY(!desk_.transport().playing());
+    QVERIFY(!workspace_.transport().playing());
     is(before_);
   }
 
@@ -288,7 +288,7 @@ class Story : public QObject {
     hands_->drag(*tree().viewport(), in_tree("ball"),
                  {tree().viewport()->width() / 2, tree().viewport()->height() - 9});
     is(before_ += "at 61f letgo ball\n");
-    const auto spans = attachments(desk_.document(), id("ball"));
+    const auto spans = attachments(workspace_.document(), id("ball"));
     QCOMPARE(spans.back().from, frame(61));
     QCOMPARE(spans.back().to.kind, AttachmentKind::letgo);
   }
@@ -307,7 +307,7 @@ class Story : public QObject {
     is(before_);
     QCOMPARE(value("man/arm.position", 13), Value(Vec3{1, 5, 0}));
     shows(before_, 13);
-    QTRY_COMPARE(desk_.session().text(), before_);  // when typing rests
+    QTRY_COMPARE(workspace_.session().text(), before_);  // when typing rests
   }
 
   // All that a man does, in one go, with another beginning and at another pace.
@@ -318,7 +318,7 @@ class Story : public QObject {
     QCOMPARE(selected(), "man man/arm man/leg");
     QCOMPARE(sheet().rows().size(), std::size_t(6));
     hands_->drag(sheet(), in_sheet(0, 1) - QPoint(15, 0), in_sheet(5, 25) + QPoint(15, 3));
-    QCOMPARE(desk_.events_selected().size(), std::size_t(8));
+    QCOMPARE(workspace_.events_selected().size(), std::size_t(8));
     const std::string rest = before_.substr(film.size());
     const QRectF box = *sheet().box();
     const QPoint side(qRound(box.right()), qRound(box.center().y()) + 2);
@@ -339,7 +339,7 @@ class Story : public QObject {
 
   void all_of_it_is_undone_and_done_again() {
     for (int i = 0; i < steps_; ++i) {
-      QVERIFY(desk_.text() != film);
+      QVERIFY(workspace_.text() != film);
       hands_->key("Ctrl+Z");
     }
     is(film);
@@ -365,7 +365,7 @@ class Story : public QObject {
     QCOMPARE(in_file("film.bx"), film);
     QVERIFY(window_->windowTitle().startsWith("second.bx"));
     QCOMPARE(in_ruler(61).x(), x);
-    QCOMPARE(desk_.time(), frame(13));
+    QCOMPARE(workspace_.time(), frame(13));
     QVERIFY(window_->viewport().is_free());
     is(end_);
   }
@@ -387,7 +387,7 @@ class Story : public QObject {
     QTRY_VERIFY(!window_->isVisible());
     QCOMPARE(in_file("second.bx"), end_);
     QCOMPARE(in_file("film.bx"), film);
-    QVERIFY(load_file(folder_.filePath("second.bx").toStdString()).document == desk_.document());
+    QVERIFY(load_file(folder_.filePath("second.bx").toStdString()).document == workspace_.document());
     QCOMPARE(QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden), (QStringList{"film.bx", "second.bx"}));
   }
 

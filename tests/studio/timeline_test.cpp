@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/timeline.h"
+#include "studio/timeline/timeline.h"
 
 #include <QLineEdit>
 #include <QToolButton>
 
 #include "betwixt/language.h"
 #include "hands.h"
-#include "studio/ruler.h"
+#include "studio/timeline/ruler.h"
 
 using namespace betwixt;
 using namespace betwixt::studio;
@@ -45,7 +45,7 @@ namespace {
 // The panel with its ruler; x of a frame's time in it.
 struct Shown {
   Film at{film};
-  Timeline panel{at.desk};
+  Timeline panel{at.workspace};
   Ruler& ruler;
   Shown() : ruler(*panel.findChild<Ruler*>("ruler")) { show(panel, 1000, 150); }
   int x(double frame) const { return static_cast<int>(std::lround(ruler.x_of(at.frame(frame)))); }
@@ -59,9 +59,9 @@ struct Shown {
 void TimelineTest::dragging_on_the_ruler_goes_to_frames() {
   Shown s;
   drag(s.ruler, {s.x(10), 5}, {s.x(42) + 2, 5});
-  QCOMPARE(s.at.desk.time(), s.at.frame(42));
+  QCOMPARE(s.at.workspace.time(), s.at.frame(42));
   drag(s.ruler, {s.x(10), 5}, {s.x(42) + 3, 5}, Qt::ControlModifier);
-  QVERIFY(s.at.desk.time() > s.at.frame(42) && s.at.desk.time() < s.at.frame(43));
+  QVERIFY(s.at.workspace.time() > s.at.frame(42) && s.at.workspace.time() < s.at.frame(43));
   QVERIFY(s.at.said.empty());  // time is no part of the film
 }
 
@@ -71,38 +71,38 @@ void TimelineTest::a_typed_number_goes_to_that_frame() {
   at->selectAll();
   QTest::keyClicks(at, "17");
   QTest::keyClick(at, Qt::Key_Return);
-  QCOMPARE(s.at.desk.time(), s.at.frame(17));
+  QCOMPARE(s.at.workspace.time(), s.at.frame(17));
   at->selectAll();
   QTest::keyClicks(at, "2.5s");
   QTest::keyClick(at, Qt::Key_Return);
-  QCOMPARE(s.at.desk.time(), s.at.frame(61));
+  QCOMPARE(s.at.workspace.time(), s.at.frame(61));
   QCOMPARE(at->text(), "61");
   s.panel.findChild<QToolButton*>("seconds")->click();
   QCOMPARE(at->text(), "2.500 s");
   at->selectAll();
   QTest::keyClicks(at, "1");
   QTest::keyClick(at, Qt::Key_Return);
-  QCOMPARE(s.at.desk.time(), s.at.frame(25));
+  QCOMPARE(s.at.workspace.time(), s.at.frame(25));
 }
 
 void TimelineTest::the_keys_play_step_and_stop() {
   Shown s;
   const auto click = [&](const char* name) { s.panel.findChild<QToolButton*>(name)->click(); };
   click("end");
-  QCOMPARE(s.at.desk.time(), s.at.frame(100));
+  QCOMPARE(s.at.workspace.time(), s.at.frame(100));
   click("back");
-  QCOMPARE(s.at.desk.time(), s.at.frame(99));
+  QCOMPARE(s.at.workspace.time(), s.at.frame(99));
   click("begin"), click("on");
-  QCOMPARE(s.at.desk.time(), s.at.frame(2));
+  QCOMPARE(s.at.workspace.time(), s.at.frame(2));
   click("play");
-  QCOMPARE(s.at.desk.transport().direction(), 1);
+  QCOMPARE(s.at.workspace.transport().direction(), 1);
   click("play_back");
-  QCOMPARE(s.at.desk.transport().direction(), -1);
+  QCOMPARE(s.at.workspace.transport().direction(), -1);
   click("play_back");
-  QVERIFY(!s.at.desk.transport().playing());
-  QVERIFY(s.at.desk.transport().loops());
+  QVERIFY(!s.at.workspace.transport().playing());
+  QVERIFY(s.at.workspace.transport().loops());
   click("loop");
-  QVERIFY(!s.at.desk.transport().loops());
+  QVERIFY(!s.at.workspace.transport().loops());
 }
 
 void TimelineTest::a_note_is_dragged() {
@@ -112,20 +112,20 @@ void TimelineTest::a_note_is_dragged() {
   QVERIFY(
       s.at.is("rate 24\nrange 1f 100f\ncreate ball sphere\ncreate eye camera\nat 30f note \"up\"\n"
               "at 30f note \"and on\"\nat 72f note \"down\"\n"));
-  s.at.desk.undo();
+  s.at.workspace.undo();
   QVERIFY(s.at.is(film));
-  QCOMPARE(s.at.desk.text(), film);
+  QCOMPARE(s.at.workspace.text(), film);
 }
 
 void TimelineTest::what_is_called_off_changes_nothing() {
   Shown s;
   drag(s.ruler, s.note(60), s.note(60) + QPoint(100, 0), Qt::NoModifier, true);
-  QVERIFY(s.at.desk.looks_ahead());
+  QVERIFY(s.at.workspace.looks_ahead());
   QTest::keyClick(&s.ruler, Qt::Key_Escape);
-  QVERIFY(!s.at.desk.looks_ahead());
+  QVERIFY(!s.at.workspace.looks_ahead());
   QTest::mouseRelease(&s.ruler, Qt::LeftButton, Qt::NoModifier, s.note(60) + QPoint(100, 0));
   QVERIFY(s.at.said.empty());
-  QCOMPARE(s.at.desk.text(), film);
+  QCOMPARE(s.at.workspace.text(), film);
 }
 
 void TimelineTest::a_double_click_writes_a_note() {
@@ -147,8 +147,8 @@ void TimelineTest::a_note_of_several_gets_other_words() {
   QTest::keyClicks(words, "high");
   QTest::keyClick(words, Qt::Key_Return);
   QCOMPARE(s.at.said, std::vector<std::string>{"clear notes 30f\nat 30f note \"high\"\nat 30f note \"and on\""});
-  s.at.desk.undo();
-  QCOMPARE(s.at.desk.text(), film);
+  s.at.workspace.undo();
+  QCOMPARE(s.at.workspace.text(), film);
 }
 
 void TimelineTest::delete_takes_a_note_out() {
@@ -156,14 +156,14 @@ void TimelineTest::delete_takes_a_note_out() {
   QTest::mouseClick(&s.ruler, Qt::LeftButton, Qt::NoModifier, s.note(60));
   QTest::keyClick(&s.ruler, Qt::Key_Delete);
   QCOMPARE(s.at.said, std::vector<std::string>{"clear notes 60f"});
-  QCOMPARE(s.at.desk.document().notes(from_the_beginning, for_good).size(), std::size_t(2));
+  QCOMPARE(s.at.workspace.document().notes(earliest_time, latest_time).size(), std::size_t(2));
 }
 
 void TimelineTest::alt_chooses_the_part_that_is_played() {
   Shown s;
   drag(s.ruler, {s.x(20), 5}, {s.x(40), 5}, Qt::AltModifier);
-  QCOMPARE(s.at.desk.transport().first(), s.at.frame(20));
-  QCOMPARE(s.at.desk.transport().last(), s.at.frame(40));
+  QCOMPARE(s.at.workspace.transport().first(), s.at.frame(20));
+  QCOMPARE(s.at.workspace.transport().last(), s.at.frame(40));
   QVERIFY(s.at.said.empty());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/viewport.h"
+#include "studio/viewport/viewport.h"
 
 #include <QDropEvent>
 #include <QFile>
@@ -10,9 +10,9 @@
 #include <QWheelEvent>
 
 #include "betwixt/language.h"
-#include "studio/navigation.h"
-#include "studio/theme.h"
-#include "studio/window.h"
+#include "studio/shell/theme.h"
+#include "studio/shell/window.h"
+#include "studio/viewport/navigation.h"
 
 namespace betwixt::studio {
 namespace {
@@ -24,24 +24,24 @@ QPoint at(double x, double y) { return {int(std::lround(400 + 50 * x)), int(std:
 struct Film {
   QTemporaryDir folder;  // journals lie where one works
   bool there = QDir::setCurrent(folder.path());
-  Desk desk;
-  Viewport view{desk};
+  Workspace workspace;
+  Viewport view{workspace};
   explicit Film(const std::vector<std::string>& lines) {
-    desk.open("");
+    workspace.open("");
     view.resize(width, height);
     view.show();
-    const bool said = desk.say(lines);
-    if (!said) qFatal("%s", desk.last_said().c_str());
+    const bool said = workspace.say(lines);
+    if (!said) qFatal("%s", workspace.last_said().c_str());
     view.await_picture();
     view.setFocus();
   }
-  ObjectId find(const char* name) const { return desk.document().find(name); }
+  ObjectId find(const char* name) const { return workspace.document().find(name); }
   QStringList selected() const {
     QStringList names;
-    for (const ObjectId id : desk.selected()) names << QString::fromStdString(desk.name(id));
+    for (const ObjectId id : workspace.selected()) names << QString::fromStdString(workspace.name(id));
     return names;
   }
-  void select(const char* name) { desk.select({find(name)}); }
+  void select(const char* name) { workspace.select({find(name)}); }
   void drag(QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
     QTest::mousePress(&view, Qt::LeftButton, keys, from);
     for (int i = 1; i <= 4; ++i) move(from + (to - from) * i / 4, keys);
@@ -53,13 +53,13 @@ struct Film {
   }
   void keys(const char* all) { QTest::keyClicks(&view, all); }
   QString value(const char* target, const char* time = "1f") {
-    const auto found = find_targets(target, desk.document());
-    const Value v = desk.program().read((*found)[0], *parse_time(time, desk.document()));
+    const auto found = find_targets(target, workspace.document());
+    const Value v = workspace.program().read((*found)[0], *parse_time(time, workspace.document()));
     QStringList out;
     for (const double n : numbers(v)) out << QString::number(n, 'g', 6);
     return out.join(' ');
   }
-  QString text() const { return QString::fromStdString(desk.text()); }
+  QString text() const { return QString::fromStdString(workspace.text()); }
 };
 
 const std::vector<std::string> two = {"film flat", "create ball disc radius=1",
@@ -102,7 +102,7 @@ class ViewportTest : public QObject {
     f.drag(at(1.2, 0), at(3.2, 0.7));
     QCOMPARE(f.value("ball.position"), QString("2 0 0"));
     QCOMPARE(f.text(), before + "set ball.position (2 0 0)\n");
-    f.desk.undo();
+    f.workspace.undo();
     QCOMPARE(f.text(), before);
     QCOMPARE(f.value("ball.position"), QString("0 0 0"));
     f.drag(at(0, 1.2), at(1, 0.2));
@@ -112,14 +112,14 @@ class ViewportTest : public QObject {
   void where_there_are_events_one_more_is_made() {
     Film f({"film flat", "create ball disc", "at 1f ball.position (0 0 0)", "at 25f ball.position (4 0 0) linear"});
     f.select("ball");
-    f.desk.go_to(f.desk.document().rate().frame(25));
+    f.workspace.go_to(f.workspace.document().rate().frame(25));
     f.drag(at(4, 1.2), at(4, 2.2));
     QCOMPARE(f.value("ball.position", "25f"), QString("4 1 0"));
     QVERIFY(f.text().contains("at 25f ball.position (4 1 0) linear"));  // its twerper stays
-    f.desk.go_to(f.desk.document().rate().frame(13));
+    f.workspace.go_to(f.workspace.document().rate().frame(13));
     f.view.take(Tool::move);
     f.keys("y2\r");
-    const auto all = events(f.desk.document(), {f.find("ball"), 0});
+    const auto all = events(f.workspace.document(), {f.find("ball"), 0});
     QCOMPARE(all.size(), std::size_t(3));
     QCOMPARE(std::get<Vec3>(*all[1].value).y, 2 + f.value("ball.position", "13f").split(' ')[1].toDouble() - 2);
   }
@@ -140,7 +140,7 @@ class ViewportTest : public QObject {
     s.auto_key = true;
     f.view.set_switches(s);
     f.select("ball");
-    f.desk.go_to(f.desk.document().rate().frame(12));
+    f.workspace.go_to(f.workspace.document().rate().frame(12));
     f.drag(at(1.2, 0), at(2.2, 0));
     QVERIFY(f.text().endsWith("at 12f ball.position (1 0 0) auto\n"));
   }
@@ -168,9 +168,9 @@ class ViewportTest : public QObject {
     f.select("ball");
     f.keys("g");
     f.move(at(1, 1)), f.move(at(2, 1));
-    QVERIFY(f.desk.looks_ahead());
+    QVERIFY(f.workspace.looks_ahead());
     QTest::keyClick(&f.view, Qt::Key_Escape);
-    QVERIFY(!f.desk.looks_ahead());
+    QVERIFY(!f.workspace.looks_ahead());
     QCOMPARE(f.text(), before);
     QCOMPARE(f.value("ball.position"), QString("0 0 0"));
   }
@@ -191,7 +191,7 @@ class ViewportTest : public QObject {
     f.select("ball");
     f.drag(at(1.2, 0), at(2.2, 0), Qt::ShiftModifier);
     QCOMPARE(f.value("ball.position"), QString("0.1 0 0"));
-    f.desk.undo();
+    f.workspace.undo();
     f.drag(at(1.2, 0), at(2.34, 0), Qt::ControlModifier);  // a grid of 1 m: 20 pixels are 0.4 m, and more
     QCOMPARE(f.value("ball.position"), QString("1 0 0"));
   }
@@ -199,14 +199,14 @@ class ViewportTest : public QObject {
   void several_go_together_in_one_step() {
     Film f(two);
     const QString before = f.text();
-    f.desk.select({f.find("ball"), f.find("card")});
+    f.workspace.select({f.find("ball"), f.find("card")});
     f.drag(at(4, 1.2), at(4, 2.2));  // the handles are at the one that leads
     QCOMPARE(f.value("ball.position"), QString("0 1 0"));
     QCOMPARE(f.value("card.position"), QString("4 1 0"));
     f.keys("r90\r");  // about it
     QCOMPARE(f.value("ball.position"), QString("4 -3 0"));
     QCOMPARE(f.value("card.position"), QString("4 1 0"));
-    f.desk.undo(), f.desk.undo();
+    f.workspace.undo(), f.workspace.undo();
     QCOMPARE(f.text(), before);
   }
 
@@ -216,7 +216,7 @@ class ViewportTest : public QObject {
     f.select("hand");  // at (0 2)
     f.drag(at(1.2, 2), at(2.2, 2));
     QCOMPARE(f.value("hand.position"), QString("1 -0.5 0"));  // to the right is its -y, and twice as large
-    f.desk.select({f.find("hand"), f.find("arm")});           // it goes along by itself
+    f.workspace.select({f.find("hand"), f.find("arm")});      // it goes along by itself
     f.keys("gx1\r");
     QCOMPARE(f.value("hand.position"), QString("1 -0.5 0"));
     QCOMPARE(f.value("arm.position"), QString("1 0 0"));
@@ -269,7 +269,7 @@ class ViewportTest : public QObject {
     Film f({"film flat", "create ball disc", "create sign box position=(4 0 0) look-at=ball"});
     f.select("sign");
     f.view.take(Tool::turn);
-    QVERIFY(f.view.refusal().contains("looks at something"));
+    QVERIFY(f.view.refusal().contains("looks at an object"));
     f.keys("g");
     QVERIFY(f.view.refusal().isEmpty());
     QTest::keyClick(&f.view, Qt::Key_Escape);
@@ -278,22 +278,22 @@ class ViewportTest : public QObject {
   void keys_mean_what_they_mean_in_the_picture() {
     QTemporaryDir folder;
     QDir::setCurrent(folder.path());
-    Desk desk;
-    desk.open("");
-    desk.say(two);
-    Window window(desk);
+    Workspace workspace;
+    workspace.open("");
+    workspace.say(two);
+    Window window(workspace);
     window.show();
     QApplication::setActiveWindow(&window);
     window.viewport().setFocus();
-    desk.select({desk.document().find("ball")});
-    desk.set_range(std::pair(Time{}, Time{}));
+    workspace.select({workspace.document().find("ball")});
+    workspace.set_range(std::pair(Time{}, Time{}));
     QTest::keyClicks(&window.viewport(), "gx2\r");  // x is a menu's key too
-    QCOMPARE(std::get<Vec3>(desk.program().read({desk.document().find("ball"), 0}, {})).x, 2.0);
+    QCOMPARE(std::get<Vec3>(workspace.program().read({workspace.document().find("ball"), 0}, {})).x, 2.0);
     QTest::keyClicks(&window.viewport(), "e");
     QCOMPARE(window.viewport().switches().tool, Tool::turn);
-    QVERIFY(desk.transport().last() == Time{});
+    QVERIFY(workspace.transport().last() == Time{});
     QTest::keyClicks(&window.viewport(), "x");
-    QVERIFY(desk.transport().last() > Time{});
+    QVERIFY(workspace.transport().last() > Time{});
   }
 
   void the_camera_comes_to_the_free_eye() {
@@ -305,7 +305,7 @@ class ViewportTest : public QObject {
     QCOMPARE(f.value("eye.position"), QString("9.6 0 0.8"));  // about the ball's nearest place, (0.6 0 0.8)
     QCOMPARE(f.text(),
              before + "set eye.look-at none\nset eye.position (9.6 0 0.8)\nset eye.rotation euler(0 90deg 0)\n");
-    f.desk.undo();
+    f.workspace.undo();
     QCOMPARE(f.text(), before);
   }
 

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // latex and dvisvgm for machines that have neither: shell scripts that come first on PATH while this lives. The
-// folder for temporary things is a test's own meanwhile, so that it can see what is left in it.
+// folder for temporary things is a test's own meanwhile, so that it can see what is left in it. There is no jail, so
+// that the scripts can start other programs and write beside the test's files.
 #pragma once
 
 #include <stdlib.h>
 #include <sys/stat.h>
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "support/folder.h"
@@ -19,16 +22,19 @@ class FakePrograms {
   FakePrograms() : path_(::getenv("PATH")) {
     std::filesystem::create_directory(bin());
     std::filesystem::create_directory(own_.path() / "tmp");
-    if (const char* tmp = ::getenv("TMPDIR")) tmp_ = tmp;
+    for (Variable& v : changed_)
+      if (const char* was = ::getenv(v.name)) v.was = was;
     ::setenv("PATH", (bin() + ":" + path_).c_str(), 1);
     ::setenv("TMPDIR", (own_ / "tmp").c_str(), 1);
+    ::setenv("BETWIXT_PARSER", "", 1);
   }
   ~FakePrograms() {
     ::setenv("PATH", path_.c_str(), 1);
-    if (tmp_.empty())
-      ::unsetenv("TMPDIR");
-    else
-      ::setenv("TMPDIR", tmp_.c_str(), 1);
+    for (const Variable& v : changed_)
+      if (v.was)
+        ::setenv(v.name, v.was->c_str(), 1);
+      else
+        ::unsetenv(v.name);
   }
   FakePrograms(const FakePrograms&) = delete;
   FakePrograms& operator=(const FakePrograms&) = delete;
@@ -55,9 +61,13 @@ class FakePrograms {
   std::string bin() const { return own_ / "bin"; }
   std::string calls() const { return own_ / "calls"; }
 
+  struct Variable {
+    const char* name;
+    std::optional<std::string> was;
+  };
   const Folder own_;
   const std::string path_;
-  std::string tmp_;
+  std::array<Variable, 2> changed_{{{"TMPDIR", {}}, {"BETWIXT_PARSER", {}}}};
 };
 
 // As dvisvgm 3.0.3 draws \frac{a}{b} behind a square of an inch: what it wrote, with the letters' outlines replaced by

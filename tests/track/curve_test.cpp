@@ -385,9 +385,9 @@ TEST(Twerpers, TheGlobalOneAlwaysWins) {
   EXPECT_NEAR(value(t, 0.5), bezier_factor(0.5, t.arguments), 1e-12);
   std::string why;
   EXPECT_FALSE(fits(Twerper::slerp, Type::vector, &why));
-  EXPECT_EQ(why, "'slerp' turns orientations; this is a vector");
+  EXPECT_EQ(why, "'slerp' is for orientations; this is a vector");
   EXPECT_FALSE(fits(Twerper::linear, Type::text, &why));
-  EXPECT_EQ(why, "'linear' cannot blend a text: it changes at its events only");
+  EXPECT_EQ(why, "'linear' cannot blend a text: it changes only at its events");
 }
 
 }  // namespace

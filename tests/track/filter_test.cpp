@@ -325,7 +325,7 @@ TEST(Filter, LimitAndQuantise) {
   for (const char* name : {"limit", "quantise"}) {
     const auto made = apply(filter(name), turned, 0);
     ASSERT_FALSE(made);
-    EXPECT_NE(made.error().message.find("an orientation has no angles"), std::string::npos);
+    EXPECT_NE(made.error().message.find("an orientation has no separate angles"), std::string::npos);
   }
 }
 

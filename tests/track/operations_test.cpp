@@ -70,7 +70,7 @@ TEST(Operations, ThatFailChangeNothing) {
   const auto huge = scale_segment(t, {at(0), at(1)}, Value(1e300));
   ASSERT_FALSE(huge);
   EXPECT_EQ(told(huge), "range");
-  EXPECT_EQ(translate_segment(t, {at(0), at(1)}, Value(true)).error().message, "this cannot be moved by that");
+  EXPECT_EQ(translate_segment(t, {at(0), at(1)}, Value(true)).error().message, "this cannot be moved by this");
   EXPECT_EQ(told(move_segment(t, {at(0), at(1)}, at(4.6e9))), "range");
   EXPECT_EQ(t, before);
   Track b = track({event(0, true), event(1, false)}), was = b;

@@ -123,7 +123,7 @@ TEST(Types, TwerpersFitByWhatLiesBetweenTwoValues) {
     EXPECT_EQ(fits(Twerper::linear, row.type, &why), row.changes != Changes::in_steps) << row.phrase;
     EXPECT_EQ(why, row.changes != Changes::in_steps
                        ? ""
-                       : "'linear' cannot blend " + std::string(row.phrase) + ": it changes at its events only");
+                       : "'linear' cannot blend " + std::string(row.phrase) + ": it changes only at its events");
     EXPECT_EQ(fits(Twerper::slerp, row.type), row.changes == Changes::by_turning) << row.phrase;
     EXPECT_EQ(fits(static_cast<Twerper>(first_own_twerper), row.type), row.changes != Changes::in_steps) << row.phrase;
     EXPECT_TRUE(!row.tangents || has_velocity(row.type)) << row.phrase;

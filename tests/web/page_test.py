@@ -10,6 +10,9 @@ from checks import check, done, same
 
 program = os.path.abspath(sys.argv[1])
 root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, f"{root}/web")
+from scripts import editor_scripts, player_scripts
+
 read = lambda path: open(os.path.join(root, path)).read()
 text = "# ball.bx — a ball\nrate 24\nrange 1f 72f\nsize 320x180\ncreate ball sphere color=gold\n"
 folder_of_test = tempfile.TemporaryDirectory()
@@ -23,7 +26,7 @@ def write(name, words):
 
 
 def web(*words):
-    player = write("player.js", "".join(read(p) for p in ("tests/web/mock_engine.js", "web/dom.js", "web/player.js", "web/editor.js")))
+    player = write("player.js", read("tests/web/mock_engine.js") + "".join(read(f"web/{p}") for p in player_scripts + editor_scripts))
     said = subprocess.run([program, "web", *words], capture_output=True, text=True, cwd=folder, env={**os.environ, "BETWIXT_PLAYER": player})
     if said.returncode != 0:
         sys.exit(said.stderr)

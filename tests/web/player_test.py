@@ -3,13 +3,16 @@
 #
 # <betwixt-player> beside a <video> of the same length: the same is done to both, and they must say the same. Then what a
 # video has not. The engine is in its place (mock_engine.js), so that what the player asks of it can be counted.
-import os, subprocess, tempfile, time
+import os, subprocess, sys, tempfile, time
 from browser import Browser, Served
 from checks import check, done, same
 
 root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, f"{root}/web")
+from scripts import player_scripts
+
 read = lambda path: open(os.path.join(root, path)).read()
-scripts = f"<script>{read('tests/web/mock_engine.js')}</script><script>{read('web/dom.js')}{read('web/player.js')}</script>"
+scripts = f"<script>{read('tests/web/mock_engine.js')}</script><script>{''.join(read(f'web/{p}') for p in player_scripts)}</script>"
 film = "# a ball goes its way\nrate 24\nrange 1f 72f\nsize 320x180\n"
 inline = lambda text=film: f'<script type="text/betwixt">\n{text}</script>'
 head = f"<!DOCTYPE html><meta charset=utf-8><style>body{{margin:0}}</style>"

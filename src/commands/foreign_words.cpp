@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/foreign_words.h"
+
+#include <algorithm>
+
+namespace betwixt {
+namespace {
+
+constexpr std::string_view to_reckon =
+    "let gives a number a name, formulas use it: let beat = 12f, then at 1f+2*beat ball.radius 3/4";
+constexpr std::string_view to_repeat =
+    "extend ball.position cycle repeats a track, copy ball.position 1f..24f to 24f times 3 a part of it";
+constexpr std::string_view to_ease =
+    "write a twerper after a value: at 12f ball.radius 2 ease-in-out, or sine-in, back-out, bounce-out; "
+    "ease-in=4f and ease-out=4f are the times to arrive and to leave";
+constexpr std::string_view to_fade = "transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5";
+constexpr std::string_view to_blend =
+    "a twerper is how values go from an event to the next: at 12f ball.radius 2 linear";
+constexpr std::string_view to_event =
+    "an event is a keyframe, a value at a time: at 12f ball.radius 2, or a row of a sheet";
+constexpr std::string_view to_sheet =
+    "a line that is only a target, as in ball.position, opens a sheet; rows go below it: TIME VALUE [TWERPER]";
+constexpr std::string_view to_track =
+    "a track is the events of a target, as a channel or an F-curve is elsewhere; a line with only the target opens its "
+    "sheet";
+constexpr std::string_view to_function =
+    "a display function is an animatable property: ball.position, ball.color; define adds one of your own";
+constexpr std::string_view to_time =
+    "times are 24f (frame 24; frame 1 is the beginning), 2.5s, 500ms, 90t (ticks) or 00:01:02.5; 1f..24f is a segment";
+constexpr std::string_view to_color = "colours are gold, #ffcc00, #fc0, rgb(1 0.8 0) or hsv(48deg 1 1)";
+constexpr std::string_view to_target =
+    "a target is an object and a function, as in ball.position, or a component of it, ball.position.x";
+constexpr std::string_view to_hold =
+    "couple, attach and hang give an object a parent, letgo and detach end that: at 20f attach ball to hand";
+constexpr std::string_view to_make = "create makes an object, create b like a makes a copy of one";
+constexpr std::string_view to_compute = "a value can be computed, in Lua: set ball.radius = \"1 + 0.1 * math.sin(t)\"";
+constexpr std::string_view to_show = "hide ball and show ball, from a time on with at 24f hide ball";
+constexpr std::string_view to_film = "a film is made outside the shell: betwixt render film.bx -o film.mp4";
+constexpr std::string_view to_turn = "rotation turns: set ball.rotation euler(0 90deg 0), or axis(y 90deg)";
+constexpr std::string_view to_angle = "angles have a unit: 90deg, 1.57rad or 0.25turn";
+constexpr std::string_view to_many = "a pattern names many: wheel*.position, wheel{1..4}; alias gives them one name";
+constexpr std::string_view to_place =
+    "position is where a thing is, measured from its parent; eval ball.world is its matrix in the world";
+
+constexpr std::string_view to_blur =
+    "a camera's shutter blurs what moves: set eye.shutter 180deg; its f-stop what is out of focus: set eye.f-stop 0.2, "
+    "set eye.focus ball";
+constexpr std::string_view to_clear =
+    "background transparent makes the background transparent; .png .webm .mov keep that";
+constexpr std::string_view to_picture =
+    "a picture is on a rectangle: create photo rectangle size=(4 3) texture=\"photo.png\"";
+constexpr std::string_view to_film_in =
+    "a film cannot be a texture, but pictures can, one after the other: at 12f screen.texture \"2.png\"";
+constexpr std::string_view to_drawing = "a drawing is a scene: create logo scene file=\"logo.svg\"";
+constexpr std::string_view to_swarm =
+    "a pattern makes many: create p{1..200} sphere radius=0.05 position=(hash(i) hash(i,2) hash(i,3)); fall and noise "
+    "move them";
+constexpr std::string_view to_words =
+    "text shows words: create caption text text=\"Once\"; at 24f caption.text \"Then\"";
+constexpr std::string_view to_cells =
+    "arrange lays texts out as a table: create cell{1..6} text text=\"…\", then arrange cell* in grid columns=3";
+constexpr std::string_view to_graph =
+    "a graph is a curve through points: create g curve points=((0 0) (1 2) (2 1)); code can give them";
+constexpr std::string_view to_mask =
+    "there are no masks; a polygon has holes, trim shows a part of a line, display shows and hides";
+constexpr std::string_view to_change =
+    "a change from one to the other is events on both: at 24f a.transparency 0 linear, at 36f a.transparency 1; at 36f "
+    "look through eye2 is a cut";
+constexpr std::string_view to_shine =
+    "glow shines by itself, without a halo: set lamp.material glow; exposure brightens";
+constexpr std::string_view to_wait =
+    "times are absolute, so there is no wait: at 48f sets a time, range 1f 96f the length of the film";
+constexpr std::string_view to_reach =
+    "reach turns joints so that an object arrives: reach arm/fore/palm to ball from 12f until 36f";
+constexpr std::string_view to_morph =
+    "geometry turns a shape into another: at 1f title.geometry shape(a) linear, at 24f title.geometry shape(b)";
+constexpr std::string_view to_instance =
+    "a pattern makes many of one: create p{1..1000} sphere; call draws a display list again";
+constexpr std::string_view to_beyond =
+    "extend sets the extrapolation, the values outside the events: extend ball.position linear";
+constexpr std::string_view to_trail = "a trace is the path that an object has drawn: create t trace of=ball";
+constexpr std::string_view to_join = "the joints of a mesh are objects below each other, which move its vertices";
+constexpr std::string_view to_filter = "a filter changes a track and leaves its events: filter ball.position noise";
+constexpr std::string_view to_note = "a note is a text at a time: at 24f note \"first bounce ends\"";
+constexpr std::string_view to_occlude = "contact on darkens corners and places where objects meet";
+constexpr std::string_view to_hear = "sound plays a file: create music sound file=\"music.mp3\" at=24f gain=0.8";
+
+constexpr ForeignWord all_foreign_words[] = {
+    {"image", to_picture, "rectangle texture"},
+    {"picture", to_picture, "rectangle texture"},
+    {"photo", to_picture, "rectangle texture"},
+    {"video", to_film_in, "texture rectangle"},
+    {"movie", to_film_in, "texture rectangle"},
+    {"svg", to_drawing, "create"},
+    {"drawing", to_drawing, "create"},
+    {"particle", to_swarm, "create fall noise"},
+    {"particles", to_swarm, "create fall noise"},
+    {"caption", to_words, "text typed"},
+    {"subtitle", to_words, "text typed"},
+    {"label", to_words, "text typed"},
+    {"table", to_cells, "arrange text"},
+    {"graph", to_graph, "curve polyline"},
+    {"chart", to_graph, "curve polyline"},
+    {"mask", to_mask, "polygon trim display"},
+    {"blend", to_blend, "twerper layer"},
+    {"transition", to_change, "transparency look"},
+    {"crossfade", to_change, "transparency look"},
+    {"bloom", to_shine, "material exposure"},
+    {"emissive", to_shine, "material exposure"},
+    {"ambient-occlusion", to_occlude, "contact"},
+    {"wait", to_wait, "at range"},
+    {"sleep", to_wait, "at range"},
+    {"blur", to_blur, "shutter f-stop focus"},
+    {"motion-blur", to_blur, "shutter subframes"},
+    {"dof", to_blur, "f-stop focus"},
+    {"depth-of-field", to_blur, "f-stop focus"},
+    {"bokeh", to_blur, "f-stop focus"},
+    {"aperture", to_blur, "f-stop focus"},
+    {"focus-distance", to_blur, "focus f-stop"},
+    {"transparent", to_clear, "background transparency"},
+    {"music", to_hear, "sound"},
+    {"audio", to_hear, "sound"},
+    {"volume", "gain sets the volume of a sound: set music.gain 0.5", "gain"},
+    {"loop", to_repeat, "extend copy"},
+    {"repeat", to_repeat, "extend copy"},
+    {"cycle", to_repeat, "extend copy"},
+    {"yoyo", to_repeat, "extend copy"},
+    {"extrapolation", to_beyond, "extend"},
+    {"bounce", "extend ball.position bounce plays a track back and forth; at 12f fall ball lets it fall and bounce",
+     "extend fall"},
+    {"easing", to_ease, "ease-in ease-out sine-in-out"},
+    {"steps-end", to_ease, "steps"},
+    {"path", "a path is a track of positions: at 1f ball.position (0 0 0) smooth, and so on; smooth goes through all",
+     "smooth bspline motion"},
+    {"spline", "smooth goes through its events, bspline past them, hermite has tangents", "smooth bspline hermite"},
+    {"formula", to_reckon, "let"},
+    {"variable", to_reckon, "let"},
+    {"var", to_reckon, "let"},
+    {"const", to_reckon, "let"},
+    {"for", "a pattern takes the place of a loop: create b{1..10} box position=(i*2 0 0); i is the place, n how many",
+     "let create"},
+    {"foreach",
+     "a pattern takes the place of a loop: create b{1..10} box position=(i*2 0 0); i is the place, n how many",
+     "let create"},
+    {"random",
+     "hash(i) is 0 to 1, the same each time: set b*.position.y hash(i)*3; noise and wobble are filters; stagger … "
+     "random 7 shuffles",
+     "let noise wobble stagger"},
+    {"opacity", to_fade, "transparency"},
+    {"alpha", to_fade, "transparency"},
+    {"fade", to_fade, "transparency"},
+    {"visible", to_show, "show hide display"},
+    {"visibility", to_show, "show hide display"},
+    {"invisible", to_show, "show hide display"},
+    {"interpolate", to_blend, "twerper linear smooth"},
+    {"interpolation", to_blend, "twerper linear smooth"},
+    {"interpolator", to_blend, "twerper linear smooth"},
+    {"tween", to_blend, "twerper linear smooth"},
+    {"event", to_event, "at"},
+    {"keyframe", to_event, "at"},
+    {"keyframes", to_event, "at"},
+    {"timeline", to_time, "at rate ticks"},
+    {"times", to_time, "at rate ticks"},
+    {"units", "lengths are metres, angles 90deg, rad or turn, times 24f, 2s, 90t; a lens 35mm", "rate"},
+    {"key", to_event, "at"},
+    {"sheet", to_sheet, "at"},
+    {"row", to_sheet, "at"},
+    {"dope-sheet", to_sheet, "at"},
+    {"exposure-sheet", to_sheet, "at"},
+    {"track", to_track, "at twerper extend"},
+    {"channel", to_track, "at twerper extend"},
+    {"f-curve", to_track, "fcurve twerper extend"},
+    {"property", to_function, "set define"},
+    {"attribute", to_function, "set define"},
+    {"target", to_target, "set at"},
+    {"component", to_target, "set at"},
+    {"object", to_make, "create"},
+    {"clone", to_make, "create"},
+    {"duplicate", to_make, "create"},
+    {"like", to_make, "create"},
+    {"time", to_time, "at rate ticks"},
+    {"frames", to_time, "at rate ticks"},
+    {"second", to_time, "at rate ticks"},
+    {"seconds", to_time, "at rate ticks"},
+    {"segment", to_time, "range copy"},
+    {"fps", "rate sets the frames per second: rate 25", "rate"},
+    {"duration", "range sets the first and the last frame of the film: range 1f 72f", "range"},
+    {"length", "range sets the first and the last frame of the film: range 1f 72f", "range"},
+    {"colour", to_color, "color"},
+    {"colours", to_color, "color"},
+    {"colors", to_color, "color"},
+    {"rgb", to_color, "color"},
+    {"hsv", to_color, "color"},
+    {"parent", to_hold, "couple attach hang letgo"},
+    {"child", to_hold, "couple attach hang letgo"},
+    {"unparent", to_hold, "detach letgo"},
+    {"ik", to_reach, "reach"},
+    {"inverse-kinematics", to_reach, "reach"},
+    {"skin", to_join, "joints"},
+    {"skeleton", to_join, "joints"},
+    {"rig", to_join, "joints reach"},
+    {"morph", to_morph, "geometry"},
+    {"instance", to_instance, "create call"},
+    {"trail", to_trail, "trace"},
+    {"modifier", to_filter, "filter noise spring"},
+    {"mirror", "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)", "scale"},
+    {"ball", "sphere is a ball: create ball sphere", "sphere"},
+    {"cube", "box is one: create b box", "box"},
+    {"model", "mesh shows a file: create cow mesh file=\"cow.obj\"", "mesh"},
+    {"drop", "fall makes an object fall: at 12f fall ball ground=0.5", "fall"},
+    {"physics", "fall makes objects fall and bounce; betwixt contacts prints collisions; spring and wobble are filters",
+     "fall spring wobble"},
+    {"catch", to_hold, "couple attach hang letgo"},
+    {"constraint", to_hold, "couple attach hang letgo"},
+    {"hierarchy", to_hold, "couple attach hang letgo"},
+    {"speed",
+     "a velocity is a speed per second: at 12f ball.position.x.velocity 2; a stretch changes the speed of a part",
+     "stretch at"},
+    {"offset", "move shifts a part of a track in time, translate its values", "move translate"},
+    {"paste", "copy copies a part of a track to another time: copy ball.position 1f..24f to 24f", "copy"},
+    {"marker", to_note, "note"},
+    {"cue", to_note, "note"},
+    {"comment", "a comment begins with # and a blank; a note shows while the film plays", "note"},
+    {"expression", to_compute, "procedure"},
+    {"driver", to_compute, "procedure"},
+    {"zoom", "a camera's lens zooms: at 24f eye.lens 80mm", "lens fov"},
+    {"squash", "scale squashes: at 12f ball.scale (1.2 0.7 1.2)", "scale"},
+    {"gravity", "fall makes an object fall: at 12f fall ball ground=0.5", "fall"},
+    {"shake", "noise and wobble are filters: filter ball.position noise", "noise wobble"},
+    {"turn", to_turn, "rotation rotate"},
+    {"angle", to_angle, "rotation"},
+    {"euler", to_turn, "rotation"},
+    {"axis", to_turn, "rotation"},
+    {"quat", to_turn, "rotation"},
+    {"deg", to_angle, "rotation"},
+    {"rad", to_angle, "rotation"},
+    {"if", to_compute, "procedure"},
+    {"while", to_compute, "procedure"},
+    {"lua", to_compute, "procedure"},
+    {"pattern", to_many, "alias"},
+    {"where", to_place, "position world eval"},
+    {"render", to_film, "play"},
+    {"export", to_film, "play"},
+    {"print", "eval prints values at times: eval ball.position at 13f", "eval"},
+    {"font-size", "size of a text is its em in metres: set title.size 2", "size"},
+};
+
+}  // namespace
+
+std::span<const ForeignWord> foreign_words() { return all_foreign_words; }
+
+std::string_view foreign_word_hint(std::string_view word) {
+  const auto at = std::find_if(std::begin(all_foreign_words), std::end(all_foreign_words),
+                               [&](const ForeignWord& r) { return r.word == word; });
+  return at == std::end(all_foreign_words) ? std::string_view() : at->leads;
+}
+
+}  // namespace betwixt

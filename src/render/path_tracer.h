@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The light along a ray. Lights and surfaces are as in the style `shaded`. Ambient light is that of a dome, one colour
+// from above and one from below; an object in its way blocks it, and sends its own light on instead.
+#pragma once
+
+#include "render/lighting.h"
+#include "render/pixel_sampler.h"
+#include "render/traced_world.h"
+
+namespace betwixt::traced {
+
+// The light that the eye sees along a ray: lit surfaces and unlit colours. `share`: how much of it is lit, whose
+// highlights roll off. `clear`: how much of it is transparent.
+struct CameraSample {
+  Vec3 lit, plain;
+  double share = 0, clear = 0;
+};
+
+// Rolls off light that is too bright for the screen, towards white.
+Vec3 tone_mapped(Vec3);
+
+class PathTracer {
+ public:
+  PathTracer(const World&, const View&, const Scenery&);
+  // Returns the light at a place of the picture, from 0 to 1 from its left and top.
+  CameraSample sample(double across, double down, PixelSampler&) const;
+
+ private:
+  // The kind of the ray that reaches a surface: from the eye, reflected, or for the ambient light of another surface.
+  enum class RayKind : std::uint8_t { camera, reflected_by_metal, reflected, ambient };
+  struct Surface;
+
+  Ray camera_ray(double across, double down) const;
+  void add_background(double down, Vec3 along, double left, CameraSample&) const;
+  Vec3 environment_radiance(Vec3 along, RayKind) const;
+  Vec3 sky_radiance(double up, double below) const;
+  double floor_distance(const Ray&) const;  // infinity if the ray misses it
+  SurfacePoint floor_point(const Ray&, double distance) const;
+  double visibility(const SurfacePoint&, const Lighting::One&, PixelSampler&) const;
+  Vec3 direct_light(const Surface&, PixelSampler&) const;
+  Vec3 indirect_light(const Surface&, int depth, PixelSampler&) const;
+  Vec3 reflected_radiance(const Surface&, int depth, PixelSampler&) const;
+  // Returns the light that arrives against the ray, from the first opaque object.
+  Vec3 incoming_radiance(Ray, RayKind, int depth, PixelSampler&) const;
+  Surface surface_at(const SurfacePoint&, Vec3 toward, RayKind) const;
+
+  const World& world_;
+  const View& view_;
+  const Surroundings& around_;
+  const Lighting lighting_;
+  Vec3 top_, bottom_;  // the background
+  bool bends_ = true;
+};
+
+}  // namespace betwixt::traced

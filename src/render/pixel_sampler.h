@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Well-distributed random numbers for the samples of a pixel: the same ones for the same pixel, sample and decision,
+// for any caller and at any time.
+//
+// The samples of a decision are the first two coordinates of Sobol's sequence: of 2^k samples, each of 2^k equal boxes
+// has one, in whatever way the square is halved. Each pixel and decision has its own flipped digits and its own order
+// of samples, so that decisions are independent.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace betwixt::traced {
+
+class PixelSampler {
+ public:
+  PixelSampler(std::uint32_t pixel, std::uint32_t sample, std::uint32_t samples)
+      : bits_(std::bit_width(samples - 1)), pixel_(hashed(pixel)), sample_(sample) {}
+
+  // Returns two numbers from 0 to 1, 1 excluded, for the next decision.
+  std::array<double, 2> next_2d() {
+    const std::uint64_t own = hashed(pixel_ + decision_++);
+    const std::uint32_t i = shuffled(own);
+    const auto flips = hashed(own);
+    return {unit_float(reversed_bits(i) ^ static_cast<std::uint32_t>(flips)),
+            unit_float(sobol_second(i) ^ static_cast<std::uint32_t>(flips >> 32))};
+  }
+  double next_1d() { return next_2d()[0]; }
+
+ private:
+  // Every bit of the result depends on every bit of the input (splitmix64).
+  static constexpr std::uint64_t hashed(std::uint64_t x) {
+    x += 0x9e3779b97f4a7c15;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+  }
+  static constexpr double unit_float(std::uint32_t x) { return 0x1p-32 * x; }
+  static constexpr std::uint32_t reversed_bits(std::uint32_t i) {
+    std::uint32_t r = 0;
+    for (std::uint32_t bit = 1U << 31; i != 0; i >>= 1, bit >>= 1) r ^= (i & 1) != 0 ? bit : 0;
+    return r;
+  }
+  static constexpr std::uint32_t sobol_second(std::uint32_t i) {
+    std::uint32_t r = 0;
+    for (std::uint32_t column = 1U << 31; i != 0; i >>= 1, column ^= column >> 1) r ^= (i & 1) != 0 ? column : 0;
+    return r;
+  }
+  // A permutation of 2^bits samples: each step is invertible.
+  std::uint32_t shuffled(std::uint64_t own) const {
+    const std::uint32_t all = static_cast<std::uint32_t>((std::uint64_t{1} << bits_) - 1);
+    std::uint32_t i = sample_;
+    for (int round = 0; round < 4; ++round, own = own << 16 | own >> 48) {
+      i = (i * (static_cast<std::uint32_t>(own) | 1) + static_cast<std::uint32_t>(own >> 32)) & all;
+      i ^= i >> (bits_ / 2 + 1);
+    }
+    return i;
+  }
+
+  const int bits_;
+  const std::uint64_t pixel_;
+  const std::uint32_t sample_;
+  std::uint64_t decision_ = 0;
+};
+
+}  // namespace betwixt::traced

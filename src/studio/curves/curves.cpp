@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/curves/curves.h"
+
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "studio/curves/curve_pane.h"
+
+namespace betwixt::studio {
+
+Curves::Curves(Workspace& workspace, QWidget* parent) : QWidget(parent) {
+  setObjectName("curves");
+  setWindowTitle(tr("Curves"));
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0), all->setSpacing(0);
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(4, 2, 4, 2), bar->setSpacing(4);
+  auto* pane = new CurvePane(workspace, this);
+  const auto button = [&](const char* name, const QString& text, const QString& tip) {
+    auto* b = new QToolButton(this);
+    b->setObjectName(name), b->setText(text), b->setToolTip(tip);
+    b->setAutoRaise(true), b->setFocusPolicy(Qt::NoFocus);
+    bar->addWidget(b);
+    return b;
+  };
+  connect(button("fit", tr("fit all"), tr("Shows all values: F")), &QToolButton::clicked, pane,
+          [pane] { pane->finish(), pane->fit(); });
+  auto* each = button("each_fills", tr("normalise"),
+                      tr("Scales each curve to the full height, so that metres and degrees fit together: N"));
+  each->setCheckable(true);
+  connect(each, &QToolButton::toggled, pane, [pane](bool on) {
+    if (on != pane->each_fills()) pane->let_each_fill(on);
+  });
+  connect(pane, &CurvePane::fill_changed, each, &QToolButton::setChecked);
+  bar->addStretch();
+  all->addLayout(bar), all->addWidget(pane, 1);
+  setFocusProxy(pane);
+}
+
+}  // namespace betwixt::studio

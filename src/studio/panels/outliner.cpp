@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/panels/outliner.h"
+
+#include <fmt/format.h>
+
+#include <QApplication>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include "editor/made_by.h"
+#include "language/values.h"
+#include "scene/document.h"
+#include "studio/shell/text_of.h"
+#include "studio/shell/theme.h"
+#include "studio/viewport/kind_icons.h"
+
+namespace betwixt::studio {
+namespace {
+
+void say_all(Workspace& workspace, const std::vector<std::string>& lines) {
+  if (lines.size() == 1) workspace.say(lines[0]);
+  if (lines.size() > 1) workspace.say(lines);
+}
+
+// Returns an unused name: sphere1, sphere2 …
+std::string free_name(const Document& d, const std::string& kind) {
+  for (int n = 1;; ++n) {
+    const std::string name = kind + std::to_string(n);
+    if (!d.find(name)) return name;
+  }
+}
+
+}  // namespace
+
+OutlinerTree::OutlinerTree(Workspace& workspace, OutlinerModel& model, QWidget* parent)
+    : QTreeView(parent), workspace_(workspace), model_(model) {
+  setObjectName("outliner_tree");
+  setModel(&model);
+  setHeaderHidden(true);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  setExpandsOnDoubleClick(false);
+  const int em = fontMetrics().height();
+  setIconSize({em, em});
+  setIndentation(em);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(OutlinerModel::name, QHeaderView::Stretch);
+  header()->setSectionResizeMode(OutlinerModel::eye, QHeaderView::Fixed);
+  header()->setMinimumSectionSize(em);
+  header()->resizeSection(OutlinerModel::eye, em + em / 2);
+  connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& i) { folded_.insert(model_.object(i).index); });
+  connect(this, &QTreeView::expanded, this, [this](const QModelIndex& i) { folded_.erase(model_.object(i).index); });
+  // A rebuilt tree keeps its open and closed rows.
+  connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+    const std::set<std::uint32_t> folded = folded_;
+    expandAll();
+    for (const std::uint32_t id : folded)
+      if (const QModelIndex i = model_.index_of({id}); i.isValid()) collapse(i);
+    take_selection();
+  });
+  expandAll();
+  connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    if (selecting_) return;
+    selecting_ = true;
+    workspace_.select(marked());
+    selecting_ = false;
+  });
+  connect(&workspace, &Workspace::selection_changed, this, &OutlinerTree::take_selection);
+}
+
+// Returns the selected objects; the current one comes last, because it leads.
+std::vector<ObjectId> OutlinerTree::marked() const {
+  std::vector<ObjectId> all;
+  for (const QModelIndex& i : selectionModel()->selectedRows()) all.push_back(model_.object(i));
+  std::ranges::sort(all, {}, &ObjectId::index);
+  const auto leads = std::ranges::find(all, model_.object(currentIndex()));
+  if (leads != all.end()) std::rotate(leads, leads + 1, all.end());
+  return all;
+}
+
+void OutlinerTree::take_selection() {
+  if (selecting_) return;
+  selecting_ = true;
+  // Joins neighbouring rows into ranges, which makes even ten thousand of them fast.
+  std::vector<QModelIndex> rows;
+  for (const ObjectId id : workspace_.selected())
+    if (const QModelIndex i = model_.index_of(id); i.isValid()) rows.push_back(i);
+  const auto place = [](const QModelIndex& i) { return std::pair(i.parent().internalId(), i.row()); };
+  std::ranges::sort(rows, {}, place);
+  QItemSelection all;
+  for (std::size_t i = 0; i < rows.size();) {
+    const std::size_t first = i;
+    for (++i; i < rows.size() && rows[i].parent() == rows[first].parent() && rows[i].row() == rows[i - 1].row() + 1;)
+      ++i;
+    all.append(QItemSelectionRange(rows[first], rows[i - 1]));
+  }
+  selectionModel()->select(all, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  if (!workspace_.selected().empty()) {
+    const QModelIndex leads = model_.index_of(workspace_.selected().back());
+    selectionModel()->setCurrentIndex(leads, QItemSelectionModel::NoUpdate);
+    if (leads.isValid()) scrollTo(leads);
+  }
+  selecting_ = false;
+}
+
+// Hides or shows an object, or all selected objects if it is one of them. A display with events changes from the
+// current time on.
+void OutlinerTree::toggle(ObjectId id) {
+  const Document& d = workspace_.document();
+  std::vector<ObjectId> all = workspace_.selected();
+  if (std::ranges::find(all, id) == all.end()) all = {id};
+  const bool hides = model_.shown(id);
+  std::vector<std::string> lines;
+  for (const ObjectId o : all) {
+    if (!placed(kind(d, o))) continue;
+    const bool timed = made_by(d, Target(o, fn::display), workspace_.time()).events;
+    lines.push_back((timed ? "at " + workspace_.when(workspace_.time()) + " " : "") + (hides ? "hide " : "show ") +
+                    d.name(o));
+  }
+  say_all(workspace_, lines);
+}
+
+// Couples the dragged objects to the row below the pointer; with Alt attaches them, with Shift hangs them on it.
+// Dropped on an empty place they lose their parents.
+void OutlinerTree::drop(QPoint at, Qt::KeyboardModifiers held) {
+  const Document& d = workspace_.document();
+  const ObjectId onto = model_.object(indexAt(at));
+  const AttachmentKind how = held & Qt::AltModifier     ? AttachmentKind::attach
+                             : held & Qt::ShiftModifier ? AttachmentKind::hang
+                                                        : AttachmentKind::couple;
+  std::vector<std::string> lines;
+  for (const ObjectId id : workspace_.selected()) {
+    if (id == onto) continue;
+    const QModelIndex above = model_.index_of(id).parent();
+    if (!onto && !above.isValid()) continue;
+    const bool timed = made_by(d, Target(id, fn::attachment), workspace_.time()).events;
+    const Attachment to = onto    ? Attachment{how, onto, true}
+                          : timed ? Attachment{AttachmentKind::letgo, {}, false}
+                                  : Attachment{AttachmentKind::detach, {}, false};
+    lines.push_back(line_that_holds(d, id, workspace_.time(), to));
+  }
+  say_all(workspace_, lines);
+}
+
+void OutlinerTree::mousePressEvent(QMouseEvent* e) {
+  const QPoint at = e->position().toPoint();
+  const QModelIndex i = indexAt(at);
+  if (e->button() == Qt::LeftButton && i.isValid() && i.column() == OutlinerModel::eye) return toggle(model_.object(i));
+  dragging_ = false;
+  const bool on_name = i.isValid() && visualRect(i).contains(at);
+  pressed_ = e->button() == Qt::LeftButton && on_name ? std::optional(at) : std::nullopt;
+  // A drag moves all selected rows.
+  if (pressed_ && selectionModel()->isSelected(i) && e->modifiers() == Qt::NoModifier) {
+    selectionModel()->setCurrentIndex(i, QItemSelectionModel::NoUpdate);
+    return;
+  }
+  QTreeView::mousePressEvent(e);
+}
+
+void OutlinerTree::mouseMoveEvent(QMouseEvent* e) {
+  if (!pressed_ || !(e->buttons() & Qt::LeftButton)) return QTreeView::mouseMoveEvent(e);
+  at_ = e->position().toPoint();
+  if (!dragging_ && (at_ - *pressed_).manhattanLength() < QApplication::startDragDistance()) return;
+  dragging_ = true;
+  setCursor(Qt::ClosedHandCursor);
+  viewport()->update();
+}
+
+void OutlinerTree::mouseReleaseEvent(QMouseEvent* e) {
+  const auto pressed = std::exchange(pressed_, std::nullopt);
+  if (std::exchange(dragging_, false)) {
+    unsetCursor();
+    viewport()->update();
+    return drop(e->position().toPoint(), e->modifiers());
+  }
+  if (pressed && e->modifiers() == Qt::NoModifier) {  // a click without a drag selects this row alone
+    const QModelIndex i = indexAt(*pressed);
+    selectionModel()->setCurrentIndex(i, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  }
+  QTreeView::mouseReleaseEvent(e);
+}
+
+void OutlinerTree::keyPressEvent(QKeyEvent* e) {
+  if (e->key() == Qt::Key_Escape && dragging_) {
+    dragging_ = false, pressed_.reset();
+    unsetCursor();
+    return viewport()->update();
+  }
+  if (e->key() == Qt::Key_Delete || e->key() == Qt::Key_Backspace) {
+    std::vector<std::string> lines;
+    for (const ObjectId id : workspace_.selected()) lines.push_back("remove " + workspace_.name(id));
+    return say_all(workspace_, lines);
+  }
+  if (e->key() == Qt::Key_H && e->modifiers() == Qt::NoModifier && !workspace_.selected().empty())
+    return toggle(workspace_.selected().back());
+  QTreeView::keyPressEvent(e);
+}
+
+// Marks the drop target.
+void OutlinerTree::paintEvent(QPaintEvent* e) {
+  QTreeView::paintEvent(e);
+  if (!dragging_) return;
+  QPainter p(viewport());
+  p.setPen(QPen(colors().accent, 2));
+  const QModelIndex onto = indexAt(at_);
+  if (!onto.isValid()) return p.drawRect(viewport()->rect().adjusted(1, 1, -1, -1));
+  QRect row = visualRect(onto.siblingAtColumn(0));
+  row.setRight(viewport()->width() - 2);
+  p.drawRoundedRect(row, 3, 3);
+}
+
+Outliner::Outliner(Workspace& workspace, QWidget* parent)
+    : QWidget(parent),
+      workspace_(workspace),
+      model_(new OutlinerModel(workspace, this)),
+      tree_(new OutlinerTree(workspace, *model_, this)),
+      pattern_(new QLineEdit(this)) {
+  setObjectName("outliner");
+  setWindowTitle(tr("Outliner"));
+  pattern_->setObjectName("pattern");
+  pattern_->setPlaceholderText(tr("pattern: wheel*"));
+  pattern_->setClearButtonEnabled(true);
+  pattern_->setToolTip(tr("Patterns as in the language: wheel* {left,right} arm[1-3]; or a part of a name"));
+  auto* plus = new QToolButton(this);
+  plus->setObjectName("add");
+  plus->setText("+");
+  plus->setToolTip(tr("Makes an object: `create NAME KIND`"));
+  plus->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(plus);
+  for (const KindRow& row : kinds()) {
+    if (!row.placed && row.kind != Kind::sound) continue;
+    const QString kind = text_of(row.name);
+    QAction* action = menu->addAction(kind_icon(row.kind), kind, this, [this, kind] { add(kind); });
+    action->setToolTip(text_of(row.sentence));
+  }
+  menu->setToolTipsVisible(true);
+  plus->setMenu(menu);
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(4, 2, 4, 2);
+  head->addWidget(pattern_, 1);
+  head->addWidget(plus);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(0);
+  all->addLayout(head);
+  all->addWidget(tree_, 1);
+  setFocusProxy(tree_);
+  connect(pattern_, &QLineEdit::textChanged, model_, &OutlinerModel::filter);
+  connect(&workspace, &Workspace::document_changed, model_, [this] {
+    model_->follow_document();
+    tree_->viewport()->update();
+  });
+  connect(&workspace, &Workspace::time_changed, model_, [this] {
+    model_->follow_time();
+    tree_->viewport()->update();
+  });
+}
+
+QSize Outliner::sizeHint() const { return {22 * fontMetrics().horizontalAdvance('m'), 300}; }
+
+// Asks for a file if the kind needs one.
+void Outliner::add(const QString& kind) {
+  const std::string name = free_name(workspace_.document(), kind.toStdString());
+  std::string line = "create " + name + " " + kind.toStdString();
+  if (kind == "text") line += " text=\"text\"";
+  if (kind == "camera") {  // at the current camera's place
+    const Mat4 eye = workspace_.program().frame(workspace_.time()).camera.world;
+    const Vec3 at = translation_of(eye), to = at - 10 * normalize(Vec3{eye(0, 2), eye(1, 2), eye(2, 2)});
+    line += fmt::format(" position=({:.4g} {:.4g} {:.4g}) look-at=({:.4g} {:.4g} {:.4g})", at.x, at.y, at.z, to.x, to.y,
+                        to.z);
+  }
+  if (kind == "mesh" || kind == "sound") {
+    const QString file = QFileDialog::getOpenFileName(this, tr("The file of %1").arg(name.c_str()));
+    if (file.isEmpty()) return;
+    line += " file=" + write_text(file.toStdString());
+  }
+  if (workspace_.say(line)) workspace_.select({workspace_.document().find(name)});
+}
+
+}  // namespace betwixt::studio

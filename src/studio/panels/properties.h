@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The properties of the selected object: its functions, their values now, and what computes them.
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QWidget>
+
+#include "studio/panels/value_editors.h"
+
+namespace betwixt::studio {
+
+class Properties : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Properties(Workspace&, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+
+ protected:
+  void showEvent(QShowEvent*) override;
+
+ private:
+  struct Row {
+    FunctionView of;
+    std::string name;  // copied, because the view refers to a document
+    EditorKind kind;
+    QToolButton* diamond;
+    QLabel *called, *made;
+    ValueEditor* editor;
+    bool said = true, shown_event = false, shown_events = false;
+  };
+  ObjectId leading() const;
+  void refresh();
+  void rebuild();
+  void show_row(Row&, const Value&);
+  std::vector<std::string> lines_for(const Row&, int component, const QString& text) const;
+  void toggle_event(const Row&);
+  void rename();
+  QWidget* make_section(const QString& title);
+  void add_row(QWidget* section, const FunctionView&, EditorKind);
+
+  Workspace& workspace_;
+  QLabel *icon_, *kind_, *nothing_;
+  QLineEdit* name_;
+  QScrollArea* area_;
+  std::vector<std::unique_ptr<Row>> rows_;
+  std::vector<std::pair<std::string, EditorKind>> built_;  // the rows as built
+  std::optional<Kind> built_of_;
+  QStringList folded_;
+  bool refreshing_ = false;
+};
+
+}  // namespace betwixt::studio

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/shell/actions.h"
+
+#include "studio/shell/sound.h"
+#include "studio/shell/window.h"
+#include "studio/timeline/event_actions.h"
+#include "studio/viewport/viewport.h"
+
+namespace betwixt::studio {
+
+const std::vector<ActionRow>& action_rows() {
+  static const std::vector<ActionRow> all = {
+      {"File", "New", "Ctrl+N", "Begins a new film; asks first if you have unsaved changes.",
+       [](Window& w) { w.new_film(); }},
+      {"File", "Open…", "Ctrl+O", "Opens another script: `open FILE`.", [](Window& w) { w.open_asking(); }},
+      {"File", "Save", "Ctrl+S", "Writes the script: `save`.", [](Window& w) { w.save(); }},
+      {"File", "Save as…", "Ctrl+Shift+S", "Writes the script under another name: `save FILE`.",
+       [](Window& w) { w.save_as(); }},
+      {"File", "Render film…", "Ctrl+R; F12", "Renders the film to a file: `betwixt render`.",
+       [](Window& w) { w.make_film(); }},
+      {"File", "Save session…", "",
+       "Saves the lines of this session to a file; `betwixt studio --session` runs them again.",
+       [](Window& w) { w.save_session(); }},
+      {"File", "Open an example", "", "Opens a film with a ball and a hand.", [](Window& w) { w.open_example(); }},
+      {"File", "Quit", "Ctrl+Q", "Ends the program; asks first if you have unsaved changes: `quit`.",
+       [](Window& w) { w.close(); }},
+      {"Edit", "Undo", "Ctrl+Z", "Undoes the last change, without limit: `undo`.",
+       [](Window& w) { w.workspace().undo(); }},
+      {"Edit", "Redo", "Ctrl+Shift+Z; Ctrl+Y", "Repeats the last undone change: `redo`.",
+       [](Window& w) { w.workspace().redo(); }},
+      {"Edit", "Insert event at playhead", "K", "Inserts an event on each track of the selection: `at T TARGET VALUE`.",
+       [](Window& w) { EventActions::of(w.workspace()).insert(); }},
+      {"Play", "Play", "Space", "Plays from the playhead, or stops.",
+       [](Window& w) { w.workspace().transport().playing() ? w.workspace().pause() : w.workspace().play(1); }},
+      {"Play", "Play backwards", "Shift+Space", "Plays backwards from the playhead, or stops.",
+       [](Window& w) { w.workspace().transport().playing() ? w.workspace().pause() : w.workspace().play(-1); }},
+      {"Play", "Loop", "L", "Plays again from the beginning at the end.",
+       [](Window& w) { w.workspace().transport().loop(!w.workspace().transport().loops()); },
+       [](const Window& w) { return w.workspace().transport().loops(); }},
+      {"Play", "Mute", "Ctrl+M", "Turns the film's sound off or on.",
+       [](Window& w) { w.sound().mute(!w.sound().muted()); }, [](const Window& w) { return w.sound().muted(); }},
+      {"Play", "Next frame", "Right", "Moves the playhead one frame forwards.",
+       [](Window& w) { w.workspace().step(1); }},
+      {"Play", "Previous frame", "Left", "Moves the playhead one frame back.",
+       [](Window& w) { w.workspace().step(-1); }},
+      {"Play", "Go to start", "Home", "Moves the playhead to the first played frame.",
+       [](Window& w) { w.workspace().go_to(w.workspace().transport().first()); }},
+      {"Play", "Go to end", "End", "Moves the playhead to the last played frame.",
+       [](Window& w) { w.workspace().go_to(w.workspace().transport().last()); }},
+      {"Play", "Set play range start", "I", "Plays only from the playhead to the end of the play range.",
+       [](Window& w) {
+         const Time t = w.workspace().time();
+         w.workspace().set_range(std::pair(t, std::max(t, w.workspace().transport().last())));
+       }},
+      {"Play", "Set play range end", "O", "Plays only from the start of the play range to the playhead.",
+       [](Window& w) {
+         const Time t = w.workspace().time();
+         w.workspace().set_range(std::pair(std::min(t, w.workspace().transport().first()), t));
+       }},
+      {"Play", "Clear play range", "X", "Plays the whole film again.",
+       [](Window& w) { w.workspace().set_range(std::nullopt); }},
+      {"Picture", "Free view", "", "Switches between a free view and the film's camera; in the picture, 0.",
+       [](Window& w) { w.viewport().set_free(!w.viewport().is_free()); },
+       [](const Window& w) { return w.viewport().is_free(); }},
+      {"Picture", "Frame selection", "", "Shows all selected objects, or all objects; in the picture, F.",
+       [](Window& w) { w.viewport().frame_selected(); }},
+      {"Picture", "Front view", "", "Looks along -z; in the picture, 1, and 9 for the other side.",
+       [](Window& w) {
+         w.viewport().look_along({0, 0, -1});
+       }},
+      {"Picture", "Right view", "", "Looks along -x; in the picture, 3, and 9 for the other side.",
+       [](Window& w) {
+         w.viewport().look_along({-1, 0, 0});
+       }},
+      {"Picture", "Top view", "", "Looks along -y; in the picture, 7, and 9 for the other side.",
+       [](Window& w) {
+         w.viewport().look_along({0, -1, 0});
+       }},
+      {"Picture", "Perspective", "", "Turns perspective on or off; in the picture, 5.",
+       [](Window& w) { w.viewport().toggle_perspective(); }},
+      {"Picture", "Move camera to view", "", "Moves the film's camera to the free view: `set eye.position (1 2 3)`.",
+       [](Window& w) { w.viewport().bring_camera(); }},
+      {"Picture", "Move selection", "",
+       "Moves the selection with the pointer; in the picture, G: `set ball.position (1 2 3)`.",
+       [](Window& w) { w.viewport().take(Tool::move); }},
+      {"Picture", "Rotate selection", "",
+       "Rotates the selection with the pointer; in the picture, R: `set ball.rotation euler(0 90deg 0)`.",
+       [](Window& w) { w.viewport().take(Tool::turn); }},
+      {"Picture", "Scale selection", "",
+       "Scales the selection with the pointer; in the picture, S: `set ball.scale (2 2 2)`.",
+       [](Window& w) { w.viewport().take(Tool::scale); }},
+      {"Picture", "Auto-key", "",
+       "Every change in the picture writes an event at the playhead: `at 24f ball.position (1 2 3)`.",
+       [](Window& w) { w.viewport().flip(&ViewportSwitches::auto_key); },
+       [](const Window& w) { return w.viewport().switches().auto_key; }},
+      {"Picture", "Ways", "", "Shows the motion paths of the selection.",
+       [](Window& w) { w.viewport().flip(&ViewportSwitches::trails); },
+       [](const Window& w) { return w.viewport().switches().trails; }},
+      {"Picture", "Onion skin", "", "Shows the objects some frames before and after.",
+       [](Window& w) { w.viewport().flip(&ViewportSwitches::ghosts); },
+       [](const Window& w) { return w.viewport().switches().ghosts; }},
+      {"Picture", "Grid", "", "Shows a grid on the ground.",
+       [](Window& w) { w.viewport().flip(&ViewportSwitches::grid); },
+       [](const Window& w) { return w.viewport().switches().grid; }},
+      {"View", "Find a command…", "Ctrl+Shift+P; F3", "Finds a command by a few of its letters.",
+       [](Window& w) { w.find_command(); }},
+      {"View", "Light colours", "", "Switches between light and dark colours.",
+       [](Window& w) { w.set_light(!w.is_light()); }, [](const Window& w) { return w.is_light(); }},
+      {"View", "Go to console", "Ctrl+Return; F4", "The console runs lines of the language.",
+       [](Window& w) { w.show_panel("console"); }},
+      {"View", "Go to script", "Ctrl+E", "Shows the text of the film.",
+       [](Window& w) { w.show_panel("script_panel"); }},
+      {"View", "Go to picture", "Ctrl+1", "Shows the film; you can move objects in it.",
+       [](Window& w) { w.show_panel("viewport"); }},
+      {"View", "Go to sheet", "Ctrl+2", "Shows events against time.", [](Window& w) { w.show_panel("sheet"); }},
+      {"View", "Go to curves", "Ctrl+3", "Shows values against time.", [](Window& w) { w.show_panel("curves"); }},
+      {"View", "Go to properties", "Ctrl+4", "Shows the values of the selection.",
+       [](Window& w) { w.show_panel("properties"); }},
+      {"View", "Go to live controls", "Ctrl+5", "Receives OSC and MIDI, and connects them to targets.",
+       [](Window& w) { w.show_panel("live"); }},
+      {"View", "Go to server", "Ctrl+6", "Watches and controls a running imaging server.",
+       [](Window& w) { w.show_panel("server"); }},
+      {"View", "All keys", "F1", "Lists all keys.", [](Window& w) { w.show_keys(); }},
+  };
+  return all;
+}
+
+}  // namespace betwixt::studio

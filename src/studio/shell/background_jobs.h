@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Runs slow work on a worker thread, so that the window still draws and shows the progress. User input waits in the
+// queue until the work ends.
+#pragma once
+
+#include <QObject>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#undef slots
+
+#include "base/work_progress.h"
+
+namespace betwixt::studio {
+
+class BackgroundJobs : public QObject {
+  Q_OBJECT
+ public:
+  explicit BackgroundJobs(QObject* parent = nullptr);
+  ~BackgroundJobs() override;
+
+  // Runs the work and returns when it is done. Do not call it while `hears` is false.
+  void carry_out(const std::function<void()>& work);
+  // Returns true if no work is running, or if it waits for an answer; then carry_out() runs its argument at once, in
+  // the calling thread.
+  bool hears() const { return !at_work_ || answers_; }
+  // Runs a function in the window's thread, whatever thread calls, and returns when it is done.
+  void in_window(const std::function<void()>& work);
+  // Sets how long carry_out() blocks before it emits takes_long().
+  void set_patience(int milliseconds) { patience_ = milliseconds; }
+
+ Q_SIGNALS:
+  void takes_long(float share);  // progress, 0 to 1; repeated until the work ends
+  void over();
+  void done();  // emitted by the worker, like this one:
+  void asks();
+
+ private:
+  void run();
+  void wait();
+  void answer(std::unique_lock<std::mutex>&);
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  const std::function<void()>*wanted_ = nullptr, *question_ = nullptr;
+  const WorkProgress* progress_ = nullptr;
+  bool done_ = false, ends_ = false;
+  float share_ = 0;
+  bool at_work_ = false, answers_ = false;  // used by the window's thread only
+  int patience_ = 100;
+  std::thread worker_;
+};
+
+}  // namespace betwixt::studio

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// betwixt-studio: the program that `betwixt studio` and `betwixt play` start if there is a display.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QDockWidget>
+#include <QFile>
+#include <QToolButton>
+#include <cstdio>
+
+#include "base/tell_user.h"
+#include "betwixt/language.h"
+#include "studio/shell/export_dialog.h"
+#include "studio/shell/sound.h"
+#include "studio/shell/theme.h"
+#include "studio/shell/window.h"
+#include "studio/viewport/viewport.h"
+
+namespace {
+
+// Carries out the lines of a recorded session. Prints an error and returns false if the file or a line fails.
+bool play_back(betwixt::studio::Workspace& workspace, const QString& name) {
+  QFile file(name);
+  if (!file.open(QIODevice::ReadOnly)) {
+    betwixt::tell_user("betwixt: error: '" + name.toStdString() + "' cannot be read\n");
+    return false;
+  }
+  std::string line;
+  for (const QString& part : QString::fromUtf8(file.readAll()).split('\n')) {
+    line += (line.empty() ? "" : "\n") + part.toStdString();
+    if (betwixt::Session::needs_more(line)) continue;
+    if (!line.empty() && !workspace.say(line) && !workspace.last_said().empty()) {
+      betwixt::tell_user(workspace.last_said());
+      return false;
+    }
+    line.clear();
+  }
+  return true;
+}
+
+// Returns the picture of one panel, of the given size if it is not empty. "columns" is the exposure sheet, "export" the
+// export dialog. Returns a null pixmap if there is no such panel.
+QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize size) {
+  using namespace betwixt::studio;
+  if (name == "picture") return window.viewport().grab();
+  if (name == "export") {
+    ExportDialog dialog(window.workspace());
+    dialog.resize(size.isEmpty() ? dialog.sizeHint() : size);
+    dialog.show();
+    QApplication::processEvents();
+    return dialog.grab();
+  }
+  QWidget* panel = window.panel(name == "columns" ? "sheet" : name == "script" ? "script_panel" : name);
+  if (!panel) return {};
+  if (name == "columns") panel->findChild<QToolButton*>("columns")->setChecked(true);
+  auto* dock = qobject_cast<QDockWidget*>(panel->parentWidget());
+  dock->setTitleBarWidget(new QWidget(dock));
+  dock->setFloating(true), dock->show();
+  const QSize around = dock->size() - panel->size();
+  dock->resize((size.isEmpty() ? panel->sizeHint() : size) + around);
+  QApplication::processEvents();
+  QApplication::processEvents();  // a second pass, for layouts changed by the first
+  return panel->grab();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace betwixt;
+  using namespace betwixt::studio;
+  // A screenshot needs no display.
+  for (int i = 1; i < argc; ++i)
+    if (std::string_view(argv[i]).starts_with("--screenshot")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  // Hides Qt's notices, which concern only developers.
+  if (!qEnvironmentVariableIsSet("BETWIXT_TOOLKIT_SAYS"))
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& words) {
+      if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "betwixt: %s\n", qPrintable(words));
+    });
+  // Pass no arguments to Qt, which would take --session and --style as its own.
+  QStringList arguments;
+  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+  int own = 1;
+  QApplication app(own, argv);
+  QApplication::setApplicationName("betwixt-studio");
+  QCommandLineParser line;
+  line.addPositionalArgument("FILE", "the script");
+  line.addOptions({{"screenshot", "saves a screenshot of the window and ends", "OUT.png"},
+                   {"at", "the time of the playhead", "TIME"},
+                   {"layout", "the arrangement of the panels", "NAME"},
+                   {"size", "the size of the window or of the panel", "WxH"},
+                   {"select", "the selected objects", "PATTERN"},
+                   {"panel", "saves a screenshot of one panel only", "NAME"},
+                   {"session", "a file with lines to run first", "FILE"},
+                   {"style", "the style of the picture", "NAME"},
+                   {"light", "light colours"},
+                   {"bare", "a window that only plays the film"},
+                   {"loop", "plays in a loop"},
+                   {"mute", "plays without sound"},
+                   {"recover", "recovers the unsaved commands of an earlier session"},
+                   {"discard", "discards the unsaved commands of an earlier session"},
+                   {"read-anywhere", "lets the script read files outside its own folder"},
+                   {"tex", "lets latex typeset the formulas"},
+                   {"load", "a plug-in", "PLUGIN"}});
+  line.addHelpOption();
+  line.process(arguments);
+  const auto refuse = [](const std::string& why) { return betwixt::tell_user("betwixt: error: " + why + "\n"), 2; };
+  for (const QString& plugin : line.values("load"))
+    if (const Status s = use_plugin(plugin.toStdString()); !s) return refuse(s.error().message);
+  LoadOptions options;
+  options.read_anywhere = line.isSet("read-anywhere"), options.tex = line.isSet("tex");
+  const bool shows_only = line.isSet("screenshot");
+  set_theme(app, line.isSet("light") ? Theme::light : Theme::dark);
+  Workspace workspace(options);
+  Window window(workspace, {.bare = line.isSet("bare"), .remembers = !shows_only});
+  if (line.isSet("light")) window.set_light(true);
+  // Shows the window while a long film is still loading.
+  QObject::connect(&workspace.jobs(), &BackgroundJobs::takes_long, &window, [&] {
+    if (!shows_only) window.show();
+  });
+  const QString file = line.positionalArguments().value(0);
+  const auto earlier = line.isSet("recover")   ? Session::Earlier::recover
+                       : line.isSet("discard") ? Session::Earlier::discard
+                                               : Session::Earlier::ask;
+  if (!workspace.open(file, earlier)) {
+    betwixt::tell_user(workspace.last_said());
+    return 1;
+  }
+  if (file.isEmpty() && workspace.session().unsaved() == 0) window.open_example();
+  if (line.isSet("style")) window.viewport().set_style(line.value("style").toStdString());
+  QSize size;
+  if (line.isSet("size")) {
+    const QStringList wh = line.value("size").split('x');
+    size = {wh.value(0).toInt(), wh.value(1).toInt()};
+    if (size.width() < 100 || size.height() < 100 || size.width() > 16384 || size.height() > 16384)
+      return refuse("--size: expected a size such as 1280x800");
+    if (!line.isSet("panel") || line.value("panel") == "picture") window.resize(size);
+  }
+  if (line.isSet("layout") && !window.set_layout(line.value("layout")))
+    return refuse("there is no layout '" + line.value("layout").toStdString() +
+                  "': " + Window::layouts().join(", ").toStdString());
+  if (line.isSet("session") && !play_back(workspace, line.value("session"))) return 1;
+  if (line.isSet("at")) {
+    const Result<Time> at = parse_time(line.value("at").toStdString(), workspace.document());
+    if (!at) return refuse("--at: " + at.error().message);
+    workspace.go_to(*at);
+  }
+  if (line.isSet("select")) {
+    const auto found = find_targets(line.value("select").toStdString() + ".position", workspace.document());
+    if (!found) return refuse("--select: " + found.error().message);
+    std::vector<ObjectId> objects;
+    for (const Target& t : *found) objects.push_back(t.object);
+    workspace.select(objects);
+  }
+  window.show();
+  if (shows_only) {
+    if (line.isSet("layout")) window.set_layout(line.value("layout"));  // its shares are relative to this size
+    QApplication::processEvents();
+    window.viewport().await_picture();
+    QApplication::processEvents();
+    const QString out = line.value("screenshot"), panel = line.value("panel");
+    const QPixmap picture = panel.isEmpty() ? window.grab() : picture_of(window, panel, size);
+    if (picture.isNull()) return refuse("there is no panel '" + panel.toStdString() + "'");
+    return picture.save(out) ? 0
+                             : (std::fprintf(stderr, "betwixt: error: '%s' cannot be written\n", qPrintable(out)), 3);
+  }
+  workspace.transport().loop(line.isSet("loop") || !line.isSet("bare"));
+  window.sound().mute(line.isSet("mute"));
+  if (line.isSet("bare")) workspace.play(1);
+  return QApplication::exec();
+}

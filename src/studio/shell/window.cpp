@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/shell/window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QShortcut>
+#include <QStatusBar>
+#include <QTextBrowser>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "base/files.h"
+#include "studio/curves/curves.h"
+#include "studio/panels/live_panel.h"
+#include "studio/panels/outliner.h"
+#include "studio/panels/properties.h"
+#include "studio/panels/server_panel.h"
+#include "studio/script/script_panel.h"
+#include "studio/shell/actions.h"
+#include "studio/shell/asking.h"
+#include "studio/shell/console.h"
+#include "studio/shell/example.h"
+#include "studio/shell/export_dialog.h"
+#include "studio/shell/palette.h"
+#include "studio/shell/sound.h"
+#include "studio/shell/text_of.h"
+#include "studio/shell/theme.h"
+#include "studio/timeline/sheet.h"
+#include "studio/timeline/timeline.h"
+#include "studio/viewport/viewport.h"
+#include "syntax/tokens.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr int recent_files = 10;
+const std::vector<std::string> saving{"save", "discard", "stay"};  // the choices before a film is left
+
+}  // namespace
+
+Window::Window(Workspace& workspace, Manner manner)
+    : workspace_(workspace),
+      manner_(manner),
+      viewport_(new Viewport(workspace, this)),
+      sound_(new Sound(workspace, this)),
+      said_(new QLabel(this)) {
+  setObjectName("studio");
+  setDockNestingEnabled(true);
+  setAcceptDrops(true);
+  resize(1280, 800);
+  viewport_->set_plain(manner.bare);
+  setCentralWidget(viewport_);
+  add_panels();
+  add_menus();
+  said_->setTextFormat(Qt::PlainText);
+  said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long lines do not widen the window
+  statusBar()->addWidget(said_, 1);
+  statusBar()->setVisible(!manner_.bare);
+  menuBar()->setVisible(!manner_.bare);
+  workspace.ask = [this](const Session::Question& question) { return answer(question); };
+  connect(&workspace, &Workspace::document_changed, this, &Window::name_film);
+  connect(&workspace, &Workspace::text_changed, this, &Window::name_film);
+  connect(&workspace, &Workspace::opened, this, &Window::note_file);
+  connect(&workspace, &Workspace::named, this, &Window::note_file);
+  connect(&workspace, &Workspace::wants_to_quit, this, [this] {
+    leaving_ = true;
+    QTimer::singleShot(0, this, &QWidget::close);
+  });
+  // The status bar shows the last line carried out, or its error, even if the console is hidden.
+  connect(&workspace, &Workspace::said, this, [this](const QString& line, const QString& answer, bool refused) {
+    said_->setText(refused ? answer.section('\n', 0, 0) : line.section('\n', 0, 0));
+    QPalette p;
+    if (refused) p.setColor(QPalette::WindowText, colors().error);
+    said_->setPalette(p);
+  });
+  show_work();
+  if (manner_.bare) {  // as in the terminal player
+    connect(new QShortcut(Qt::Key_Q, this), &QShortcut::activated, this, &QWidget::close);
+    connect(new QShortcut(Qt::Key_M, this), &QShortcut::activated, this, [this] { sound_->mute(!sound_->muted()); });
+  }
+  set_layout(manner_.bare ? "picture" : "all");
+  if (manner_.remembers) recall();
+  name_film();
+}
+
+// Shows the progress of slow work.
+void Window::show_work() {
+  auto* progress = new QProgressBar(this);
+  progress->setObjectName("work");
+  progress->setRange(0, 100), progress->setMaximumWidth(200), progress->setFormat(tr("working: %p %"));
+  progress->hide();
+  statusBar()->addPermanentWidget(progress);
+  connect(&workspace_.jobs(), &BackgroundJobs::takes_long, this, [this, progress](float share) {
+    progress->setValue(static_cast<int>(100 * share));
+    progress->show(), statusBar()->show();
+    setCursor(Qt::BusyCursor);
+  });
+  connect(&workspace_.jobs(), &BackgroundJobs::over, this, [this, progress] {
+    progress->hide(), statusBar()->setVisible(!manner_.bare);
+    unsetCursor();
+  });
+}
+
+Window::~Window() { workspace_.ask = {}; }
+
+void Window::add_panels() {
+  const auto add = [&](QWidget* panel, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(panel->windowTitle(), this);
+    dock->setObjectName(panel->objectName() + "_dock");
+    dock->setWidget(panel);
+    addDockWidget(area, dock);
+    docks_.push_back(dock);
+    return dock;
+  };
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  add(new Outliner(workspace_), Qt::LeftDockWidgetArea);
+  auto* timeline = add(new Timeline(workspace_), Qt::BottomDockWidgetArea);
+  auto* sheet = add(new Sheet(workspace_), Qt::BottomDockWidgetArea);
+  auto* curves = add(new Curves(workspace_), Qt::BottomDockWidgetArea);
+  auto* script = add(new ScriptPanel(workspace_), Qt::RightDockWidgetArea);
+  auto* properties = add(new Properties(workspace_), Qt::RightDockWidgetArea);
+  add(new Console(workspace_), Qt::RightDockWidgetArea);
+  auto* live = add(new LivePanel(workspace_), Qt::LeftDockWidgetArea);
+  auto* server = add(new ServerPanel, Qt::LeftDockWidgetArea);
+  tabifyDockWidget(live, server), live->raise();
+  splitDockWidget(timeline, sheet, Qt::Vertical);
+  tabifyDockWidget(sheet, curves), sheet->raise();
+  tabifyDockWidget(properties, script), script->raise();
+}
+
+QWidget* Window::panel(const QString& name) const {
+  for (QDockWidget* dock : docks_)
+    if (dock->widget()->objectName() == name) return dock->widget();
+  return nullptr;
+}
+
+void Window::show_panel(const QString& name) {
+  if (name == viewport_->objectName()) viewport_->setFocus();
+  for (QDockWidget* dock : docks_) {
+    if (dock->widget()->objectName() != name) continue;
+    dock->show(), dock->raise();
+    dock->widget()->setFocus();
+  }
+}
+
+void Window::add_menus() {
+  const auto menu_of = [&](const QString& name) {
+    QMenu* into = menuBar()->findChild<QMenu*>(name);
+    if (!into) into = menuBar()->addMenu(name), into->setObjectName(name), into->setToolTipsVisible(true);
+    return into;
+  };
+  for (const ActionRow& row : action_rows()) {
+    QMenu* into = menu_of(text_of(row.menu));
+    auto* action = into->addAction(text_of(row.name));
+    QList<QKeySequence> keys;
+    for (const QString& k : text_of(row.keys).split("; ", Qt::SkipEmptyParts)) keys.push_back(QKeySequence(k));
+    action->setShortcuts(keys);
+    action->setToolTip(text_of(row.sentence));
+    action->setStatusTip(text_of(row.sentence));
+    action->setCheckable(row.is_on != nullptr);
+    addAction(action);  // works while the menu bar is hidden, too
+    connect(action, &QAction::triggered, this, [this, &row] { row.run(*this); });
+    if (row.is_on)
+      connect(into, &QMenu::aboutToShow, action, [this, action, &row] { action->setChecked(row.is_on(*this)); });
+    if (row.name == "Open…") recent_ = into->addMenu(tr("Open recent"));
+  }
+  QMenu* view = menu_of(tr("View"));
+  view->addSeparator();
+  QMenu* layouts_menu = view->addMenu(tr("Layout"));
+  for (const QString& name : layouts()) layouts_menu->addAction(name, this, [this, name] { set_layout(name); });
+  for (QDockWidget* dock : docks_) view->addAction(dock->toggleViewAction());
+  connect(recent_, &QMenu::aboutToShow, this, &Window::list_recent);
+}
+
+QStringList Window::layouts() { return {"all", "animate", "script", "live", "picture"}; }
+
+bool Window::set_layout(const QString& name) {
+  if (!layouts().contains(name)) return false;
+  if (arranged_.isEmpty())
+    arranged_ = saveState();
+  else
+    restoreState(arranged_);
+  for (QDockWidget* dock : docks_) {
+    const QString panel = dock->widget()->objectName();
+    const bool shown = (name == "all" && panel != "live" && panel != "server") || panel == "timeline" ||
+                       (name == "live" && (panel == "live" || panel == "server")) ||
+                       (name == "animate" && (panel == "sheet" || panel == "curves" || panel == "outliner")) ||
+                       (name == "script" && (panel == "script_panel" || panel == "console"));
+    dock->setVisible(shown);
+  }
+  // Sizes are parts of the window. All panels of one column get their sizes in one call.
+  using Shares = std::initializer_list<std::pair<const char*, double>>;
+  const auto share = [&](Shares shares, Qt::Orientation way) {
+    QList<QDockWidget*> docks;
+    QList<int> sizes;
+    for (const auto& [panel, part] : shares)
+      for (QDockWidget* dock : docks_)
+        if (dock->widget()->objectName() == panel && dock->isVisibleTo(this))
+          docks << dock, sizes << static_cast<int>(part * (way == Qt::Horizontal ? width() : height()));
+    if (!docks.isEmpty()) resizeDocks(docks, sizes, way);
+  };
+  const bool script = name == "script";
+  share({{"outliner", 0.14}, {"live", 0.24}, {"script_panel", script ? 0.42 : 0.29}}, Qt::Horizontal);
+  share({{"sheet", name == "animate" ? 0.48 : 0.34}}, Qt::Vertical);
+  share({{"script_panel", 0.72}, {"console", 0.28}}, Qt::Vertical);
+  return true;
+}
+
+void Window::set_light(bool light) {
+  light_ = light;
+  set_theme(*qApp, light ? Theme::light : Theme::dark);
+  for (QWidget* w : findChildren<QWidget*>()) w->update();
+  emit workspace_.colors_changed();
+}
+
+void Window::name_film() {
+  const QString file = QString::fromStdString(workspace_.session().file());
+  setWindowTitle((file.isEmpty() ? tr("new film") : QFileInfo(file).fileName()) + "[*] — Betwixt");
+  setWindowModified(workspace_.session().unsaved() > 0 && workspace_.text() != example_);
+}
+
+// ---- files
+
+void Window::open_asking() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a film"), {}, tr("Films (*.bx)"));
+  if (!file.isEmpty()) workspace_.say("open " + as_one_word(file.toStdString()));
+}
+
+void Window::new_film() {
+  if (workspace_.session().unsaved() > 0 && workspace_.text() != example_) {
+    const auto said = answer({{}, "this film is not saved", saving});
+    if (!said || *said == "stay" || (*said == "save" && !save())) return;
+  }
+  workspace_.open("", Session::Earlier::discard);
+}
+
+void Window::open_example() {
+  workspace_.open("", Session::Earlier::discard);
+  example_ = example_film;
+  workspace_.begin_with(example_);
+  example_ = workspace_.text();
+  said_->clear();
+  workspace_.go_to(workspace_.document().range().first);
+  name_film();
+}
+
+bool Window::save() {
+  workspace_.settle_typing();
+  return workspace_.session().file().empty() ? save_as() : workspace_.say(std::string("save"));
+}
+
+bool Window::save_as() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the film"), "film.bx", tr("Films (*.bx)"), nullptr,
+                                                    QFileDialog::DontConfirmOverwrite);  // the session asks
+  const QString name = QFileInfo(file).suffix().isEmpty() ? file + ".bx" : file;
+  return !file.isEmpty() && workspace_.say("save " + as_one_word(name.toStdString()));
+}
+
+std::optional<std::string> Window::answer(const Session::Question& question) {
+  // The example needs no saving if the user has not changed it.
+  if (workspace_.text() == example_ && !example_.empty() && question.choices == saving) return "discard";
+  const auto said = ask_in_window(this, question);
+  if (said != "save" || !workspace_.session().file().empty()) return said;
+  return save_as() ? "discard" : "stay";  // an unnamed film: now it has been saved
+}
+
+void Window::note_file() {
+  name_film();
+  if (!manner_.remembers || workspace_.session().file().empty()) return;
+  QSettings settings("betwixt", "studio");
+  QStringList files = settings.value("recent").toStringList();
+  const QString file = QFileInfo(QString::fromStdString(workspace_.session().file())).absoluteFilePath();
+  files.removeAll(file);
+  files.prepend(file);
+  settings.setValue("recent", files.mid(0, recent_files));
+}
+
+void Window::list_recent() {
+  recent_->clear();
+  for (const QString& file : QSettings("betwixt", "studio").value("recent").toStringList())
+    if (QFileInfo::exists(file))
+      recent_->addAction(file, this, [this, file] { workspace_.say("open " + as_one_word(file.toStdString())); });
+  if (recent_->isEmpty()) recent_->addAction(tr("none yet"))->setEnabled(false);
+}
+
+void Window::save_session() {
+  const QString name = QFileDialog::getSaveFileName(this, tr("Save session"), "session.txt");
+  if (name.isEmpty()) return;
+  std::string all;
+  for (const std::string& line : workspace_.session_lines()) all += line + "\n";
+  if (const Status s = write_whole(name.toStdString(), all, true); !s)
+    said_->setText(QString::fromStdString(s.error().message));
+}
+
+void Window::make_film() {
+  auto* dialog = new ExportDialog(workspace_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
+}
+
+void Window::dragEnterEvent(QDragEnterEvent* e) {
+  for (const QUrl& url : e->mimeData()->urls())
+    if (url.toLocalFile().endsWith(".bx")) e->acceptProposedAction();
+}
+
+void Window::dropEvent(QDropEvent* e) {
+  for (const QUrl& url : e->mimeData()->urls())
+    if (url.toLocalFile().endsWith(".bx")) workspace_.say("open " + as_one_word(url.toLocalFile().toStdString()));
+}
+
+void Window::closeEvent(QCloseEvent* e) {
+  if (!leaving_) workspace_.say(std::string("quit"));  // asks about unsaved changes
+  if (!leaving_) return e->ignore();
+  if (manner_.remembers) remember();
+  e->accept();
+}
+
+// ---- settings
+
+void Window::remember() {
+  QSettings settings("betwixt", "studio");
+  if (!manner_.bare) settings.setValue("geometry", saveGeometry()), settings.setValue("panels", saveState());
+  settings.setValue("light", light_);
+}
+
+// The studio must start whatever the settings hold: if a start does not finish, the next one drops the geometry of the
+// window and the panels.
+void Window::recall() {
+  QSettings settings("betwixt", "studio");
+  set_light(settings.value("light").toBool());
+  if (manner_.bare) return;
+  if (settings.contains("starting")) settings.remove("geometry"), settings.remove("panels");
+  settings.setValue("starting", true);
+  settings.sync();
+  restoreGeometry(settings.value("geometry").toByteArray());
+  // Restore the panels after the window has its size: Qt crashes if it restores them into a window that is about to be
+  // maximised.
+  QTimer::singleShot(0, this, [this] {
+    restoreState(QSettings("betwixt", "studio").value("panels").toByteArray());
+    QTimer::singleShot(0, this, [] { QSettings("betwixt", "studio").remove("starting"); });
+  });
+}
+
+// ---- finding commands
+
+void Window::find_command() {
+  Palette palette(*this);
+  palette.exec();
+}
+
+void Window::show_keys() {
+  auto* page = new QTextBrowser(this);
+  page->setWindowFlag(Qt::Window);  // closes with this window
+  connect(new QShortcut(Qt::Key_Escape, page), &QShortcut::activated, page, &QWidget::close);
+  page->setAttribute(Qt::WA_DeleteOnClose);
+  page->setWindowTitle(tr("Keys"));
+  QString html = "<table cellpadding='4'>";
+  std::string_view menu;
+  for (const ActionRow& row : action_rows()) {
+    if (row.menu != menu) html += "<tr><td colspan='3'><b>" + text_of(menu = row.menu) + "</b></td></tr>";
+    html += "<tr><td>" + text_of(row.keys).toHtmlEscaped() + "</td><td>" + text_of(row.name).toHtmlEscaped() +
+            "</td><td>" + text_of(row.sentence).toHtmlEscaped() + "</td></tr>";
+  }
+  page->setHtml(html + "</table>");
+  page->resize(60 * fontMetrics().height(), 40 * fontMetrics().height());
+  page->show();
+}
+
+}  // namespace betwixt::studio

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The main window: the picture in the middle, and panels around it that you can move, close and stack.
+#pragma once
+
+#include <QCloseEvent>
+#include <QMainWindow>
+#include <vector>
+
+#include "studio/shell/workspace.h"
+
+class QDockWidget;
+class QLabel;
+class QMenu;
+
+namespace betwixt::studio {
+
+class Sound;
+class Viewport;
+
+class Window : public QMainWindow {
+  Q_OBJECT
+ public:
+  struct Manner {
+    bool bare = false;       // only the picture and the ruler, to play films
+    bool remembers = false;  // keeps the panel layout, the theme and recent files between runs
+  };
+  Window(Workspace&, Manner);
+  explicit Window(Workspace& workspace) : Window(workspace, Manner()) {}
+  ~Window() override;
+
+  Workspace& workspace() { return workspace_; }
+  const Workspace& workspace() const { return workspace_; }
+  Viewport& viewport() { return *viewport_; }
+  const Viewport& viewport() const { return *viewport_; }
+  QWidget* panel(const QString& name) const;  // by its object name; null if there is none
+
+  // Applies one of layouts(). Returns false if the name is unknown.
+  bool set_layout(const QString& name);
+  static QStringList layouts();
+  void set_light(bool);
+  bool is_light() const { return light_; }
+
+  // Actions.
+  void open_asking();
+  void new_film();
+  bool save();  // asks for a name if there is none
+  bool save_as();
+  void make_film();
+  void save_session();  // the lines of this session
+  Sound& sound() { return *sound_; }
+  const Sound& sound() const { return *sound_; }
+  void find_command();  // the palette
+  void show_panel(const QString& name);
+  void show_keys();
+  // Opens the film for new users.
+  void open_example();
+
+ protected:
+  void closeEvent(QCloseEvent*) override;
+  void dragEnterEvent(QDragEnterEvent*) override;
+  void dropEvent(QDropEvent*) override;
+
+ private:
+  void show_work();
+  void add_panels();
+  void add_menus();
+  void name_film();
+  void note_file();
+  void list_recent();
+  void remember();
+  void recall();
+  std::optional<std::string> answer(const Session::Question&);
+
+  Workspace& workspace_;
+  const Manner manner_;
+  Viewport* viewport_;
+  Sound* sound_;
+  std::vector<QDockWidget*> docks_;
+  QMenu* recent_ = nullptr;
+  QLabel* said_;
+  std::string example_;
+  QByteArray arranged_;  // the initial panel layout
+  bool light_ = false, leaving_ = false;
+};
+
+}  // namespace betwixt::studio

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Actions on the selected events, by keys and menus, shared by all panels that show events.
+#pragma once
+
+#include <QObject>
+
+#include "studio/timeline/event_lines.h"
+
+class QMenu;
+
+namespace betwixt::studio {
+
+class EventActions : public QObject {
+  Q_OBJECT
+ public:
+  static EventActions& of(Workspace&);
+
+  // Carries out the action of a key. Without `act` it only returns whether the key has one.
+  bool key(int, Qt::KeyboardModifiers, bool act);
+  void fill(QMenu&);           // with the actions on the selection
+  void fill_twerpers(QMenu&);  // with the twerpers for the selected events
+
+  void clear();
+  void reverse();
+  void copy();
+  void paste();      // at the playhead
+  void duplicate();  // from their end
+  void insert();     // at the playhead, on the tracks of the selected objects
+  void move(Time by);
+  void twerper(const std::string& name);
+  void extend(const std::string& how, const std::string& side);
+  // Carries out lines that move or retime the selected events, and selects them at their new times.
+  bool retime(const Lines&, const std::function<Time(Time)>& when);
+
+ private:
+  explicit EventActions(Workspace& workspace);
+  void select_copies(const std::vector<EventAt>&, Time to, ObjectId onto);
+
+  Workspace& workspace_;
+  Document kept_;  // the document that copied_ refers to
+  std::vector<EventAt> copied_;
+};
+
+}  // namespace betwixt::studio

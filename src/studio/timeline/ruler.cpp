@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/timeline/ruler.h"
+
+#include <fmt/format.h>
+
+#include <QContextMenuEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+
+#include "betwixt/object.h"
+#include "language/values.h"
+#include "studio/shell/text_of.h"
+#include "studio/shell/theme.h"
+#include "studio/timeline/time_words.h"
+
+namespace betwixt::studio {
+
+Ruler::Ruler(Workspace& workspace, QWidget* parent) : TimePane(workspace, parent) {
+  setObjectName("ruler");
+  setContextMenuPolicy(Qt::DefaultContextMenu);
+  connect(&workspace, &Workspace::document_changed, this, [this] { update(); });
+}
+
+// The frame numbers, the part to play, cuts and notes.
+QSize Ruler::sizeHint() const { return {20 * line_height(), ruler_height() + line_height() * 5 / 2}; }
+
+QRect Ruler::part_box() const {
+  const int top = ruler_height() + 2;
+  return {axis_.gutter(), top, width() - axis_.gutter(), line_height() / 3};
+}
+
+QRectF Ruler::note_box(Time t) const {
+  const double top = ruler_height() + line_height() * 1.45;
+  const auto there = workspace_.document().notes(t, t);
+  const double words = there.empty() ? 0 : fontMetrics().horizontalAdvance(QString::fromStdString(there[0].second));
+  // A note's box ends at the next note.
+  double w = words + line_height() * 0.6;
+  const auto next = workspace_.document().notes(t + Time{1}, time_at(x_of(t) + w));
+  if (!next.empty()) w = std::max(line_height() * 0.4, x_of(next[0].first) - x_of(t) - 2);
+  return {x_of(t), top, w, line_height() * 0.95};
+}
+
+std::optional<Time> Ruler::note_at(const QPointF& at) const {
+  std::optional<Time> found;
+  const auto all = workspace_.document().notes(time_at(at.x() - width()), time_at(at.x() + 3));
+  for (const auto& [t, words] : all)
+    if (note_box(t).adjusted(-2, 0, 0, 0).contains(at)) found = t;
+  return found;
+}
+
+void Ruler::paint_content(QPainter& p) {
+  p.fillRect(rect(), colors().back);
+  paint_ruler(p);
+  paint_lines(p, ruler_height() + 1, height());
+  p.setClipRect(time_box());
+  paint_part(p), paint_cuts(p), paint_notes(p);
+  p.setClipping(false);
+  const QRect left(0, ruler_height(), axis_.gutter() - 6, height() - ruler_height());
+  p.setPen(colors().dim);
+  const auto lane = [&](double top, const QString& what) {
+    p.drawText(QRectF(left.x() + 4, top, left.width() - 4, line_height()), Qt::AlignRight | Qt::AlignVCenter, what);
+  };
+  if (!workspace_.document().cuts().empty()) lane(ruler_height() + line_height() * 0.4, tr("cameras"));
+  if (!workspace_.document().notes(earliest_time, latest_time).empty())
+    lane(ruler_height() + line_height() * 1.4, tr("notes"));
+}
+
+void Ruler::paint_part(QPainter& p) const {
+  const Colors& c = colors();
+  const QRect box = part_box();
+  const auto bar = [&](Time from, Time to, QColor color) {
+    const double a = x_of(from), b = std::max(a + 2, x_of(to));
+    p.fillRect(QRectF(a, box.y(), b - a, box.height()), color);
+  };
+  const auto [from, to] = workspace_.document().range();
+  bar(from, to, c.line);
+  const Transport& played = workspace_.transport();
+  if (played.first() != from || played.last() != to) bar(played.first(), played.last(), c.accent);
+}
+
+void Ruler::paint_cuts(QPainter& p) const {
+  const Colors& c = colors();
+  const auto& cuts = workspace_.document().cuts();
+  const double top = ruler_height() + line_height() * 0.5, h = line_height() * 0.85;
+  const Time left = time_at(axis_.gutter()), right = time_at(width());
+  auto cut = cuts.upper_bound(left);
+  if (cut != cuts.begin()) --cut;
+  for (; cut != cuts.end() && cut->first <= right; ++cut) {
+    const auto next = std::next(cut);
+    const double a = std::max<double>(axis_.gutter(), cut->first == earliest_time ? 0 : x_of(cut->first));
+    const double b = next == cuts.end() ? width() : x_of(next->first);
+    QColor back = c.cut;
+    back.setAlphaF(0.18F);
+    p.fillRect(QRectF(a, top, b - a - 1, h), back);
+    p.fillRect(QRectF(a, top, 2, h), c.cut);
+    p.setPen(c.text);
+    const QString camera = QString::fromStdString(workspace_.name(cut->second));
+    p.drawText(QRectF(a + 6, top, b - a - 8, h), Qt::AlignVCenter,
+               fontMetrics().elidedText(camera, Qt::ElideRight, static_cast<int>(std::max(0.0, b - a - 8))));
+  }
+}
+
+void Ruler::paint_notes(QPainter& p) const {
+  const Colors& c = colors();
+  double free = -1e9;  // of notes that overlap, paint the first
+  for (const auto& [t, words] : workspace_.document().notes(time_at(-width()), time_at(width()))) {
+    const double x = x_of(t);
+    if (x < free) continue;
+    const QRectF box = note_box(t);
+    QColor back = c.note;
+    back.setAlphaF(note_ == t ? 0.5F : 0.2F);
+    p.fillRect(box, back);
+    p.fillRect(QRectF(x - 1, box.y(), 2, box.height()), note_ == t ? c.selected : c.note);
+    p.setPen(c.text);
+    const QString text = fontMetrics().elidedText(QString::fromStdString(words).simplified(), Qt::ElideRight,
+                                                  static_cast<int>(box.width()) - 6);
+    p.drawText(box.adjusted(5, 0, 0, 0), Qt::AlignVCenter, text);
+    free = x + 3;
+  }
+}
+
+void Ruler::press(QMouseEvent* e) {
+  from_ = e->position();
+  note_ = note_at(from_);
+  if (part_box().contains(from_.toPoint()) && e->modifiers() & Qt::AltModifier) note_.reset();
+  update();
+}
+
+std::string Ruler::moving(const QMouseEvent& e) const {
+  if (!note_) return {};
+  Time to = *note_ + (time_at(e.position().x()) - time_at(from_.x()));
+  if (!(e.modifiers() & Qt::ControlModifier)) to = nearest_frame(to);
+  return to == *note_ ? ""
+                      : fmt::format("move notes {} by {}", segment_words(workspace_, *note_, *note_),
+                                    length_words(workspace_, to - *note_));
+}
+
+void Ruler::drag(QMouseEvent* e) {
+  if ((e->position() - from_).manhattanLength() < 3) return;
+  const std::string line = moving(*e);
+  line.empty() ? workspace_.look_back() : void(workspace_.look_ahead({line}));
+}
+
+void Ruler::release(QMouseEvent* e) {
+  const bool moved = (e->position() - from_).manhattanLength() >= 3;
+  const std::string line = moved ? moving(*e) : "";
+  workspace_.look_back();
+  if (line.empty()) return;
+  if (workspace_.say(line)) note_.reset();
+}
+
+void Ruler::call_off() {
+  workspace_.look_back();
+  note_.reset();
+}
+
+void Ruler::hover(QMouseEvent* e) {
+  const auto note = note_at(e->position());
+  QString words;
+  if (note)
+    for (const auto& [t, text] : workspace_.document().notes(*note, *note))
+      words += QString::fromStdString(fmt::format("at {} note {}\n", workspace_.when(t), write_text(text)));
+  setToolTip(tip_of(words.trimmed()));
+}
+
+bool Ruler::key(int key, Qt::KeyboardModifiers, bool act) {
+  if (!note_ || (key != Qt::Key_Delete && key != Qt::Key_Backspace)) return false;
+  if (act) workspace_.say(fmt::format("clear notes {}", workspace_.when(*std::exchange(note_, {}))));
+  return true;
+}
+
+void Ruler::mouseDoubleClickEvent(QMouseEvent* e) {
+  if (e->button() != Qt::LeftButton || e->position().x() < axis_.gutter()) return;
+  const auto note = note_at(e->position());
+  write_note(note ? *note : time_at(e->position(), e->modifiers()),
+             note ? std::optional<std::size_t>(0) : std::nullopt);
+}
+
+void Ruler::write_note(Time t, std::optional<std::size_t> which) {
+  delete words_;
+  words_ = new QLineEdit(this);
+  words_->setObjectName("note_words");
+  const auto there = workspace_.document().notes(t, t);
+  if (which) words_->setText(QString::fromStdString(there[*which].second));
+  words_->setPlaceholderText(tr("a note at %1").arg(QString::fromStdString(workspace_.when(t))));
+  const QRect box = note_box(t).toRect();
+  words_->setGeometry(std::min(box.x(), std::max(0, width() - 12 * line_height())), box.y() - 2, 12 * line_height(),
+                      line_height() + 4);
+  words_->show(), words_->setFocus(), words_->selectAll();
+  connect(words_, &QLineEdit::editingFinished, this, [this, t, which, there] {
+    if (!words_) return;
+    const std::string said = words_->text().toStdString();
+    words_->deleteLater(), words_ = nullptr;
+    std::vector<std::string> lines;
+    const auto line = [&](const std::string& text) {
+      if (!text.empty()) lines.push_back(fmt::format("at {} note {}", workspace_.when(t), write_text(text)));
+    };
+    if (!which) {
+      line(said);
+    } else if (there[*which].second != said) {
+      lines.push_back(fmt::format("clear notes {}", workspace_.when(t)));
+      for (std::size_t i = 0; i < there.size(); ++i) line(i == *which ? said : there[i].second);
+    }
+    if (!lines.empty()) workspace_.say(lines);
+    setFocus();
+  });
+}
+
+void Ruler::contextMenuEvent(QContextMenuEvent* e) {
+  const Time t = nearest_frame(time_at(e->pos().x()));
+  const auto note = note_at(e->pos());
+  QMenu menu;
+  menu.setToolTipsVisible(true);
+  const auto row = [&](const QString& what, const std::string& line) {
+    QAction* a = menu.addAction(what);
+    a->setToolTip(tip_of(QString::fromStdString(line)));
+    connect(a, &QAction::triggered, this, [this, line] { workspace_.say(line); });
+  };
+  if (note) row(tr("Delete note"), fmt::format("clear notes {}", workspace_.when(*note)));
+  connect(menu.addAction(tr("Add note here…")), &QAction::triggered, this, [this, t] { write_note(t, std::nullopt); });
+  QMenu* cameras = menu.addMenu(tr("Look through, from %1 on").arg(QString::fromStdString(workspace_.when(t))));
+  for (const ObjectId id : objects(workspace_.document()))
+    if (kind(workspace_.document(), id) == Kind::camera) {
+      const std::string line = fmt::format("at {} look through {}", workspace_.when(t), workspace_.name(id));
+      connect(cameras->addAction(QString::fromStdString(workspace_.name(id))), &QAction::triggered, this,
+              [this, line] { workspace_.say(line); });
+    }
+  cameras->setEnabled(!cameras->isEmpty());
+  menu.addSeparator();
+  connect(menu.addAction(tr("Set play range start here")), &QAction::triggered, this,
+          [this, t] { workspace_.set_range(std::pair(t, std::max(t, workspace_.transport().last()))); });
+  connect(menu.addAction(tr("Set play range end here")), &QAction::triggered, this,
+          [this, t] { workspace_.set_range(std::pair(std::min(t, workspace_.transport().first()), t)); });
+  connect(menu.addAction(tr("Clear play range")), &QAction::triggered, this,
+          [this] { workspace_.set_range(std::nullopt); });
+  menu.exec(e->globalPos());
+}
+
+}  // namespace betwixt::studio

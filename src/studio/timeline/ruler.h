@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The ruler: the playhead, the part to play, camera cuts and notes.
+#pragma once
+
+#include <vector>
+
+#include "studio/timeline/time_pane.h"
+
+class QLineEdit;
+
+namespace betwixt::studio {
+
+class Ruler : public TimePane {
+  Q_OBJECT
+ public:
+  explicit Ruler(Workspace&, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+  // Return the boxes for painting and for the mouse.
+  QRectF note_box(Time) const;
+  QRect part_box() const;
+
+ protected:
+  void paint_content(QPainter&) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void contextMenuEvent(QContextMenuEvent*) override;
+  void press(QMouseEvent*) override;
+  void drag(QMouseEvent*) override;
+  void release(QMouseEvent*) override;
+  void hover(QMouseEvent*) override;
+  void call_off() override;
+  bool key(int, Qt::KeyboardModifiers, bool act) override;
+
+ private:
+  void paint_part(QPainter&) const;
+  void paint_cuts(QPainter&) const;
+  void paint_notes(QPainter&) const;
+  std::optional<Time> note_at(const QPointF&) const;
+  // Edits the notes at a time. Without `which` it appends one.
+  void write_note(Time, std::optional<std::size_t> which);
+  std::string moving(const QMouseEvent&) const;  // the line that moves the dragged note; "" if it would not move
+
+  std::optional<Time> note_;  // the selected one
+  QPointF from_;
+  QLineEdit* words_ = nullptr;
+};
+
+}  // namespace betwixt::studio

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The picture, in which you select and move objects. Edits become script lines. The free camera and the overlays belong
+// to the view alone, and change no film.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <string>
+
+#include "studio/shell/workspace.h"
+#include "studio/viewport/ghosts.h"
+#include "studio/viewport/handles.h"
+#include "studio/viewport/picture_maker.h"
+#include "studio/viewport/trails.h"
+
+class QToolButton;
+class QComboBox;
+
+namespace betwixt::studio {
+
+// Overlays and tools.
+struct ViewportSwitches {
+  Tool tool = Tool::move;
+  bool own_axes = false;  // handles along the object's axes instead of the world's
+  bool auto_key = false;  // each edit becomes an event
+  bool trails = true, ghosts = false, grid = false, handles = true;
+};
+
+class Viewport : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Viewport(Workspace&, QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  // Waits for the picture of the current time and film. For screenshots and tests.
+  void await_picture();
+  // Switches all overlays and tools off.
+  void set_plain(bool);
+  void set_style(const std::string& style);
+  const std::string& style() const { return style_; }
+  QSize sizeHint() const override { return {640, 360}; }
+
+  const ViewportSwitches& switches() const { return switches_; }
+  void set_switches(const ViewportSwitches&);
+  void flip(bool ViewportSwitches::*which);
+  // The free camera; without it the view is the film camera's. It starts at the film camera.
+  bool is_free() const { return free_.has_value(); }
+  void set_free(bool);
+  void look_along(Vec3 direction);  // "front" is (0 0 -1)
+  void look_from_behind();          // turns the view by half a turn
+  void frame_selected();            // all objects if none is selected
+  void toggle_perspective();
+  // Moves the film's camera to the free camera. Creates one if the film has none.
+  void bring_camera();
+  void select_all();
+  // Starts a transform of the selection by the mouse, without a handle: G, R and S.
+  void take(Tool);
+  bool pulls() const { return pull_.has_value(); }
+  const QString& refusal() const { return refusal_; }  // why some object cannot be transformed; or ""
+
+  // Return where objects are in the widget, and the object at a point. Public for tests too.
+  Scope scope() const;
+  std::optional<Hit> hit(QPointF) const;
+  const Frame& frame() const;
+  // Returns the line that imports a file at a point of the widget.
+  std::string line_for_file(const QString& file, QPointF) const;
+
+ Q_SIGNALS:
+  void style_changed();
+  void picture_came(const betwixt::studio::PictureMade&);
+  void switches_changed();
+
+ protected:
+  bool event(QEvent*) override;
+  void paintEvent(QPaintEvent*) override;
+  void showEvent(QShowEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void leaveEvent(QEvent*) override;
+  void contextMenuEvent(QContextMenuEvent*) override;
+  void dragEnterEvent(QDragEnterEvent*) override;
+  void dropEvent(QDropEvent*) override;
+
+ private:
+  enum class Gesture { none, orbit, pan, zoom, press, box, pull };
+  struct Icon {  // of an object without a shape
+    ObjectId id;
+    Kind kind;
+    Vec3 place;
+  };
+
+  PictureWanted wanted() const;
+  QRect frame_box() const;    // the film's picture in the widget
+  QRect picture_box() const;  // the rendered picture
+  void ask();
+  void take_picture(const PictureMade&);
+  void forget();  // drops all caches of the film and the time
+  Time shown_time() const;
+  Camera eye() const;
+
+  // Navigation (viewport_navigation.cpp)
+  void move_eye(const Camera&);
+  Vec3 pivot() const;
+  Box box_of(const std::vector<ObjectId>&) const;
+  std::vector<ObjectId> with_what_hangs_on(const std::vector<ObjectId>&) const;
+  void drag_eye(QPointF by);
+  bool looking_key(int key, Qt::KeyboardModifiers);
+
+  // Edits (viewport_hands.cpp)
+  const Hand& grip() const;
+  std::optional<Handles> handles() const;
+  // Transforms the selected objects, or one event of the selection.
+  void begin_pull(Tool, Part, QPointF from, std::optional<EventAt> = {});
+  void say_refusal();
+  void go_on_pulling(QPointF, Qt::KeyboardModifiers);
+  void show_pull();
+  void end_pull(bool carry_out);
+  bool pulling_key(QKeyEvent*);
+  void press_on(QPointF, Qt::KeyboardModifiers);
+  Vec3 place_under(QPointF) const;
+  void select_in_box(Qt::KeyboardModifiers);
+  const std::vector<Icon>& icons() const;
+
+  QString in_words(ObjectId) const;
+
+  // Painting (viewport_painting.cpp)
+  QImage layer() const;  // clear, of the widget's size
+  bool is_bright() const;
+  void paint_grid(QPainter&, const Scope&);
+  void draw_grid(QPainter&, const Scope&) const;
+  void clear_things(QPainter&, const Scope&) const;
+  void paint_outlines(QPainter&, const Scope&);
+  void paint_brackets(QPainter&, const Scope&, ObjectId);
+  void paint_icons(QPainter&, const Scope&);
+  void paint_pull(QPainter&);
+  void paint_words(QPainter&);
+  void paint_camera(QPainter&, const Scope&);
+
+  void make_corner();  // viewport_corner.cpp
+  void show_corner();
+  void place_corner();
+
+  Workspace& workspace_;
+  PictureMaker maker_;
+  PictureMade shown_;
+  std::string style_ = "shaded";
+  ViewportSwitches switches_;
+  std::optional<Camera> free_;
+  double last_depth_ = 10;  // of the last point the user looked at
+
+  // Caches for the film at the time, filled when needed.
+  mutable std::optional<Evaluation> evaluation_;
+  mutable std::optional<Frame> frame_;
+  mutable std::optional<Hand> grip_;
+  mutable std::optional<std::vector<Icon>> icons_;
+  Trails trails_;
+  Ghosts ghosts_;
+  struct Layer {  // repainted if one of these changes
+    QImage image;
+    std::vector<ObjectId> of;
+    Camera eye;
+    QRect box;
+  };
+  std::optional<Layer> outline_, grid_;
+  std::vector<ObjectId> bracketed_;  // marked by their corners, because their outlines would take too long
+
+  Gesture gesture_ = Gesture::none;
+  QPointF from_, at_;
+  Vec3 pivot_;
+  std::optional<ObjectId> pressed_;
+  std::optional<Pull> pull_;
+  bool pull_by_keys_ = false, called_off_ = false;  // the latter by the button that otherwise opens a menu
+  Part hot_ = Part::none;
+  QString refusal_;
+  bool plain_ = false;
+
+  QWidget *corner_ = nullptr, *eye_corner_ = nullptr;
+  QToolButton *eye_button_ = nullptr, *tools_[3] = {}, *toggles_[5] = {};
+  QComboBox* styles_ = nullptr;
+};
+
+}  // namespace betwixt::studio

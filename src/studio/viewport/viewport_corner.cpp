@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The switches in the upper corners of the picture.
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+#include "studio/shell/text_of.h"
+#include "studio/viewport/viewport.h"
+
+namespace betwixt::studio {
+namespace {
+
+struct Toggle {
+  const char *name, *sign, *tip;
+  bool ViewportSwitches::*is;
+};
+const Toggle toggles[] = {
+    {"own_axes", "∠", "Shows the handles along the object's own axes instead of the world's",
+     &ViewportSwitches::own_axes},
+    {"auto_key", "●", "Auto-key: every change becomes an event at the playhead: `at 24f ball.position (1 2 3)`",
+     &ViewportSwitches::auto_key},
+    {"trails", "⌇", "Motion paths of the selection, with larger dots at events", &ViewportSwitches::trails},
+    {"ghosts", "◌", "Onion skin: the objects 2, 4 and 6 frames before and after", &ViewportSwitches::ghosts},
+    {"grid", "▦", "A grid on the ground", &ViewportSwitches::grid},
+};
+struct ToolRow {
+  Tool tool;
+  const char *name, *sign, *tip;
+};
+const ToolRow tools[] = {
+    {Tool::move, "move", "✥", "Handles to move (W); press G to move without handles: `set ball.position (1 2 3)`"},
+    {Tool::turn, "turn", "↻",
+     "Handles to rotate (E); press R to rotate without handles: `set ball.rotation euler(0 90deg 0)`"},
+    {Tool::scale, "scale", "⤢", "Handles to scale (T); press S to scale without handles: `set ball.scale (2 2 2)`"},
+};
+
+QToolButton* button(QWidget* parent, const char* name, const char* sign, const char* tip) {
+  auto* b = new QToolButton(parent);
+  b->setObjectName(name);
+  b->setText(QString::fromUtf8(sign));
+  b->setToolTip(QString::fromUtf8(tip));
+  b->setCheckable(true);
+  b->setAutoRaise(true);
+  b->setFocusPolicy(Qt::NoFocus);
+  parent->layout()->addWidget(b);
+  return b;
+}
+
+QWidget* bar(QWidget* parent) {
+  auto* w = new QWidget(parent);
+  auto* row = new QHBoxLayout(w);
+  row->setContentsMargins(3, 2, 3, 2);
+  row->setSpacing(1);
+  w->setAutoFillBackground(true);
+  w->setCursor(Qt::ArrowCursor);
+  return w;
+}
+
+}  // namespace
+
+void Viewport::make_corner() {
+  corner_ = bar(this);
+  for (int i = 0; i < 3; ++i) {
+    tools_[i] = button(corner_, tools[i].name, tools[i].sign, tools[i].tip);
+    connect(tools_[i], &QToolButton::clicked, this, [this, i] {
+      ViewportSwitches s = switches_;
+      s.handles = s.tool != tools[i].tool || !s.handles, s.tool = tools[i].tool;
+      set_switches(s);
+    });
+  }
+  for (int i = 0; i < 5; ++i) {
+    toggles_[i] = button(corner_, toggles[i].name, toggles[i].sign, toggles[i].tip);
+    connect(toggles_[i], &QToolButton::clicked, this, [this, i](bool on) {
+      ViewportSwitches s = switches_;
+      s.*toggles[i].is = on;
+      set_switches(s);
+    });
+  }
+  eye_corner_ = bar(this);
+  styles_ = new QComboBox(eye_corner_);
+  styles_->setObjectName("style");
+  styles_->setFocusPolicy(Qt::NoFocus);
+  styles_->setToolTip(tr("The style of the picture"));
+  for (const Style& s : betwixt::styles()) {
+    styles_->addItem(text_of(s.name));
+    styles_->setItemData(styles_->count() - 1, text_of(s.what), Qt::ToolTipRole);
+  }
+  eye_corner_->layout()->addWidget(styles_);
+  connect(styles_, &QComboBox::textActivated, this, [this](const QString& s) { set_style(s.toStdString()); });
+  eye_button_ = button(eye_corner_, "eye", "", "Switches between the film's camera and a free view (0)");
+  connect(eye_button_, &QToolButton::clicked, this, [this] { set_free(!is_free()); });
+  show_corner();
+}
+
+void Viewport::show_corner() {
+  for (int i = 0; i < 3; ++i) tools_[i]->setChecked(switches_.handles && switches_.tool == tools[i].tool);
+  for (int i = 0; i < 5; ++i) toggles_[i]->setChecked(switches_.*toggles[i].is);
+  styles_->setCurrentText(QString::fromStdString(style_));
+  eye_button_->setText(is_free() ? tr("free view") : tr("camera eye"));
+  eye_button_->setChecked(is_free());
+  place_corner();
+}
+
+void Viewport::set_plain(bool plain) {
+  plain_ = plain;
+  corner_->setHidden(plain), eye_corner_->setHidden(plain);
+  update();
+}
+
+void Viewport::place_corner() {
+  const int margin = fontMetrics().height() / 3;
+  corner_->adjustSize(), eye_corner_->adjustSize();
+  corner_->move(margin, margin);
+  eye_corner_->move(
+      std::max(margin, width() - eye_corner_->width() - margin),
+      corner_->width() + eye_corner_->width() + 3 * margin > width() ? corner_->height() + 2 * margin : margin);
+}
+
+}  // namespace betwixt::studio

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Another thread frees what is discarded.
+#include "server/deferred_free.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <memory>
+#include <thread>
+#include <utility>
+
+namespace betwixt {
+namespace {
+
+TEST(DeferredFree, FreesOnAThreadOfItsOwn) {
+  struct Thing {
+    std::promise<std::thread::id>& freed;
+    ~Thing() { freed.set_value(std::this_thread::get_id()); }
+  };
+  std::promise<std::thread::id> first, second;
+  auto all = std::make_unique<DeferredFree>();
+  auto kept = std::make_shared<Thing>(first);
+  all->take(std::exchange(kept, nullptr));
+  const std::thread::id there = first.get_future().get();
+  EXPECT_NE(there, std::this_thread::get_id());
+  all->take(std::make_shared<Thing>(second));
+  all.reset();  // the thread still frees the second thing
+  EXPECT_EQ(second.get_future().get(), there);
+}
+
+}  // namespace
+}  // namespace betwixt

@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The workspace that all panels work at, and what stands around them.
+#include "studio/shell/workspace.h"
+
+#include <QTest>
+#include <QtWidgets>
+
+#include "betwixt/language.h"
+#include "studio/panels/live_panel.h"
+#include "studio/panels/server_panel.h"
+#include "studio/shell/actions.h"
+#include "studio/shell/export_dialog.h"
+#include "studio/shell/palette.h"
+#include "studio/shell/theme.h"
+#include "studio/shell/window.h"
+#include "studio/viewport/viewport.h"
+
+using namespace betwixt;
+using namespace betwixt::studio;
+
+namespace {
+
+const QByteArray ball =
+    "create ball sphere  # round\n"
+    "ball.position\n"
+    "  1f  (0 0 0)\n"
+    "  24f (9 0 0)\n";
+
+QByteArray contents(const QString& name) {
+  QFile file(name);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(it is not there)");
+}
+void put(const QString& name, const QByteArray& text) {
+  QFile file(name);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(text);
+}
+
+}  // namespace
+
+class DeskTest : public QObject {
+  Q_OBJECT
+  QTemporaryDir folder_;
+  QString film_;
+
+ private Q_SLOTS:
+  void initTestCase() { set_theme(*qApp, Theme::dark); }
+  void init() {
+    film_ = folder_.filePath("film.bx");
+    QFile::remove(folder_.filePath(".film.bx.journal"));
+    put(film_, ball);
+  }
+
+  void linesGoWhereTheyBelongAndBack() {
+    Workspace workspace;
+    QVERIFY(workspace.open(film_));
+    QVERIFY(workspace.say(std::string("at 24f ball.position (5 0 0)")));
+    QCOMPARE(QByteArray::fromStdString(workspace.text()), QByteArray(ball).replace("(9 0 0)", "(5 0 0)"));
+    QVERIFY(workspace.say(std::vector<std::string>{"set ball.color red", "create b box"}));
+    QCOMPARE(QByteArray::fromStdString(workspace.text()),
+             QByteArray(ball).replace("(9 0 0)", "(5 0 0)") + "set ball.color red\ncreate b box\n");
+    workspace.undo();
+    workspace.undo();
+    QCOMPARE(QByteArray::fromStdString(workspace.text()), ball);
+    workspace.redo();
+    QCOMPARE(QByteArray::fromStdString(workspace.text()), QByteArray(ball).replace("(9 0 0)", "(5 0 0)"));
+  }
+
+  void lookingAheadChangesNothing() {
+    Workspace workspace;
+    workspace.open(film_);
+    const Document before = workspace.document();
+    QVERIFY(workspace.look_ahead({"at 24f ball.position (5 0 0)"}));
+    QVERIFY(!(workspace.document() == before));
+    QCOMPARE(QByteArray::fromStdString(workspace.text()), ball);
+    QVERIFY(!workspace.look_ahead({"nonsense"}));
+    workspace.look_back();
+    QVERIFY(workspace.document() == before);
+  }
+
+  void typingShowsAtOnceAndIsOneStep() {
+    Workspace workspace;
+    workspace.open(film_);
+    QByteArray text = ball;
+    for (const char* digit : {"(9 1 0)", "(9 12 0)", "(9 12.5 0)"}) {
+      text.replace(text.indexOf("(9 "), text.indexOf(")", text.indexOf("(9 ")) - text.indexOf("(9 ") + 1, digit);
+      workspace.retype(text.toStdString());
+    }
+    QCOMPARE(std::get<Vec3>(workspace.program().read((*find_targets("ball.position", workspace.document()))[0],
+                                                     workspace.document().rate().frame(24)))
+                 .y,
+             12.5);
+    QCOMPARE(workspace.session().unsaved(), std::size_t{0});
+    workspace.settle_typing();
+    QCOMPARE(workspace.session().unsaved(), std::size_t{1});
+    QCOMPARE(QByteArray::fromStdString(workspace.text()), text);
+    workspace.undo();
+    QCOMPARE(QByteArray::fromStdString(workspace.text()), ball);
+  }
+
+  void whatOthersWriteIsPutTogether() {
+    Workspace workspace;
+    workspace.open(film_);
+    QVERIFY(workspace.say(std::string("at 24f ball.position (5 0 0)")));
+    put(film_, QByteArray(ball).replace("# round", "# a ball"));
+    QTRY_COMPARE(QByteArray::fromStdString(workspace.text()),
+                 QByteArray(ball).replace("# round", "# a ball").replace("(9 0 0)", "(5 0 0)"));
+    QVERIFY(workspace.say(std::string("save")));
+    QCOMPARE(contents(film_), QByteArray(ball).replace("# round", "# a ball").replace("(9 0 0)", "(5 0 0)"));
+  }
+  void whatBothHaveChangedIsAsked() {
+    for (const std::string answer : {"theirs", "ours", "both"}) {
+      init();
+      Workspace workspace;
+      Session::Question question;
+      workspace.ask = [&](const Session::Question& q) { return question = q, answer; };
+      workspace.open(film_);
+      QVERIFY(workspace.say(std::string("at 24f ball.position (5 0 0)")));
+      put(film_, QByteArray(ball).replace("(9 0 0)", "(7 0 0)"));
+      QTRY_VERIFY(!question.text.empty());
+      QCOMPARE(question.choices, (std::vector<std::string>{"theirs", "ours", "both"}));
+      const QByteArray text = QByteArray::fromStdString(workspace.text());
+      QCOMPARE(text.contains("(5 0 0)"), answer != "theirs");
+      QCOMPARE(text.contains("(7 0 0)"), answer != "ours");
+      workspace.ask = {};
+    }
+  }
+
+  void quittingIsGuarded() {
+    Workspace workspace;
+    Window window(workspace);
+    workspace.open(film_);
+    window.show();
+    QVERIFY(workspace.say(std::string("set ball.color red")));
+    Session::Question question;
+    std::string answer = "stay";
+    workspace.ask = [&](const Session::Question& q) { return question = q, answer; };
+    window.close();
+    QVERIFY(window.isVisible());
+    QCOMPARE(question.choices, (std::vector<std::string>{"save", "discard", "stay"}));
+    QCOMPARE(question.text, std::string("1 command is not saved"));
+    answer = "save";
+    window.close();
+    QVERIFY(!window.isVisible());
+    QCOMPARE(contents(film_), ball + "set ball.color red\n");
+  }
+
+  void playsBothWaysAndInAPart() {
+    Workspace workspace;
+    workspace.open(film_);
+    Transport& t = workspace.transport();
+    const Rate rate = workspace.document().rate();
+    const auto at = [&](double seconds) {
+      return t.now(Transport::Clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * seconds)));
+    };
+    workspace.go_to(rate.frame(3));
+    t.loop(false), t.play(1);
+    QCOMPARE(at(0.52), rate.frame(15));  // half a second at 24 a second
+    QCOMPARE(at(100), rate.frame(24));   // stays at the end
+    t.pause(), workspace.go_to(rate.frame(13)), t.play(-1);
+    QCOMPARE(at(0.48), rate.frame(2));
+    t.loop(true);
+    const Time now = at(0.0), later = at(1.0);  // 24 frames: once around
+    QCOMPARE(now, later);
+    workspace.pause();
+    workspace.set_range(std::pair(rate.frame(5), rate.frame(8)));
+    workspace.go_to(rate.frame(5)), t.play(1);
+    for (double s = 0; s < 2; s += 0.01) QVERIFY(at(s) >= rate.frame(5) && at(s) <= rate.frame(8));
+  }
+
+  void everyActionSaysWhatItDoesAndHasKeysOfItsOwn() {
+    std::map<QString, std::string_view> keys;
+    for (const ActionRow& row : action_rows()) {
+      QVERIFY2(row.sentence.ends_with('.'), std::string(row.name).c_str());
+      for (const QString& k :
+           QString::fromUtf8(row.keys.data(), static_cast<int>(row.keys.size())).split("; ", Qt::SkipEmptyParts)) {
+        const QString sequence = QKeySequence(k).toString();
+        QVERIFY2(!sequence.isEmpty(), qPrintable(k));
+        QVERIFY2(keys.emplace(sequence, row.name).second, qPrintable(k + " twice"));
+      }
+    }
+  }
+
+  void thePaletteFindsByLetters() {
+    QVERIFY(fit("und", "Undo") > fit("und", "Round"));
+    QCOMPARE(fit("xyz", "Undo"), 0);
+    Workspace workspace;
+    Window window(workspace);
+    workspace.open(film_);
+    Palette palette(window);
+    auto* line = palette.findChild<QLineEdit*>();
+    QTest::keyClicks(line, "set ball.color red");
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(workspace.text().ends_with("set ball.color red\n"));
+    Palette again(window);
+    line = again.findChild<QLineEdit*>();
+    QTest::keyClicks(line, "undo");
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(QByteArray::fromStdString(workspace.text()), ball);
+    Palette third(window);
+    line = third.findChild<QLineEdit*>();
+    QTest::keyClicks(line, "select ball");
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(workspace.selected(), std::vector{workspace.document().find("ball")});
+  }
+
+  void theExportShowsTheLineItStandsFor() {
+    Workspace workspace;
+    workspace.open(film_);
+    ExportDialog dialog(workspace);
+    dialog.findChild<QLineEdit*>("out")->setText("a film.mp4");
+    QCOMPARE(dialog.command(), "betwixt render " + film_ + " -o 'a film.mp4'");
+    workspace.set_range(std::pair(workspace.document().rate().frame(2), workspace.document().rate().frame(5)));
+    ExportDialog part(workspace);
+    part.findChild<QLineEdit*>("out")->setText("x.gif");
+    QCOMPARE(part.command(), "betwixt render " + film_ + " -o x.gif --frames 2f..5f");
+  }
+
+  void controlsAreLearnedAndRecorded() {
+    Workspace workspace;
+    workspace.open(film_);
+    LivePanel live(workspace);
+    live.findChild<QLineEdit*>("target")->setText("ball.radius");
+    live.findChild<QPushButton*>("learn")->setChecked(true);
+    live.obey({"/fader/1", {0.5}, {}, {}});
+    QVERIFY2(workspace.text().ends_with("dial /fader/1 to ball.radius\n"), workspace.text().c_str());
+    live.obey({"/fader/1", {2.5}, {}, {}});  // is seen at once
+    const auto radius = [&](double frame) {
+      return std::get<double>(workspace.program().read((*find_targets("ball.radius", workspace.document()))[0],
+                                                       workspace.document().rate().frame(frame)));
+    };
+    QCOMPARE(radius(1), 2.5);
+    workspace.look_back();
+    QCOMPARE(radius(1), 1.0);
+    live.findChild<QCheckBox*>("record")->setChecked(true);
+    workspace.transport().loop(false);
+    workspace.play(1);
+    live.obey({"/fader/1", {3.0}, {}, {}});
+    QTest::qWait(200);
+    live.obey({"/fader/1", {4.0}, {}, {}});
+    workspace.pause();
+    QVERIFY2(workspace.text().find("ball.radius\n") != std::string::npos ||
+                 workspace.text().find("at 1f ball.radius 3") != std::string::npos,
+             workspace.text().c_str());
+    QCOMPARE(radius(1), 3.0);
+    const Document recorded = workspace.document();
+    QVERIFY(load_text(workspace.text(), film_.toStdString()).document == recorded);
+    workspace.undo();
+    QCOMPARE(radius(1), 1.0);
+  }
+
+  void aServerIsWatchedAndSteered() {
+    const QString program = QCoreApplication::applicationDirPath() + "/betwixt", place = folder_.filePath("stage.sock");
+    if (!QFileInfo::exists(program)) QSKIP("the program betwixt has not been built here");
+    QProcess server;
+    server.start(program, {"serve", "--socket", place});
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(place), 20000);
+    ServerPanel panel;
+    panel.show();
+    panel.join(place);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.joined(), 10000);
+    QStringList answers;
+    connect(&panel, &ServerPanel::answered, this,
+            [&](const QString& line, const QString& answer) { answers << line + answer; });
+    auto* line = panel.findChild<QLineEdit*>("line");
+    for (const char* said : {"create ball sphere", "animate slide every 1t by translate(0.02 0 0)", "nonsense"}) {
+      QTest::keyClicks(line, said);
+      QTest::keyClick(line, Qt::Key_Return);
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(answers.size(), 3, 10000);
+    QVERIFY(answers[0].contains("\"ok\":true") && answers[2].contains("\"ok\":false"));
+    QTRY_VERIFY_WITH_TIMEOUT(panel.document().find("ball") && panel.document().find("slide"), 10000);
+    QTRY_COMPARE(panel.findChild<QListWidget*>("environments")->count(), 1);
+    QTest::mouseClick(panel.findChild<QPushButton*>("pause"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.findChild<QPushButton*>("pause")->text(), QString("Go"), 10000);
+    panel.leave();
+    QVERIFY(!panel.joined());
+    server.terminate();
+    QVERIFY(server.waitForFinished(10000));
+    panel.join("/no/such/place");
+    QTRY_VERIFY(!panel.joined());
+  }
+
+  void screenshotsOfEveryLayout() {
+    Workspace workspace;
+    Window window(workspace);
+    workspace.open(film_);
+    window.resize(1280, 800);
+    window.show();
+    for (const QString& layout : Window::layouts()) {
+      QVERIFY(window.set_layout(layout));
+      QApplication::processEvents();
+      window.viewport().await_picture();
+      QCOMPARE(window.grab().size(), QSize(1280, 800));
+    }
+    QVERIFY(!window.set_layout("none such"));
+  }
+};
+
+QTEST_MAIN(DeskTest)
+#include "workspace_test.moc"

@@ -1,0 +1,7 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# The scripts of pages, in their order: those around the engine, and those of the player and the editor.
+engine_scripts = ("algebra.js", "engine.js")
+player_scripts = ("dom.js", "player_look.js", "player_source.js", "player_controls.js", "player.js")
+editor_scripts = ("editor.js",)
