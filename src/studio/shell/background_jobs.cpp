@@ -48,9 +48,11 @@ void BackgroundJobs::carry_out(const std::function<void()>& work) {
   std::unique_lock lock(mutex_);
   done_ = false, wanted_ = &work;
   changed_.notify_all();
-  // Short work blocks the window, which the user cannot notice.
-  const auto patient = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_);
-  while (changed_.wait_until(lock, patient, [&] { return done_ || question_; }) && !done_) answer(lock);
+  if (patience_ > 0) {
+    // Short work blocks the window, which the user cannot notice.
+    const auto patient = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_);
+    while (changed_.wait_until(lock, patient, [&] { return done_ || question_; }) && !done_) answer(lock);
+  }
   if (!done_) {
     lock.unlock();
     wait();

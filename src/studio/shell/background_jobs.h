@@ -30,7 +30,7 @@ class BackgroundJobs : public QObject {
   bool hears() const { return !at_work_ || answers_; }
   // Runs a function in the window's thread, whatever thread calls, and returns when it is done.
   void in_window(const std::function<void()>& work);
-  // Sets how long carry_out() blocks before it emits takes_long().
+  // Sets how long carry_out() blocks before it emits takes_long(). With 0 it emits it for all work, however short.
   void set_patience(int milliseconds) { patience_ = milliseconds; }
 
  Q_SIGNALS:
