@@ -25,6 +25,13 @@ void Asking::say_all(const Answer& a) {
   for (const std::string& p : a.problems) say(p);
 }
 
+void Asking::say_all(const TwerperFailures& failed, const Scene& scene) {
+  for (const auto& [i, why] : failed.all) {
+    const NamedProcedure& p = (*scene.procedures)[i];
+    err("the twerper '" + p.name + "' returned no number and is linear there: " + why, p.code->source);
+  }
+}
+
 bool Asking::is_open(const Taken& taken) const {
   return std::any_of(taken.asked.begin(), taken.asked.end(),
                      [&](const Sought& i) { return std::find(open.begin(), open.end(), i) != open.end(); });

@@ -33,7 +33,7 @@ void Whole::to(Time t, bool news) {
   const TwerperFailures failed;
   evaluator.to(t, asking);
   lights = evaluator.lights(asking);
-  compiled.say(failed, asking);
+  asking.say_all(failed, compiled.document.scene());
   problems = compiled.notices;
   problems.insert(problems.end(), asking.problems.begin(), asking.problems.end());
   if (asking.deferred)
@@ -56,21 +56,29 @@ Frame Whole::frame() const {
   return f;
 }
 
-Program::Compiled::Compiled(Document d) : document(std::move(d)) {}
+Program::Compiled::Compiled(Document d) : CompiledFilm(std::move(d)) {}
 Program::Compiled::~Compiled() = default;
 
+std::unique_ptr<Whole> IdleEvaluations::take() {
+  const std::lock_guard lock(in_use);
+  if (all.empty()) return nullptr;
+  std::unique_ptr<Whole> one = std::move(all.back());
+  all.pop_back();
+  return one;
+}
+
+void IdleEvaluations::put(std::unique_ptr<Whole> one) {
+  const std::lock_guard lock(in_use);
+  constexpr std::size_t at_rest = 4;
+  if (all.size() < at_rest) all.push_back(std::move(one));
+}
+
 Frame Program::frame(Time t) const {
-  std::unique_ptr<Whole> whole;
-  {
-    const std::lock_guard lock(code_->idle_in_use);
-    if (!code_->idle.empty()) whole = std::move(code_->idle.back()), code_->idle.pop_back();
-  }
+  std::unique_ptr<Whole> whole = code_->caches.idle.take();
   if (!whole) whole = std::make_unique<Whole>(*code_);
   whole->to(t);
   Frame f = whole->frame();
-  const std::lock_guard lock(code_->idle_in_use);
-  constexpr std::size_t at_rest = 4;
-  if (code_->idle.size() < at_rest) code_->idle.push_back(std::move(whole));
+  code_->caches.idle.put(std::move(whole));
   return f;
 }
 
