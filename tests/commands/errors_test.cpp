@@ -593,7 +593,7 @@ TEST(Errors, WordsOfWhatNeedsAFilmOfItsOwn) {
             "weight must be thin, extralight, light, regular, medium, semibold, bold, extrabold or black"},
            {"create {a,b} box\nplace a next-to b side=centre",
             "the side must be left, right, bottom, top, back, front"},
-           {"procedure value lua \"1\"", "'value' is already a Lua keyword"}})
+           {"procedure value lua \"1\"", "'value' is already a word of Lua code"}})
     expect_words("", film, message);
 }
 
