@@ -65,8 +65,8 @@ struct TrackView {
   bool srgb = false;  // whether colours blend in sRGB numbers and not in linear light
 };
 // Returns the tracks of an object that have events, a twerper or an extrapolation. They have the order of `functions`
-// (object.h). The tracks of a function are sorted by layer (the object's own first), then values before velocities, then
-// by component.
+// (object.h). The tracks of a function are sorted by layer (the object's own first), then values before velocities,
+// then by component.
 std::vector<TrackView> tracks(const Document&, ObjectId);
 // Returns the tracks that give a target its value: its own track, if it has one. Otherwise, for a component, the track
 // of the whole; for a whole, the tracks of its components. Velocity tracks and tracks on layers are not included: each
