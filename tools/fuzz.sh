@@ -6,8 +6,9 @@
 #   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS is the time of all targets together
 #   tools/fuzz.sh build                       only builds the targets
 #   tools/fuzz.sh keep [TARGET…]              stores the corpora of earlier runs, made small, in tests/fuzz/corpus
-# The targets are motion, drawing, language, protocol, scene and lsp; the default is all of them. A run begins with the corpora of tests/fuzz/corpus and build/fuzz/corpus, the examples and the scripts of the tests.
-# It writes failing input to build/fuzz/found, its log to build/fuzz/TARGET.log, and new input to build/fuzz/corpus.
+# The targets are motion, drawing, language, protocol, scene and lsp; the default is all of them. A run begins with the
+# corpora of tests/fuzz/corpus and build/fuzz/corpus, the examples and the scripts of the tests. It writes failing input
+# to build/fuzz/found, its log to build/fuzz/TARGET.log, and new input to build/fuzz/corpus.
 root=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 . "$root/tools/setup.sh"
 keep=
