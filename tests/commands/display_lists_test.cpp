@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Display lists in the language: what their rows draw, and where, at any time.
+// Tests display lists in the language: what their rows draw, and where, at any time.
 #include <random>
 
 #include "commands/reader.h"

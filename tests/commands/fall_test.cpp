@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Falls, against closed forms.
+// Compares falls with closed forms.
 #include "support/loaded_film.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sessions: lines are carried out one by one, and can be taken back.
+// Tests sessions: they carry out lines one by one, and can undo them.
 #include "betwixt/session.h"
 
 #include <rapidcheck.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Velocity as a track of its own, against integrals worked out by brute force and by hand.
+// Compares velocity tracks with integrals, by brute force and by hand.
 #include <rapidcheck.h>
 
 #include <cmath>

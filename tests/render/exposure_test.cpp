@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Blur, of what moves and of what is out of focus: edges and discs against closed forms, and what jumps.
+// Compares motion blur and depth of field with closed forms, for edges and discs, and tests objects that jump.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shadows are fine where one looks, several lights cast them, and soft ones are as wide as closed forms say.
+// Tests shadows: fine near the camera's subject, from several lights, and soft ones with the width of closed forms.
 #include <algorithm>
 #include <array>
 #include <functional>

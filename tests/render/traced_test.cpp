@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Light that is followed: what closed forms say of it, what `shaded` says too, and that nothing but the frame counts.
+// Tests the style `traced` (path tracing) with closed forms and with `shaded`. A picture must depend on the frame
+// alone.
 #include "render/traced.h"
 
 #include <algorithm>

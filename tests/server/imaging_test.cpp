@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The imaging server without sockets, at times that the tests say. (C16, C97, C133; R-E1c)
+// Tests the imaging server without sockets, with a clock that the tests set. (C16, C97, C133; R-E1c)
 #include "server/imaging.h"
 
 #include <rapidcheck.h>
