@@ -101,7 +101,7 @@ for f in ej cj; do
   psnr=$(ffmpeg -i $f.mp4 -i c.mp4 -lavfi psnr -f null - 2>&1 | grep -o 'average:[0-9.inf]*' | cut -d: -f2)
   is "$f.mp4 over black is what is rendered" "$(awk -v x="$psnr" 'BEGIN {print (x == "inf" || x > 44)}')" 1
 done
-# Pictures of which only later ones are transparent need --alpha.
+# The first picture decides whether the joined film is transparent, unless --alpha is given.
 mkdir later && cp o-1.png later/f-1.png && cp c-2.png later/f-2.png
 check 'join, later clear' 0 '' join later/f-%d.png -o later.mov
 is 'the first picture says whether there is an opacity' "$(probe later.mov pix_fmt)" yuv444p12le

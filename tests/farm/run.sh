@@ -102,8 +102,7 @@ refused 'between two frames' 2 'between two frames' menagerie.bx -o no.mp4 --fra
 eval "$(block 2)" >servers.log 2>&1
 wait_for 30 idle || { verdict 'the farm begins' no "$(cat servers.log "$farm"/*.log)" && summary; exit; }
 
-# Kills a dozen times at random while the film is made: a program, the shell around it, a task by scancel. Also removes
-# a picture.
+# Kills a dozen times at random while the film is made: a program, the shell around it, a task by scancel, a picture.
 killed=() kinds=(program shell task picture)
 said=$(farm menagerie.bx -o killed.mp4 "${small[@]}" --chunk 5 2>&1)
 is 'it is sent off' $? 0
