@@ -26,10 +26,10 @@ HIGHER = {"render": 3}  # comments of shaders
 ROOMS = {room: HIGHER.get(room, USUAL) for room in sorted(os.listdir(f"{ROOT}/src"))}
 GROUPS.update({f"src/{room}": (limit, [f"src/{room}/*.h", f"src/{room}/*.cpp"]) for room, limit in ROOMS.items()})
 
-START = r"(?:^|[.;:!?(|,—] ?)"  # the start of a clause
-TURNS = re.compile("|".join((
-    START + r"(?:[Ww]ho|[Ww]hoever|Whose|Whom) (?!(?:is|are|was|does|can|has)\b[^.]*\?)[a-z]+",
-    START + r"[Ww]hat (?:is|was|are|has|had|goes|comes|stands|lies|moves|hangs|must|can|needs|takes|makes)\b(?![^.]*\?)",
+CLAUSE_START = r"(?:^|[.;:!?(|,—] ?)"  # the start of a clause
+PHRASES = re.compile("|".join((
+    CLAUSE_START + r"(?:[Ww]ho|[Ww]hoever|Whose|Whom) (?!(?:is|are|was|does|can|has)\b[^.]*\?)[a-z]+",
+    CLAUSE_START + r"[Ww]hat (?:is|was|are|has|had|goes|comes|stands|lies|moves|hangs|must|can|needs|takes|makes)\b(?![^.]*\?)",
     r"\b(?:of|by|to|for|from|with|in|at|on) (?:whatever|whom|whoever)\b",
     r"\b(?:nobody|somebody|anybody|everybody)\b",
     r"\b(?:stands|stood|lies|goes on|went on|gone on)\b(?! for\b)",
@@ -39,7 +39,7 @@ TURNS = re.compile("|".join((
 )), re.M)
 
 
-def prose(path):
+def readable_lines(path):
     """Returns the lines that people read: a page without its code; the comments and longer strings of a source file."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
@@ -60,9 +60,9 @@ def main(verbose):
     failed = False
     for name, (limit, patterns) in GROUPS.items():
         files = [f for p in patterns for f in sorted(glob.glob(p, root_dir=ROOT, recursive=True))]
-        lines = [(f, line) for f in files for line in prose(os.path.join(ROOT, f))]
+        lines = [(f, line) for f in files for line in readable_lines(os.path.join(ROOT, f))]
         words = sum(len(re.findall(r"[A-Za-z']+", line)) for _, line in lines)
-        found = [(f, line) for f, line in lines for _ in TURNS.finditer(line)]
+        found = [(f, line) for f, line in lines for _ in PHRASES.finditer(line)]
         share = 1000 * len(found) / max(1, words)
         if share > limit:
             failed = True

@@ -86,13 +86,13 @@ def peers():
     return [Job(name, ["tests/peers/run.sh", PROGRAM, name]) for name in ("gltf", "usda", "lottie", "drawings", "web", "typescript", "editor")]
 
 
-def one(*command):
+def single_job(*command):
     return lambda: [Job(os.path.basename(command[0]), list(command))]
 
 
 EDITORS = ("tests/app/editors_test.sh",)
 SECTIONS = (
-    Section("rules of the house", "usual full", "", one("tests/house.sh")),
+    Section("rules of the house", "usual full", "", single_job("tests/house.sh")),
     Section("command line", "usual full", "build release betwixt_command",
             scripts("tests/app/*_test.sh", without=EDITORS)),
     Section("examples", "usual full", "", lambda: [Job("films", ["tests/examples.sh", PROGRAM]),
@@ -101,14 +101,14 @@ SECTIONS = (
     Section("unit tests", "usual full", "build release unit_tests", units("bin")),
     Section("Python", "usual full", "build release betwixt_python", python),
     Section("studio", "usual full", "build release betwixt_studio studio_tests", studio),
-    Section("installation", "usual full", "build release all", one("tests/install/run.sh", BUILD)),
+    Section("installation", "usual full", "build release all", single_job("tests/install/run.sh", BUILD)),
     Section("editors", "full", "", scripts(*EDITORS)),
     Section("unit tests under sanitizers", "full", "build release watched_tests", units("watched")),
     Section("benchmarks", "full", "build release benchmarks", lambda: [Job("they are built", ["true"])]),
-    Section("Blender", "full", "", one("tests/blender/run.sh", BUILD)),
+    Section("Blender", "full", "", single_job("tests/blender/run.sh", BUILD)),
     Section("pages in a browser", "full", "build_player", pages),
     Section("other programs", "full", "tests/peers/run.sh --install", peers),
-    Section("a minute of fuzzing", "full", "tools/fuzz.sh build", one("tools/fuzz.sh", "60")),
+    Section("a minute of fuzzing", "full", "tools/fuzz.sh build", single_job("tools/fuzz.sh", "60")),
 )
 
 
@@ -141,14 +141,14 @@ def run(command, env):
     try:
         output, _ = process.communicate(timeout=LONGEST)
     except subprocess.TimeoutExpired:
-        waiting = waiting_for(process.pid)
+        waiting = process_tree(process.pid)
         os.killpg(process.pid, signal.SIGKILL)
         output = process.communicate()[0] + f"\nkilled after {LONGEST} s\n{waiting}"
     running.discard(process)
     return output, process.returncode
 
 
-def waiting_for(pid, depth=0):
+def process_tree(pid, depth=0):
     """Returns a line for a process and each of its descendants: the state, where in the kernel it waits, the
     command."""
     def read(name):
@@ -156,7 +156,7 @@ def waiting_for(pid, depth=0):
             return file.read()
     try:
         state, wait, command = read("stat").rsplit(")", 1)[1].split()[0], read("wchan"), read("cmdline").replace("\0", " ")
-        below = [waiting_for(int(child), depth + 1)
+        below = [process_tree(int(child), depth + 1)
                  for thread in os.listdir(f"/proc/{pid}/task") for child in read(f"task/{thread}/children").split()]
     except OSError:  # the process has ended
         return ""
@@ -166,7 +166,7 @@ def waiting_for(pid, depth=0):
 running = set()
 
 
-def count(output, code):
+def counts_of(output, code):
     """Returns (passed, failed) of a job, from its last line "N passed, N failed". Without such a line the job counts as
     one check, by its exit code."""
     found = COUNTS.findall(output)
@@ -188,13 +188,13 @@ def timed_run(job, section, times):
     return output, code, seconds
 
 
-def work(jobs, tally, room, times):
+def run_jobs(jobs, tally, room, times):
     """Runs jobs from a queue until it gets None. The semaphore `room` limits how many run at a time."""
-    while (one := jobs.get()) is not None:
-        progress, job = one
+    while (entry := jobs.get()) is not None:
+        progress, job = entry
         with room:
             output, code, seconds = timed_run(job, progress.name, times)
-        passed, failed = count(output, code)
+        passed, failed = counts_of(output, code)
         if job.program and not failed:
             open(passed_file(job), "w").close()
         said = "".join(f"         {line}\n" for line in output.splitlines() if not COUNTS.fullmatch(line))
@@ -248,7 +248,7 @@ def passed_file(job):
     return f"{BUILD}/passed/{os.path.basename(os.path.dirname(job.program))}-{job.label.replace(' ', '-')}"
 
 
-def reached(jobs):
+def not_passed_yet(jobs):
     """Returns a function that lists the jobs whose programs have changed since they passed."""
     def old(job):
         mark = passed_file(job)
@@ -256,7 +256,7 @@ def reached(jobs):
     return lambda: [job for job in jobs() if old(job)]
 
 
-def shortened(jobs, rooms):
+def without_slow_tests(jobs, rooms):
     """Returns a function that lists the jobs. Jobs of other rooms than these run only the tests that took at most 0.3
     s."""
     def short(job):
@@ -269,10 +269,10 @@ def quick_sections(rooms):
     """Yields the sections of `./test quick ROOM…`."""
     yield SECTIONS[0]
     if not rooms:
-        yield Section("unit tests", "", "build release unit_tests", reached(shortened(units("bin"), edited_rooms())))
+        yield Section("unit tests", "", "build release unit_tests", not_passed_yet(without_slow_tests(units("bin"), edited_rooms())))
         with open(f"{BUILD}/CMakeCache.txt") as cache:
             if "BETWIXT_STUDIO:BOOL=ON" in cache.read():
-                yield Section("studio", "", "build release studio_tests", reached(panels))
+                yield Section("studio", "", "build release studio_tests", not_passed_yet(panels))
     for room in rooms:
         if room == "app":
             yield Section("command line", "", "build release betwixt_command", scripts("tests/app/*_test.sh", without=EDITORS))
@@ -286,7 +286,7 @@ def main(mode, *rooms):
     tally, jobs, room = Tally(), queue.Queue(), threading.Semaphore(CORES + 1)
     os.makedirs(f"{BUILD}/passed", exist_ok=True)
     times = []
-    workers = [threading.Thread(target=work, args=(jobs, tally, room, times), daemon=True) for _ in range(CORES + 1)]
+    workers = [threading.Thread(target=run_jobs, args=(jobs, tally, room, times), daemon=True) for _ in range(CORES + 1)]
     for worker in workers:
         worker.start()
     held = CORES // 2 + 1

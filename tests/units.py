@@ -38,7 +38,7 @@ def environment(program):
     return env
 
 
-def call(program, options, env):
+def run_program(program, options, env):
     """Runs the program. Returns its output and exit code. After LONGEST seconds kills it and its children."""
     process = subprocess.Popen([program, *options], env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.STDOUT, start_new_session=True, text=True, errors="replace")
@@ -51,9 +51,9 @@ def call(program, options, env):
     return output, process.returncode
 
 
-def names(program, options, env):
+def test_names(program, options, env):
     """Returns the full names of the tests that these options choose."""
-    output, _ = call(program, [*options, "--gtest_list_tests"], env)
+    output, _ = run_program(program, [*options, "--gtest_list_tests"], env)
     suite, found = "", []
     for line in output.splitlines():
         line = line.split("#")[0].rstrip()
@@ -64,7 +64,7 @@ def names(program, options, env):
     return found
 
 
-def slow(under):
+def slow_tests(under):
     """Returns the names of the tests that took longer than SECONDS according to FILE. `under` is "SECONDS:FILE"."""
     seconds, path = under.split(":", 1)
     if not os.path.exists(path):
@@ -74,7 +74,7 @@ def slow(under):
     return {row[1] for row in rows if float(row[0]) > float(seconds)}
 
 
-def pieces(output):
+def results(output):
     """Yields (name, verdict, seconds, text) for each test that began. The verdict is None if the test did not end."""
     begun = list(BEGINS.finditer(output))
     for k, begin in enumerate(begun):
@@ -91,14 +91,14 @@ def main(program, *options):
     number, count = map(int, share.split("/"))
     env = environment(program)
     room = re.sub(".*test_", "", program)
-    left_out = set().union(*(slow(o[8:]) for o in options if o.startswith("--under=")))
+    left_out = set().union(*(slow_tests(o[8:]) for o in options if o.startswith("--under=")))
     options = [o for o in options if not o.startswith("--under=")]
-    left = [name for name in names(program, options, env)[number - 1::count] if f"{room}/{name}" not in left_out]
+    left = [name for name in test_names(program, options, env)[number - 1::count] if f"{room}/{name}" not in left_out]
     passed, failed, times = 0, 0, []
     while left:
-        output, code = call(program, [*options, "--gtest_color=no", "--gtest_filter=" + ":".join(left)], env)
+        output, code = run_program(program, [*options, "--gtest_color=no", "--gtest_filter=" + ":".join(left)], env)
         done = set()
-        for name, verdict, seconds, text in pieces(output):
+        for name, verdict, seconds, text in results(output):
             done.add(name)
             times.append(f"{seconds:.3f}\t{room}/{name}\n")
             if verdict in ("OK", "SKIPPED"):

@@ -32,8 +32,8 @@ declare -A longest=([motion]=400 [drawing]=2048 [language]=2048 [protocol]=1024 
 options=(-artifact_prefix=found/ -detect_leaks=0 -entropic=0 -timeout=120 -rss_limit_mb=3000)
 export LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0
 
-# words TARGET: prints the path of its dictionary.
-words() {
+# dictionary TARGET: prints the path of its dictionary.
+dictionary() {
   local own=$root/tests/fuzz/$1.dict
   [ -e "$own" ] || own=$root/tests/fuzz/language.dict
   echo "$own"
@@ -55,7 +55,7 @@ fuzz() {
   local several=() status runs
   [ "$jobs" = 1 ] || several=(-fork="$jobs")
   seeds "$1"
-  bin/fuzz_"$1" "corpus/$1" "seeds/$1" "${options[@]}" -dict="$(words "$1")" -max_len="${longest[$1]}" \
+  bin/fuzz_"$1" "corpus/$1" "seeds/$1" "${options[@]}" -dict="$(dictionary "$1")" -max_len="${longest[$1]}" \
     -max_total_time="$2" "${several[@]}" >"$1.log" 2>&1
   status=$?
   runs=$(grep -aoE '^#[0-9]+' "$1.log" | tail -n 1 | tr -d '#')
