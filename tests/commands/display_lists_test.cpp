@@ -512,7 +512,6 @@ TEST(DisplayList, What_stays_is_not_touched) {
 // shows: C77 C79
 TEST(DisplayList, A_begin_of_a_live_host_means_the_environment_of_that_time) {
   // The environment is killed at tick 10 and made again at 20. `begin` means the first one, `begin … since` the second.
-  // second.
   const LoadedFilm s(R"(at 0t animate e every 1t by translate(1 0 0)
 at 10t kill e
 at 20t animate e every 1t by translate(0 1 0)
