@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every error: its code, its place, its subject, its suggestion; that the command it is about has changed nothing; and,
-// here only, the words of each message once.
+// Tests every error: its code, place, subject and suggestion, and that the wrong command has changed nothing. Only this
+// file compares the wording of messages, each once.
 #include "support/loaded_film.h"
 
 namespace betwixt {

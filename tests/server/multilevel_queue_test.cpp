@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Work of unknown length: what is short goes before what is long, and what nobody wants ends.
+// Tests the queue for work of unknown length. Short work runs before long work, and work that is no longer wanted ends.
 #include "server/multilevel_queue.h"
 
 #include <gtest/gtest.h>
