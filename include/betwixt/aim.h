@@ -4,8 +4,9 @@
 // The Animation Imaging Model for C. A host program describes objects and how they move. The imaging server (betwixt
 // serve) draws and moves them.
 //
-// The source is the paper Animation Imaging Model; numbers such as 2.2.6 are its sections. Names follow its sections
-// 2.2.6, 2.2.7, 3.3.4 and appendix A: MAKEOBJ is aim_make_object, BeginAniEnv is aim_begin_environment, and so on.
+// The source is the original description of this model; numbers such as 2.2.6 are its sections. Names follow its
+// sections 2.2.6, 2.2.7, 3.3.4 and appendix A: MAKEOBJ is aim_make_object, BeginAniEnv is aim_begin_environment, and so
+// on.
 //
 // Matrices follow the source's convention: 16 numbers, row by row. A point is a row vector (p' = p M), and the
 // translation is in the last row. The 16 numbers are the same in memory as for column vectors with column-major

@@ -59,7 +59,7 @@ struct CssBetween {
   // Whole turns can be lost in two ways. Each number is that of the first function, counted from 1; 0: not lost.
   std::size_t mixed = 0;      // from this function on the kinds differ, so matrices are interpolated
   std::size_t short_way = 0;  // these two rotations have different axes, so the short way is taken
-  bool jumps = false;         // a matrix cannot be decomposed: the first list is shown up to t = 0.5, then the second
+  bool jumps = false;         // a matrix cannot be decomposed: the first list is shown before t = 0.5, then the second
 };
 CssBetween css_between(const CssList& from, const CssList& to, double t);
 
