@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How fast points go from step to step by each kernel, beside a copy of as many bytes; and how far the methods drift.
-// Values are checked.
+// Measures how fast each kernel moves points from step to step, compared with a copy of as many bytes, and how far the
+// methods drift. Checks the values.
 #include <fmt/format.h>
 #include <time.h>
 
@@ -29,7 +29,7 @@ void insist(bool holds, const std::string& what) {
   std::exit(1);
 }
 
-// On one thread only the time that it had a processor counts, as other work may run on the machine.
+// One thread is measured by processor time, because other work may run on the machine.
 template <class F>
 double nanoseconds(bool one_thread, F&& work) {
   const auto now = [&] {
@@ -97,7 +97,7 @@ constexpr std::int64_t whole = 10'000;  // steps of the motion; never reached
 int arrays_read(Kernel k) { return 2 + 2 * uses(k).second + 2 * uses(k).gain; }
 int arrays_written(Kernel k) { return 2 * uses(k).state + 2 * uses(k).written + 2 * uses(k).drawn; }
 
-// As many bytes as the kernel reads and writes, in arrays like its own.
+// Copies as many bytes as the kernel reads and writes, in arrays of the same form.
 template <class Number>
 class Copy {
  public:
@@ -120,7 +120,7 @@ class Copy {
   Line<Number> all_[8];
 };
 
-// Where the scheme for SR is on the way: it meets the motion at its end only.
+// Computes the points of the SR scheme in between. This scheme is exact only at the end of the motion.
 Vec3 swung(const Motion& m, double t, Vec3 p) {
   const Factor &s = m.factors[0], &r = m.factors[1];
   const auto turned = [&](double part) {
@@ -159,17 +159,17 @@ void speed(const Case& c, std::size_t points, unsigned threads) {
   stepper.use_threads(threads);
   Copy<Number> cached(c.kernel, points, false, threads), past(c.kernel, points, true, threads);
 
-  // Of the small ones a round is short: something else that runs on the machine then spoils few of them.
+  // Rounds with few points are short, so that other work on the machine disturbs only some of them.
   const int a_round = static_cast<int>(std::clamp<std::size_t>(200'000 / points, 1, 200));
   const int rounds = points > 1'000'000 ? 21 : 101;
   std::vector<double> ours, through_caches, past_caches;
   for (int round = -1; round < rounds; ++round) {
-    if (a_round > 1) stepper.seek(stepper.frame());  // rounding does not gather
+    if (a_round > 1) stepper.seek(stepper.frame());  // so that rounding errors do not add up
     const auto timed = [&](std::vector<double>& times, auto&& work) {
       const double t = nanoseconds(threads == 1, [&] {
         for (int k = 0; k < a_round; ++k) work();
       });
-      if (round >= 0) times.push_back(t / a_round / static_cast<double>(points));  // before that pages are mapped
+      if (round >= 0) times.push_back(t / a_round / static_cast<double>(points));  // rounds below 0 only map the pages
     };
     timed(ours, [&] { stepper.step(); });
     timed(through_caches, cached);
@@ -192,7 +192,7 @@ void speeds(std::string_view only) {
              "threads", "read", "wr.", "least", "median", "least", "median", "least", "median");
   for (const std::size_t points : {1'000u, 100'000u, 8'000'000u})
     for (const unsigned threads : {1u, cores}) {
-      if (threads > 1 && points < 1'000'000) continue;  // one thread is enough for so few
+      if (threads > 1 && points < 1'000'000) continue;  // so few points need only one thread
       for (const Case& c : cases) {
         if (!only.empty() && only != c.name) continue;
         speed<float>(c, points, threads);
@@ -203,8 +203,8 @@ void speeds(std::string_view only) {
 
 // ---- Drift
 
-// Where the points of the unit circle are, by quadruple precision: from the turn of one step, whose sine and cosine are
-// sums of their series, by products alone.
+// The true places of points of the unit circle in quadruple precision: products of the rotation of one step, whose sine
+// and cosine are sums of their series.
 class Truth {
  public:
   explicit Truth(double angle) {
@@ -219,7 +219,7 @@ class Truth {
     y_ = s_ * x_ + c_ * y_;
     x_ = x;
   }
-  // How far a point that began at (px, py) and is said to be at (x, y) is from where it is.
+  // Returns the distance of (x, y) from the true place of the point that began at (px, py).
   double distance(double px, double py, double x, double y) const {
     const auto c = static_cast<long double>(x_), s = static_cast<long double>(y_);
     const long double dx = c * px - s * py - x, dy = s * px + c * py - y;
@@ -263,7 +263,7 @@ class Drifting {
   std::vector<double> at_;
 };
 
-// A(t) for each frame, by the numbers of f64, applied to points of either kind.
+// Computes A(t) for each frame in f64, and applies it to points of either type.
 template <class Number>
 class Stateless {
  public:

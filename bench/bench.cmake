@@ -33,7 +33,7 @@ target_link_libraries(bench_lsp PRIVATE betwixt_server)
 add_executable(bench_growing bench/growing.cpp)
 target_include_directories(bench_growing PRIVATE bench)
 target_link_libraries(bench_growing PRIVATE betwixt_editor betwixt_export)
-# With the tests they are built on request only: ninja benchmarks.
+# In a build with tests the benchmarks are built only on request: ninja benchmarks.
 set(benchmarks bench_parse bench_environments bench_contacts bench_algebra bench_frames bench_checks bench_memory
     bench_drawing bench_first_picture bench_lsp bench_growing)
 add_custom_target(benchmarks DEPENDS ${benchmarks})

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether what is measured is right:
-//   bench_checks random [FILMS]   films of mixed types and twerpers: an evaluation that goes from time to time gives
-//   the
-//                                 bits of one that was nowhere else, and what is read value by value
-//   bench_checks keys             some numbers of scenes::keyed, blended linearly, for peers to be compared with: a
-//   line
-//                                 is the object, the frame, position, angles, scale, and the matrix
+// Checks the values of the benchmarks:
+//   bench_checks random [FILMS]   films of mixed types and twerpers: an evaluation that visits many times must give the
+//                                 bits of a new one at each time, and of values that are read one by one
+//   bench_checks keys             prints numbers of scenes::keyed, interpolated linearly, to compare peers with. A line
+//                                 has the object, the frame, position, angles, scale, and the matrix
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +22,7 @@ using namespace betwixt;
 
 namespace {
 
-// What every drawable shows is what is read of its object.
+// Checks that the values of every drawable equal the values read from its object.
 void compare(const Program& program, const Evaluation& e) {
   for (std::size_t i = 0; i < e.drawables().size(); ++i) {
     const ObjectId id = e.drawables()[i];

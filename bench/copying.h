@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What memory gives one core just now: a yardstick for all that is bound by it.
+// Measures how fast one core copies memory now. Results that memory limits are compared with this.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,11 @@
 
 namespace betwixt {
 
-// Past the caches, in the widest registers that this machine has. Both stand at whole lines of the cache and are a
-// multiple of one long.
+// Copies past the caches, in the widest registers of this machine. Both arrays begin at a cache line, and their size is
+// a multiple of a cache line.
 void copy_past_caches(const double* from, double* to, std::size_t count);
-// Gigabytes a second, read and written, by copies of arrays that no cache holds; one number a copy.
+// Returns the speed of each of several copies of arrays larger than all caches, in gigabytes a second, read and
+// written.
 std::vector<double> copy_rates();
 
 }  // namespace betwixt

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a picture costs: two examples, by shading and by following light, ten thousand things that move, and such that
-// rest. Some pictures are compared, byte by byte, with those of the frames by themselves.
+// Measures the time of a picture: two examples, in the styles shaded and traced, and ten thousand objects that move or
+// rest. Compares some pictures, byte by byte, with those of a new renderer.
 //
 //   bench_drawing FOLDER-OF-EXAMPLES
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ using namespace betwixt;
 
 namespace {
 
-// Boxes and balls in a square, before a camera that may move.
+// Boxes and balls in a square, with a camera that may move.
 std::string many(int count, int moving, bool camera_moves) {
   std::string text =
       "rate 60\nrange 1f 600f\ncreate sun light shines=sun position=(3 9 5)\n"
@@ -40,7 +40,7 @@ std::string many(int count, int moving, bool camera_moves) {
   return text;
 }
 
-// Balls that go round, and the trace of one of them.
+// Balls that move in circles, and the trace of one of them.
 std::string going_round(bool traced) {
   const std::string text =
       "range 1f 600f\ncreate b{1..30} sphere radius=0.3\nset b*.color hsv(i/n 0.7 1)\ncreate arm{1..30} group\n"
@@ -89,7 +89,7 @@ void measure(const Row& row) {
   std::fflush(stdout);
 }
 
-// Pictures that take time beside single ones of the same frames, in turns: how many of these one of them costs.
+// Draws pictures with motion blur and single pictures of the same frames in turns. Prints the ratio of their times.
 void blur(const char* what, const Document& film, const RenderOptions& options, const Blur& how, int rounds) {
   const Program program = Program::compile(film);
   Evaluation evaluation(program);
@@ -114,7 +114,7 @@ void blur(const char* what, const Document& film, const RenderOptions& options, 
   fmt::print("{:52} {:9.2f} {:9.2f}  pictures\n", what, ratios.front(), ratios[ratios.size() / 2]);
 }
 
-// 600 frames of the film with a trace beside the film without it, every fifth drawn, in turns.
+// Runs 600 frames of the film with a trace and of the film without it in turns, and draws every fifth.
 void trace(const Document& without, const Document& with, const RenderOptions& options, int rounds) {
   std::vector<double> ratios;
   for (int round = 0; round < rounds; ++round) {
@@ -128,7 +128,7 @@ void trace(const Document& without, const Document& with, const RenderOptions& o
       r = *std::move(made);
     }
     Picture picture;
-    for (int frame = 0; frame <= 600; frame += 5)  // the first one, in which drivers compile, does not count
+    for (int frame = 0; frame <= 600; frame += 5)  // the first picture does not count, because drivers compile in it
       for (int k = 0; k < 2; ++k) {
         const double took = processor_milliseconds([&] {
           evaluations[k].to(with.rate().frame(std::max(frame, 1)));

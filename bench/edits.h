@@ -2,6 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// One event changed in a document of a million: the command, kept in a file before it is answered, the program, the
-// frame. Beside it the same by plain code.
+// Measures a change of one event in a document of a million: the command, written to a file before the answer, the
+// program and the frame. Measures the same in plain code.
 void edits(int rounds);

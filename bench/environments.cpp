@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How fast a million environments go from tick to tick, and to any tick, beside the animation process as the source
-// tells it: doubly linked lists in 30 slots, and A <- M A in f32. Values are checked.
+// Measures how fast a million environments step from tick to tick and seek to any tick, compared with the animation
+// process of the source: doubly linked lists in 30 slots, and A <- M A in f32. Checks the values.
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -25,7 +25,7 @@ namespace {
 using Random = std::mt19937_64;
 
 constexpr std::size_t count = 1'000'000;
-constexpr std::int64_t begun = 120;  // by then all have
+constexpr std::int64_t begun = 120;  // the tick by which all environments have begun
 constexpr int rounds = 10, ticks_a_round = 60, seeks = 200;
 
 struct Spread {
@@ -41,7 +41,7 @@ std::size_t allocated() {
   return info.uordblks + info.hblkhd;
 }
 
-// Read and written for an update, were each form as frequent as the others.
+// Bytes read and written for an update, as the mean of all forms.
 double bytes_an_update() {
   using environments::Form;
   double sum = 0;
@@ -62,8 +62,8 @@ Vec3 vector(Random& r, double most) {
   return {between(r, -most, most), between(r, -most, most), between(r, -most, most)};
 }
 
-// A quarter each of moves, turns about an axis through the origin, screws, and turns that scale; the scales stay within
-// Power::bound for 100,000 ticks.
+// A quarter each are translations, rotations about an axis through the origin, screws, and rotations with a scaling.
+// The scales stay within Power::bound for 100,000 ticks.
 Mat4 motion(Random& r) {
   const auto turn = [&] { return rotation(axis_angle(vector(r, 1), between(r, -pi, pi))); };
   switch (r() % 4) {
@@ -100,7 +100,7 @@ std::vector<EnvironmentSet::Member> members(const std::vector<Animation>& all) {
   return made;
 }
 
-// How many updates there are in a tick, when all have begun.
+// Returns the number of updates in a tick after all have begun.
 class Updates {
  public:
   explicit Updates(const std::vector<Animation>& all) {
@@ -150,7 +150,7 @@ class Lists {
   std::int64_t tick() const { return tick_; }
   void step() {
     ++tick_;
-    // Off with the list first: an interval of 30 slots would go on for ever.
+    // Takes the list out of its slot first: with an interval of 30 slots the loop would never end.
     for (Entry* e = std::exchange(slots_[slot(tick_)], nullptr); e;) {
       Entry* const next = e->next;
       multiply(*e);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From an edit to its picture: of each example, processor time of all threads. A thing that is seen gets another colour
-// by a command; its document is compiled anew, and a picture drawn as the program does. Beside it what is paid once:
-// the film is read, and graphics start (the renderer is made and draws its first picture, for which the driver
-// compiles).
+// Measures the time from an edit to its picture for each example, as processor time of all threads. A command gives a
+// visible object another colour, the document is compiled again, and a picture is drawn. Also measures what happens
+// only once: reading the film, and starting graphics (making the renderer and its first picture, for which the driver
+// compiles shaders).
 //
 //   bench_first_picture FOLDER-OF-EXAMPLES [ROUNDS]
 #include <fmt/format.h>
@@ -82,7 +82,7 @@ class Film {
  private:
   const Document& document() const { return editor_.now().document; }
   void draw() { insist(static_cast<bool>(renderer_->render(program_.frame(at_), picture_)), "a picture"); }
-  // Without a thing: the light of all.
+  // Changes the colour of an object, or the exposure if `thing` is empty. Returns false if the command was refused.
   bool edit(const std::string& thing, int k) {
     const int some = 16 + 37 * k % 200;
     const std::string line =
@@ -92,7 +92,7 @@ class Film {
     program_ = Program::compile(document(), program_);
     return true;
   }
-  // The first thing whose colour the picture shows, or else all.
+  // Returns the first object whose colour is visible in the picture, or "" if there is none.
   std::string find_seen() {
     const Picture before = picture_;
     for (const Item& i : program_.frame(at_).items) {

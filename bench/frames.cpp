@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a frame costs, beside plain code for the same work, turn about:
+// Measures the time of a frame, in turns with plain code for the same work:
 //   bench_frames ROW [ROUNDS]   keys, random, shared, rest, move, tree, edit
-// Values are compared with those of the plain code, and bit by bit with those of an evaluation that was nowhere else.
+// Compares values with those of the plain code, and bit by bit with those of a new evaluation.
 #include <cstring>
 #include <functional>
 #include <map>
@@ -37,7 +37,7 @@ bool near(const Mat4& a, const Mat4& b) {
   return true;
 }
 
-// What is compared now and then.
+// The checks that run at some frames.
 void check(const Film& film, const std::vector<Mat4>& plain) {
   Evaluation alone(film.program);
   alone.to(film.now.time());
@@ -48,7 +48,8 @@ void check(const Film& film, const std::vector<Mat4>& plain) {
   for (std::size_t i = 0; i < plain.size(); ++i) insist(near(worlds[i], plain[i]), "a world of the plain code");
 }
 
-// Goes through the frames, ours and plainly, and says what one takes, in units of so many nanoseconds.
+// Runs through the frames with Betwixt and with plain code. Prints the time of one frame in units of `unit`
+// nanoseconds.
 void play(int rounds, Film& film, const std::vector<double>& frames, double unit, const std::function<void()>& begin,
           const std::function<void(double)>& plain, const std::vector<Mat4>& worlds) {
   std::vector<Time> times;
@@ -94,7 +95,7 @@ void keyed(int rounds, scenes::Times times, bool forward) {
   play(rounds, film, forward ? scenes::forward_frames() : scenes::random_frames(), count, begin, go, worlds);
 }
 
-// ---- Boxes of which some move
+// ---- Boxes, some of which move
 
 void boxes(int rounds, int count, int moving) {
   constexpr double milliseconds = 1e6;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What each command takes over N things and over 2N: the time of one thing should stay as it is. A ratio near 1 is
-// linear growth, one near 2 quadratic.
+// Measures each command over N objects and over 2N. The time for one object should stay the same: a ratio near 1 means
+// linear growth, a ratio near 2 quadratic growth.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -45,7 +45,7 @@ std::string listed(Size n) {
   return out + "start all\n";
 }
 
-// A line for each of them, in which # is its number.
+// Returns a line for each object, in which # is replaced by its number.
 std::string lines(Size n, std::string_view line) {
   std::string out;
   for (Size i = 1; i <= n; ++i) {
@@ -59,7 +59,7 @@ std::string lines(Size n, std::string_view line) {
 std::string flat(Size n) { return "film flat\n" + moving(n); }
 
 Size kept = 0;
-void keep(Size n) { kept += n; }  // somebody looks at it
+void keep(Size n) { kept += n; }  // so that the compiler does not remove the work
 
 void exported(const Document& d, const char* ending) {
   ExportOptions options;
@@ -74,15 +74,15 @@ void exported(const Document& d, const char* ending) {
 struct Row {
   const char* name;
   std::string (*before)(Size);
-  const char* said = nullptr;               // one line about all; @ is how many there are …
+  const char* said = nullptr;               // one line about all objects; @ is their number …
   const char* each = nullptr;               // … or a line for each
   void (*done)(const Document&) = nullptr;  // … or something else
-  // The lines are a bundle: of an earlier session, done again; or of a live host.
+  // Whether the lines are a bundle: `again` in the history of an earlier session, `live` of a live host.
   enum class Bundle : unsigned char { none, again, live } bundle = Bundle::none;
 };
 
 const Row rows[] = {
-    // One line for all.
+    // One line for all objects.
     {"create", film, "create p{1..@} sphere"},
     {"create at i", film, "create p{1..@} sphere position=(i 0 0)"},
     {"create below", grouped, "create g/p{1..@} sphere"},
@@ -132,7 +132,7 @@ const Row rows[] = {
     {"remove group", grouped, "remove g"},
     {"rename group", grouped, "rename g h"},
     {"environments", spinning, "set o*.environments (spin)"},
-    // A line for each.
+    // A line for each object.
     {"create, each", film, nullptr, "create p# sphere"},
     {"create like, each", film, nullptr, "create p# like hand"},
     {"create like many, each", balls, nullptr, "create p# like o#"},
@@ -172,7 +172,7 @@ const Row rows[] = {
     {"make, each", film, nullptr, "make s#\n  point (0 0)"},
     {"rename below, each", nested, nullptr, "create q# sphere\nrename q# g1/q#"},
     {"make, each", film, nullptr, "make s#\n  point (0 0)"},
-    // The bundle of an earlier session.
+    // A bundle of an earlier session.
     {"bundle of create", film, nullptr, "create p# sphere", nullptr, Row::Bundle::again},
     {"bundle of set", balls, nullptr, "set o#.color gold", nullptr, Row::Bundle::again},
     {"bundle of sheets", balls, nullptr, "o#.position\n  1f (i 0 0)\n  24f (i 1 0)", nullptr, Row::Bundle::again},
@@ -182,7 +182,7 @@ const Row rows[] = {
     {"bundle of note", film, nullptr, "at #f note \"#\"", nullptr, Row::Bundle::again},
     {"bundle of alias", balls, nullptr, "alias a# = o#", nullptr, Row::Bundle::again},
     {"bundle of make", film, nullptr, "make s#\n  point (0 0)", nullptr, Row::Bundle::again},
-    // The same of a live host.
+    // A bundle of a live host.
     {"live bundle of note", film, nullptr, "at #f note \"#\"", nullptr, Row::Bundle::live},
     {"live bundle of note from behind", film, nullptr, "at -#f note \"#\"", nullptr, Row::Bundle::live},
     {"live bundle of alias", balls, nullptr, "alias a# = o#", nullptr, Row::Bundle::live},
@@ -192,7 +192,7 @@ const Row rows[] = {
     {"live bundle of lists, shown", listed, nullptr, "make s#\n  point (0 0)", nullptr, Row::Bundle::live},
     {"live bundle of set", balls, nullptr, "set o#.color gold", nullptr, Row::Bundle::live},
     {"live bundle of sheets", balls, nullptr, "o#.position\n  1f (1 0 0)\n  24f (2 1 0)", nullptr, Row::Bundle::live},
-    // Words of the shell.
+    // Commands of the shell.
     {"list", balls, "list"},
     {"list pattern", balls, "list o*"},
     {"describe", balls, "describe o*"},
@@ -201,7 +201,7 @@ const Row rows[] = {
     {"eval", balls, "eval o*"},
     {"eval position", balls, "eval o*.position"},
     {"eval all functions", balls, "eval o*.*"},
-    // What is done with a document.
+    // Operations on a document.
     {"write", moving, nullptr, nullptr, [](const Document& d) { keep(write(d).size()); }},
     {"write held", held, nullptr, nullptr, [](const Document& d) { keep(write(d).size()); }},
     {"write environments", turning, nullptr, nullptr, [](const Document& d) { keep(write(d).size()); }},
@@ -236,7 +236,7 @@ double loading(const std::string& text) {
   return processor_milliseconds([&] { keep(load_text(text, "").diagnostics.size()); });
 }
 
-// One step of a history; it makes what a script with its lines does.
+// Carries out one step of a history. The result must equal that of a script with the same lines.
 double doing_again(const std::string& before, const std::string& text) {
   Step bundle;
   for (Size at = 0, end; at < text.size(); at = end + 1) {
@@ -250,7 +250,7 @@ double doing_again(const std::string& before, const std::string& text) {
   return ms;
 }
 
-// A bundle of a live host.
+// Sends a bundle as a live host.
 double doing_live(const std::string& before, const std::string& text) {
   Editor editor;
   editor.begin(before, "");

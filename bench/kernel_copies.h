@@ -6,8 +6,8 @@
 
 namespace betwixt::algebra {
 
-// Reads and writes what the kernel does, in the same order and by vectors of the same size, and works out nothing: what
-// is written is what was read, x and y changed about. `through`: what is drawn goes past the caches.
+// Reads and writes the same arrays as a kernel, in the same order and in vectors of the same size, but computes
+// nothing: it writes what it read, with x and y exchanged. With `through`, stores go past the caches.
 void copy_all(Kernel, const Arrays<float>&, bool through, unsigned threads);
 void copy_all(Kernel, const Arrays<double>&, bool through, unsigned threads);
 

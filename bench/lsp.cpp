@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How long an editor waits: from a key to what there is to say of the text, and for what it asks then, without the
-// pipe. After each key all has to be as before: no errors, or the one that the key makes.
+// Measures how long an editor waits from a key to the diagnostics of the text, and for the requests after it, without
+// the pipe. After each key the text must have no errors, or only the error that the key makes.
 //   bench_lsp [KEYS]
 #include <fmt/format.h>
 
@@ -19,7 +19,8 @@ using namespace betwixt;
 
 namespace {
 
-// Some 17 lines for each thing, as films have them: what it is, sheets, lines that speak of it alone and of many.
+// About 17 lines for each object, as films have them: its creation, sheets, lines about it alone and about many
+// objects.
 std::string film(std::size_t lines) {
   std::string text = "rate 24\nrange 1f 2000f\nfilm flat\nlet beat = 12f\n";
   std::size_t count = 4;
@@ -55,7 +56,7 @@ class BenchEditor {
     say("initialize", Json::object(), true);
     say("textDocument/didOpen", {{"textDocument", {{"uri", uri}, {"version", 1}, {"text", text}}}}, false);
   }
-  // What the server answers, all of it.
+  // Returns all messages of the server.
   std::string say(const char* method, Json params, bool asks) {
     Json message{{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}};
     if (asks) message["id"] = 1;

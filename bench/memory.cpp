@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a million events that are one number each take, as Betwixt counts it and as the allocator does; and what one
-// core copies just now, to compare everything else with.
+// Measures the memory of a million events of one number each, as Betwixt counts it and as the allocator does. Also
+// measures how fast one core copies memory now, as the unit for other results.
 #include "program/memory.h"
 
 #include <malloc.h>

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""See pacing.sh."""
+"""Measures how evenly the imaging server makes frames. pacing.sh describes this and calls it."""
 
 import os
 import signal
@@ -29,7 +29,7 @@ while True:
     server.do("set box.color red")
     time.sleep(0.01)
 """
-# What a program does that draws by itself: at every moment it says where the box is and asks for the picture's values.
+# The loop of a program that animates by itself: at each frame it sends the place of the box and asks for the result.
 LOOP = """
 import sys, time
 from betwixt_client import Server
@@ -76,7 +76,8 @@ class Serving:
 
 
 def paced(program, folder, priority, frames):
-    """The server's own clock: a host that is stopped when it has begun, and a look at the figures at the end."""
+    """Measures the server's own clock. A host starts the motion and is stopped (SIGSTOP). The statistics are read at
+    the end."""
     with Serving(program, folder, priority) as serving:
         host = subprocess.Popen([sys.executable, "-c", HOST, serving.socket], stdout=subprocess.PIPE, text=True)
         host.stdout.readline()
@@ -91,11 +92,11 @@ def paced(program, folder, priority, frames):
         due, missed = (now[k] - first[k] for k in ("frames_due", "frames_missed"))
         row(f"server, {now['class']}", due, missed, now["late_p50_us"], now["late_p99_us"], now["late_max_us"])
         if now["class"] != priority:
-            print(f"  {priority} was asked for: {serving.said}")
+            print(f"  the class {priority} was requested: {serving.said}")
 
 
 def driven(program, folder, frames, stopped):
-    """The host's loop, and the same with the host stopped for a second in the middle."""
+    """Measures the host's loop. With `stopped`, the host is stopped for a second in the middle."""
     with Serving(program, folder, "ordinary") as serving:
         loop = subprocess.Popen([sys.executable, "-c", LOOP, serving.socket, str(RATE), str(frames)],
                                 stdout=subprocess.PIPE, text=True)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How fast a script of a million events is read, and how long until its first frame. Values are checked. Beside it
-// plain code that reads these very lines and nothing else: it knows where the numbers are, and tells no error.
+// Measures how fast a script of a million events is read, and the time to its first frame. Checks the values. Compares
+// with plain code that reads only these lines: it knows where the numbers are, and reports no errors.
 //   bench_parse [ROUNDS]
 #include <fmt/format.h>
 

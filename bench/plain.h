@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The yardstick: what a programmer would write for these scenes and nothing else, one number after the other. Tracks
-// have their cubics ready and a cursor for going forward; any other time is found by bisection. Matrices are those of
-// Betwixt, so that values can be compared.
+// Plain code to compare with: what a programmer would write for only these scenes, one number after the other. Tracks
+// have precomputed cubics and a cursor that moves forward; other times are found by bisection. The matrices have the
+// conventions of Betwixt, so that values can be compared.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class Track {
     frames_.push_back(frame);
     values_.push_back({value.x, value.y, value.z});
   }
-  // Smooth between the keys: the tangents of the parabolas through three neighbours.
+  // Interpolates smoothly: each tangent is that of the parabola through a key and its neighbours.
   void compile() {
     segments_.resize(frames_.size() - 1);
     for (std::size_t k = 0; k < segments_.size(); ++k) compile(k);
@@ -33,7 +33,7 @@ class Track {
     values_[key] = {value.x, value.y, value.z};
     for (std::size_t k = key < 2 ? 0 : key - 2; k < std::min(key + 2, segments_.size()); ++k) compile(k);
   }
-  // `frame`: from the first to the last key, and not before the one that was asked last.
+  // `frame` must be between the first and the last key, and not before the frame of the last call.
   Vec3 forward(double frame) {
     while (now_ + 1 < segments_.size() && frames_[now_ + 1] <= frame) ++now_;
     return at(now_, frame);
@@ -79,7 +79,7 @@ class Track {
   std::size_t now_ = 0;
 };
 
-// About the own x axis, then y, then z; radians.
+// Rotations about the object's own x axis, then y, then z, in radians.
 inline Mat4 placed(Vec3 position, Vec3 angles, Vec3 scale) {
   const double sx = std::sin(angles.x), cx = std::cos(angles.x), sy = std::sin(angles.y), cy = std::cos(angles.y),
                sz = std::sin(angles.z), cz = std::cos(angles.z);
@@ -111,7 +111,7 @@ struct Object {
   Mat4 seek(double frame) const { return placed(tracks[0].seek(frame), tracks[1].seek(frame), tracks[2].seek(frame)); }
 };
 
-// Of affine matrices.
+// Returns the product of two affine matrices.
 inline Mat4 product(const Mat4& a, const Mat4& b) {
   Mat4 r = linear_product(a, b);
   const Vec3 at = transform_point(a, translation_of(b));
@@ -119,9 +119,10 @@ inline Mat4 product(const Mat4& a, const Mat4& b) {
   return r;
 }
 
-// Nodes with what they hang on before them; who moved, and all below it, gets its world.
+// A tree of nodes in which each parent comes before its children. Updates the world matrices of nodes that moved, and
+// of all nodes below them.
 struct Nodes {
-  std::vector<int> parent;  // -1: none
+  std::vector<int> parent;  // -1 for no parent
   std::vector<Mat4> own, world;
   std::vector<char> moved;
   void update() {

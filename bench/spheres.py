@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # The scene of spheres.bx: 200 moving spheres on a plane under three lights. `python3 bench/spheres.py > bench/spheres.bx`
-# writes the script; spheres_blender.py makes the same scene from the same numbers. Of other numbers of columns and rows,
-# `spheres.py COLUMNS ROWS`, there are as many smaller spheres on the same field.
+# writes the script; spheres_blender.py makes the same scene from the same numbers. `spheres.py COLUMNS ROWS` makes
+# another number of spheres, in a size that fits the same field.
 import colorsys
 import math
 import sys
@@ -20,7 +20,8 @@ def size_of(columns):
 
 
 def spheres(columns=COLUMNS, rows=ROWS):
-    """A name, a color and events (frame, (x, y, z)) for each: a wave that runs over the grid, straight between events."""
+    """Yields (name, color, events) of each sphere. An event is (frame, (x, y, z)), with linear motion in between. A
+    wave runs over the grid."""
     size = size_of(columns)
     for k in range(columns * rows):
         column, row = size * (k % columns), size * (k // columns)

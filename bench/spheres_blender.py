@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # The scene of spheres.py in Blender's Workbench: blender -b -P bench/spheres_blender.py -- MODE SAMPLES OUT [COLUMNS ROWS]
-#   MODE pictures: every frame is drawn and thrown away; film: drawn and encoded to OUT (H.264); still: frame 30 to OUT.
-#   SAMPLES: Workbench's antialiasing: OFF, FXAA, 5, 8 (its own choice), 11, 16, 32.
+#   MODE pictures: draws every frame, keeps none; film: draws and encodes to OUT (H.264); still: draws frame 30 to OUT.
+#   SAMPLES is Workbench's antialiasing: OFF, FXAA, 5, 8 (its default), 11, 16, 32.
 # The last line says "SECONDS frames N spheres N seconds S".
 import os
 import sys
@@ -20,7 +20,7 @@ grid = [int(n) for n in grid] or [spheres.COLUMNS, spheres.ROWS]
 
 
 def up(v):
-    """From y up to Blender's z up."""
+    """Converts a point from y up to Blender's z up."""
     return Vector((v[0], -v[2], v[1]))
 
 
@@ -55,7 +55,7 @@ ball.materials.append(None)
 bpy.data.objects.remove(model)
 for name, color, events in spheres.spheres(*grid[:2]):
     s = put(name, ball, events[0][1])
-    s.material_slots[0].link = "OBJECT"  # one mesh for all, a material for each
+    s.material_slots[0].link = "OBJECT"  # one mesh for all spheres, a material for each
     s.material_slots[0].material = material(name, color)
     for frame, at in events:
         s.location = up(at)
@@ -68,7 +68,7 @@ bpy.ops.mesh.primitive_plane_add(size=spheres.PLANE)
 bpy.context.object.data.materials.append(material("floor", "#b0b4ba"))
 for i, (at, reach, intensity) in enumerate(spheres.LIGHTS):
     lamp = bpy.data.lights.new(f"lamp{i}", "POINT")
-    lamp.energy = 1000 * intensity  # Workbench does not look
+    lamp.energy = 1000 * intensity  # Workbench ignores it
     put(lamp.name, lamp, at)
 eye = put("eye", bpy.data.cameras.new("eye"), spheres.EYE)
 eye.data.lens, eye.data.sensor_width = spheres.LENS, 36
@@ -90,7 +90,7 @@ if mode == "still":
     render.filepath = out
     bpy.ops.render.render(write_still=True)
 else:
-    bpy.ops.render.render()  # the graphics interface is ready now
+    bpy.ops.render.render()  # the first picture starts the graphics interface
     begun = time.perf_counter()
     if mode == "pictures":
         for frame in range(scene.frame_start, scene.frame_end + 1):

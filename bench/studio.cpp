@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How quickly the studio answers: pictures a second while it plays; from a key in the script, and from a move of the
-// mouse over the ruler, to the picture that shows what came of it. Of each the median, the 99th of a hundred, the most.
+// Measures how quickly the studio answers: pictures a second during playback, and the time from a key in the script or
+// a mouse move over the ruler to the picture with the result. Prints the median, the 99th percentile and the maximum.
 //   bench_studio FILE… (of films without a file: 10000 moving things, a million events)
 #include <fmt/format.h>
 
@@ -104,7 +104,7 @@ class Trial {
     auto* editor = window_.panel("script_panel")->findChild<QPlainTextEdit*>();
     window_.show_panel("script_panel");
     QApplication::processEvents();
-    // A row's number, in the middle of the text.
+    // A number in an event row in the middle of the text.
     const QString text = editor->toPlainText();
     const int row = static_cast<int>(text.indexOf("f (", text.size() / 2)) + 3;
     QTextCursor c = editor->textCursor();

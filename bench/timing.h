@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <ctime>
 
-// How long the work takes.
+// Returns how long the work takes.
 template <class F>
 double milliseconds(F&& work) {
   const auto begin = std::chrono::steady_clock::now();
@@ -15,7 +15,7 @@ double milliseconds(F&& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// How much of all processors it takes, whatever else the machine does.
+// Returns the processor time of all threads for the work. Other work on the machine does not count.
 template <class F>
 double processor_milliseconds(F&& work) {
   const auto now = [] {
@@ -28,7 +28,7 @@ double processor_milliseconds(F&& work) {
   return now() - begin;
 }
 
-// What benchmarks say, a line each, for bench/run: what was measured, and how much.
+// Prints a line for bench/run: the name of a measurement and its value.
 inline void report(const char* what, double value) { std::printf("%s %.6g\n", what, value); }
 
 inline void insist(bool holds, const char* what) {

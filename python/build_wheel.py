@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What pip asks for: a wheel, which is what CMake installs, zipped."""
+"""The build backend for pip: builds the package with CMake and writes it as a wheel."""
 
 import atexit
 import base64
@@ -25,17 +25,18 @@ def _project():
 
 
 def _say(words):
-    """Prints it, on the terminal too: pip shows printed lines only with -v."""
+    """Prints words, also directly on the terminal, because pip shows printed lines only with -v."""
     print(words, flush=True)
     try:
         with open("/dev/tty", "w", encoding="utf-8") as terminal:
             terminal.write(f"\r\033[K{words}\n")
     except OSError:
-        pass  # there is none
+        pass  # there is no terminal
 
 
 def _run(command):
-    """Runs it, with a line for each tenth of ninja's steps; after a failure, its last lines."""
+    """Runs a command, and prints a line for each tenth of ninja's steps. After a failure prints the last 40 lines of
+    its output and raises CalledProcessError."""
     environment = {"CCACHE_SLOPPINESS": "pch_defines,time_macros,include_file_mtime,include_file_ctime", **os.environ,
                    "NINJA_STATUS": "[%f/%t] "}
     said, tenth = [], 0
@@ -54,12 +55,12 @@ def _run(command):
 
 
 def _built():
-    """The folder of the package. It is built in a folder of its own, which makes the next time short; the source tree's
-    own build, which is for another Python perhaps, stays as it is."""
+    """Builds the package and returns its folder. The build has a folder of its own, so that the next call is short. The
+    usual build of the source tree may be for another Python, so it is not changed."""
     build = os.path.join(ROOT, "build", f"pip-cp{sys.version_info[0]}{sys.version_info[1]}")
     try:
         os.makedirs(build, exist_ok=True)
-    except OSError:  # a source tree that belongs to others
+    except OSError:  # this user cannot write in the source tree
         build = tempfile.mkdtemp(prefix="betwixt-")
         atexit.register(shutil.rmtree, build, True)
     _say(f"betwixt: building the module in {build}: some minutes the first time")
@@ -92,7 +93,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             if inside in parts:
                 with open(what, "rb") as part:
                     data = part.read()
-                entry.external_attr = (os.stat(what).st_mode & 0xFFFF) << 16  # the parser stays a program
+                entry.external_attr = (os.stat(what).st_mode & 0xFFFF) << 16  # the parser stays executable
             wheel.writestr(entry, data)
             digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
             record += f"{inside},sha256={digest},{len(data)}\n"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The module betwixt._core: betwixt/__init__.py gives what is in it to users, betwixt/_core.pyi says what there is.
+// The module betwixt._core. betwixt/__init__.py imports its names for users, and betwixt/_core.pyi has their types.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -15,15 +15,15 @@
 
 namespace {
 
-// pybind11 would give an object that __new__ alone has made uninitialised memory, and use that.
+// Refuses objects that __new__ has made without __init__: pybind11 would use their uninitialised memory.
 void refuse_what_was_never_made(const pybind11::module_& m) {
   for (const auto& [name, what] : m.attr("__dict__").cast<pybind11::dict>())
     if (PyType_Check(what.ptr()))
       if (auto* type = pybind11::detail::get_type_info(reinterpret_cast<PyTypeObject*>(what.ptr())))
         type->operator_new = [](std::size_t) -> void* {
           throw pybind11::type_error(
-              "this was made by __new__ alone and holds nothing: betwixt.load gives films, and "
-              "films give all else");
+              "this object was made by __new__ alone and is empty: use betwixt.load for films, and "
+              "films for the rest");
         };
 }
 
@@ -31,10 +31,9 @@ void refuse_what_was_never_made(const pybind11::module_& m) {
 
 PYBIND11_MODULE(_core, m) {
   pybind11::options options;
-  options.disable_function_signatures();  // the stubs say them better
+  options.disable_function_signatures();  // says() writes better ones
   m.attr("version") = BETWIXT_VERSION;
-  // Now, by one thread: if the first array of each of several threads looked for it, they would wait for each other for
-  // ever.
+  // Imports numpy now, in one thread. If several threads imported it with their first arrays, they would deadlock.
   try {
     pybind11::module_::import("numpy");
     pybind11::detail::npy_api::get();

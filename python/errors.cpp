@@ -22,7 +22,7 @@ std::string_view word_of(Severity severity) {
   return words[static_cast<std::size_t>(severity)];
 }
 
-// Text of files may be anything; what is no UTF-8 is shown as such.
+// Returns a text of a file for Python. Bytes that are not UTF-8 become U+FFFD.
 py::str shown(std::string_view text) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
@@ -76,12 +76,12 @@ void bind_errors(py::module_& m) {
       .def_property_readonly(
           "column", [](const Diagnostic& d) { return d.what.place.column; }, "The column, from 1, in characters.")
       .def_property_readonly(
-          "length", [](const Diagnostic& d) { return d.what.place.length; }, "The number of characters.")
+          "length", [](const Diagnostic& d) { return d.what.place.length; }, "The length of the place, in characters.")
       .def_property_readonly(
           "text", [](const Diagnostic& d) { return shown(d.line); }, "The text of the line.")
       .def(
           "__str__", [](const Diagnostic& d) { return shown(without_newline(to_string(d))); },
-          says("Formats it as the program does: the line, a caret below the place, a hint."))
+          says("Formats the diagnostic as the program does: the line, a caret below the place, a hint."))
       .def(
           "__repr__",
           [](const Diagnostic& d) {

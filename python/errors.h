@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What goes wrong becomes the exception betwixt.Error, which knows all that a diagnostic knows.
+// Turns errors into the exception betwixt.Error, which has everything that a diagnostic has.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -21,7 +21,7 @@ struct Failure {
 
 [[noreturn]] void raise(Diagnostics);
 [[noreturn]] void raise(const Error&);
-// About a word that was handed over: the caret stands below it.
+// Raises an error about a word of the caller's argument. The caret is below the word.
 [[noreturn]] void raise(const Error&, std::string_view word);
 
 template <class T>
@@ -30,13 +30,13 @@ T value_or_raise(Result<T> result) {
   return *std::move(result);
 }
 
-// Says warnings as Python's own, once for each place of the caller.
+// Issues the warnings among the diagnostics as Python warnings, once for each place of the caller.
 void warn(const Diagnostics&);
 void warn(const std::string& message);
 
 void bind_errors(py::module_&);
 
-// What takes a while, or waits: other threads of Python go on meanwhile.
+// Calls f without the interpreter's lock, so that other Python threads run while it works or waits.
 template <class F>
 auto unlocked(F f) {
   const py::gil_scoped_release released;

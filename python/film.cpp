@@ -49,7 +49,7 @@ Diagnostics Film::diagnostics() const {
 
 namespace {
 
-// A text as logical lines; of each, how many lines of the text stand before it.
+// Splits a text into logical lines. Each has the number of lines of the text before it.
 std::pair<std::vector<std::string>, std::vector<int>> logical_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::vector<int> before;
@@ -67,7 +67,7 @@ std::pair<std::vector<std::string>, std::vector<int>> logical_lines(const std::s
   return {lines, before};
 }
 
-// Words of the shell that would end the session, or put another film in its place.
+// Commands of the shell that would end the session or replace its film.
 bool leaves(const std::string& line) {
   const std::size_t from = line.find_first_not_of(" \t");
   const std::string word = line.substr(from, line.find_first_of(" \t", from) - from);
@@ -86,7 +86,7 @@ Session::Answer Film::say(const std::string& text) {
     if (leaves(line)) return refused("there is no shell here to leave", "betwixt.load opens films, write keeps them");
   const std::lock_guard lock(mutex_);
   Session::Answer answer = session_.enter_together(lines);
-  // Places count from the first line that was said; those before a line were counted without blank ones.
+  // Makes line numbers count from the first line of the call. The session counted without blank lines.
   int counted = 0;
   std::size_t k = 0;
   for (Diagnostic& d : answer.why) {
@@ -104,7 +104,7 @@ Target one_target(const std::string& name, const Document& document) {
   if (found->size() == 1) return found->front();
   raise(found->empty() ? nothing_named(name)
                        : fail(ErrorCode::name, "'" + name + "' names several values",
-                              "values() gives all of them; one is such as ball.position"),
+                              "use values() for all of them, or name one, such as ball.position"),
         name);
 }
 
@@ -134,7 +134,7 @@ py::object eval(const Film& film, const std::string& name, py::handle when) {
   const bool one = is_one_time(when);
   std::vector<Time> times = one ? std::vector{time_of(when, document)} : times_of(when, document);
   const bool none = times.empty();
-  if (none) times = {document.range().first};  // of no time there is an array too, as wide as of others
+  if (none) times = {document.range().first};  // an empty list of times gives an empty array of the usual width
   std::vector<Value> values;
   std::vector<std::string> problems;
   unlocked([&] {
@@ -165,7 +165,7 @@ py::dict values(const Film& film, py::handle when, const std::string& pattern) {
   return made;
 }
 
-// Something of the document as it is.
+// Calls f with the current document.
 auto in_document(const Film& film, const auto& f) {
   return f(unlocked([&] { return film.document(); }));
 }
@@ -217,8 +217,8 @@ py::class_<Film> bind_film(py::module_& m) {
              return film;
            }),
            py::arg("text"), py::arg("name") = "", py::kw_only(), py::arg("read_anywhere") = false,
-           py::arg("tex") = false, says("Opens the text of a script. `name` is the name of its file."))
-      .def_property_readonly("name", &Film::name, "The name of its file; empty if it has none.")
+           py::arg("tex") = false, says("Makes a film of the text of a script. `name` is the name of its file."))
+      .def_property_readonly("name", &Film::name, "The name of the script file; empty if it has none.")
       .def_property_readonly(
           "text", [](const Film& f) { return unlocked([&] { return f.text(); }); }, "The script, as it is now.")
       .def_property_readonly("rate", of_document([](const Document& d) { return d.rate().per_second(); }),
@@ -229,14 +229,14 @@ py::class_<Film> bind_film(py::module_& m) {
                              }),
                              "The first frame and the last.")
       .def_property_readonly("size", of_document([](const Document& d) { return d.size(); }),
-                             "Width and height of its pictures in pixels; None if the script gives none.")
+                             "Width and height of its pictures in pixels; None if the script has no size.")
       .def_property_readonly("objects", of_document([](const Document& d) { return d.names(); }),
-                             "The names of all objects, as they were created.")
+                             "The names of all objects, in the order of their creation.")
       .def_property_readonly("notes", of_document(notes),
                              "The notes of the script: frame and text, in the order of time.")
       .def_property_readonly("cuts", of_document(cuts),
-                             "Where the camera changes: frame and camera. Minus infinity marks the first camera.")
-      .def("kind", kind_named, py::arg("name"), says("Returns the kind of an object: \"sphere\"."))
+                             "The cuts: frame and name of the new camera. The first camera begins at minus infinity.")
+      .def("kind", kind_named, py::arg("name"), says("Returns the kind of an object, such as \"sphere\"."))
       .def(
           "time",
           [](const Film& f, py::handle t) {
@@ -250,23 +250,23 @@ py::class_<Film> bind_film(py::module_& m) {
           },
           py::arg("time"), says("Returns a time in seconds since the beginning, which is frame 1."))
       .def("breaks", breaks, py::arg("after"), py::arg("until"),
-           says("Returns the frames after the first and up to the second at which something may jump."))
+           says("Returns the frames after `after` and up to `until` at which something may jump."))
       .def("eval", eval, py::arg("target"), py::arg("time"),
            says("Returns the value of a target at a time, or an array with a row for each of many times. A time is a "
                 "frame "
                 "number, a text such as \"24f\" or \"2.5s\", or a timedelta."))
       .def("values", values, py::arg("time"), py::arg("pattern") = "",
-           says("Returns all values that a pattern names, by name; without a pattern, all values of all objects."))
+           says("Returns the values that a pattern names, by name; without a pattern, all values of all objects."))
       .def(
           "say", [](Film& f, const std::string& lines) { return told(unlocked([&] { return f.say(lines); })); },
           py::arg("lines"),
           says("Carries out lines of the language, all of them or none, and returns the answer of a shell."))
       .def(
           "undo", [](Film& f) { return told(unlocked([&] { return f.enter("undo"); })); },
-          says("Takes back the last step."))
+          says("Undoes the last step."))
       .def(
           "redo", [](Film& f) { return told(unlocked([&] { return f.enter("redo"); })); },
-          says("Repeats the step taken back."))
+          says("Redoes the last step that was undone."))
       .def(
           "write",
           [](const Film& f, const std::filesystem::path& path) {
@@ -295,7 +295,7 @@ py::class_<Film> bind_film(py::module_& m) {
           [](const Film& f) {
             return py::str("<Film {!r} of {} objects>").format(f.name(), f.document().names().size());
           },
-          says("Returns its name and its number of objects."));
+          says("Returns the name of the film and the number of its objects."));
   return film;
 }
 

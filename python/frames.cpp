@@ -19,14 +19,14 @@
 namespace betwixt::python {
 namespace {
 
-// A frame, and the names of what is in it.
+// A frame, with the document that has the names of its objects.
 struct Made {
   Frame frame;
   Document document;
   ObjectId camera;
 };
 
-// A part of a frame, which holds all of it.
+// A part of a frame. It keeps the whole frame alive.
 template <class Part>
 struct Of {
   std::shared_ptr<const Made> made;
@@ -154,10 +154,10 @@ void bind_items(py::module_& m) {
           "name", [](const ItemOf& i) { return name_of(i->id, i.made->document); }, "The name of its object.")
       .def_property_readonly(
           "body", [](const ItemOf& i) { return name_of(i->body, i.made->document); },
-          "The object with which it forms one body.")
+          "The name of the object with which it forms one body.")
       .def_property_readonly(
           "kind", [](const ItemOf& i) { return betwixt::name_of(i->shape->kind); }, "Its kind: \"sphere\".")
-      .def_property_readonly("world", world_of<Item>, "Where it is: a matrix, [row, column].")
+      .def_property_readonly("world", world_of<Item>, "The world matrix: [row, column].")
       .def_property_readonly(
           "color", [](const ItemOf& i) { return array_of(i->color); }, "Its colour, linear light.")
       .def_property_readonly(
@@ -202,14 +202,14 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "color", [](const LightOf& l) { return array_of(l->color); }, "Linear light, intensity included.")
       .def_property_readonly(
-          "range", [](const LightOf& l) { return l->range; }, "How far it reaches, in metres.");
+          "range", [](const LightOf& l) { return l->range; }, "The distance at which the light ends, in metres.");
   py::class_<CameraOf>(m, "Camera", "The active camera.")
       .def_property_readonly(
           "name", [](const CameraOf& c) { return name_of(c.made->camera, c.made->document); },
           "Its name; empty if the film has no camera.")
-      .def_property_readonly("world", world_of<Camera>, "Where it is: a matrix, [row, column].")
+      .def_property_readonly("world", world_of<Camera>, "The world matrix: [row, column].")
       .def_property_readonly(
-          "orthographic", [](const CameraOf& c) { return c->orthographic; }, "Whether it has no perspective.")
+          "orthographic", [](const CameraOf& c) { return c->orthographic; }, "Whether the projection is orthographic.")
       .def_property_readonly(
           "fov", [](const CameraOf& c) { return c->fov; }, "The horizontal angle of view, in radians.")
       .def_property_readonly(
@@ -224,16 +224,16 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
           "focus", [](const CameraOf& c) { return c->focus; }, "The focus distance, in metres.")
       .def_property_readonly(
           "shift", [](const CameraOf& c) { return py::make_tuple(c->shift_x, c->shift_y); },
-          "The lens shift, in halves of the picture.");
+          "The lens shift, in units of half the picture.");
   py::class_<Made, std::shared_ptr<Made>>(m, "Frame", "Everything visible at one time.")
       .def_property_readonly(
-          "time", [](const Made& f) { return frame_of(f.frame.time, f.document); }, "Its frame.")
+          "time", [](const Made& f) { return frame_of(f.frame.time, f.document); }, "The time, as a frame number.")
       .def_property_readonly(
           "seconds", [](const Made& f) { return f.frame.time.seconds(); }, "The same in seconds since the beginning.")
       .def_property_readonly(
           "items",
           [](const std::shared_ptr<Made>& f) { return parts_of(std::shared_ptr<const Made>(f), f->frame.items); },
-          "The things drawn.")
+          "The visible things.")
       .def_property_readonly(
           "lights",
           [](const std::shared_ptr<Made>& f) { return parts_of(std::shared_ptr<const Made>(f), f->frame.lights); },
@@ -266,7 +266,7 @@ void bind_frames(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "notes", [](const Made& f) { return f.frame.notes; }, "The notes at this time.")
       .def_property_readonly(
-          "problems", [](const Made& f) { return f.frame.problems; }, "The errors of the script's code.")
+          "problems", [](const Made& f) { return f.frame.problems; }, "The errors of Lua code in the script.")
       .def(
           "__repr__", [](const Made& f) { return "<Frame of " + std::to_string(f.frame.items.size()) + " things>"; },
           says("Returns the number of items."));

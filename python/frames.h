@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frames: what is seen at a time, as things with matrices, colours and triangles.
+// Frames: everything visible at a time, as items with matrices, colours and triangles.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -64,7 +64,7 @@ std::vector<KeysOf> motion(const Film& film, py::handle first, py::handle last, 
   const Program program = unlocked([&] { return film.program(); });
   const Document& document = program.document();
   KeyOptions options = options_of(style, metres, radians, arcs);
-  options.go_on = [](double) {  // Ctrl-C is heard
+  options.go_on = [](double) {  // so that Ctrl-C works
     const py::gil_scoped_acquire held;
     return PyErr_CheckSignals() == 0;
   };
@@ -105,9 +105,10 @@ void bind_keys(py::module_& m, py::class_<Film>& film) {
       .def_property_readonly(
           "last", [](const PieceOf& p) { return frame_of(p->until, p.of.document); }, "The frame at which it ends.")
       .def_property_readonly(
-          "begin", [](const PieceOf& p) { return numbers(p, p->begin); }, "The numbers at its beginning.")
+          "begin", [](const PieceOf& p) { return numbers(p, p->begin); },
+          "The value at its beginning: one number for each component.")
       .def_property_readonly(
-          "end", [](const PieceOf& p) { return numbers(p, p->end); }, "The numbers at its end.")
+          "end", [](const PieceOf& p) { return numbers(p, p->end); }, "The value at its end.")
       .def_property_readonly(
           "leaving", [](const PieceOf& p) { return numbers(p, p->leaving); },
           "If cubic: the tangent at `first`, per second.")
@@ -121,7 +122,7 @@ void bind_keys(py::module_& m, py::class_<Film>& film) {
                 .format(word_of(p->shape), format_time(p->from, p.of.document), format_time(p->until, p.of.document));
           },
           says("Its shape and its frames."));
-  py::class_<ChannelOf>(m, "Channel", "A value over time, as pieces without gaps.")
+  py::class_<ChannelOf>(m, "Channel", "A value over time: pieces that follow each other without gaps.")
       .def_property_readonly(
           "width", [](const ChannelOf& c) { return c.channel->width; }, "How many numbers it has.")
       .def_property_readonly(

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motion as pieces that other programs can play.
+// Motion as channels of keys, which other programs can play.
 #pragma once
 
 #include <pybind11/pybind11.h>

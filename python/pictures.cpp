@@ -39,7 +39,7 @@ std::optional<Blur> exposure_of(const Document& document, const std::optional<st
   return blur_for(document, seconds, subframes);
 }
 
-// Pictures of one kind are mostly followed by more of it: each thread keeps the renderer that it used last.
+// Each thread keeps the renderer that it used last, because the next picture mostly has the same options.
 Renderer& renderer_for(const RenderOptions& wanted) {
   struct Kept {
     RenderOptions options;
@@ -47,7 +47,8 @@ Renderer& renderer_for(const RenderOptions& wanted) {
     pid_t owner = ::getpid();
   };
   static thread_local Kept kept;
-  // Of the parent's renderer a process that was forked has no more than the memory: it cannot even be taken down.
+  // A forked process has only the memory of its parent's renderer, without the threads and the graphics context. It
+  // cannot even destroy that renderer.
   if (kept.owner != ::getpid()) (void)kept.renderer.release(), kept.owner = ::getpid();
   const auto all = [](const RenderOptions& o) {
     return std::tie(o.width, o.height, o.samples, o.style, o.linear, o.unclamped);
@@ -92,7 +93,7 @@ Pixels picture(const Film& film, py::handle when, const Size& size, const std::s
   return made;
 }
 
-// Python's own call, now and then; what it raises ends the film.
+// Calls the progress function of the caller. An exception in it ends the film, and raise_again() raises it again.
 class Telling {
  public:
   explicit Telling(py::object progress) : progress_(std::move(progress)) {}
@@ -199,7 +200,7 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
   film.def("picture", picture, py::arg("time"), py::kw_only(), py::arg("size") = py::none(),
            py::arg("style") = "shaded", py::arg("samples") = py::none(), py::arg("shutter") = py::none(),
            py::arg("subframes") = py::none(),
-           says("Returns the picture at a time. The script decides what you leave out."));
+           says("Returns the picture at a time. Options that you leave out come from the script."));
   film.def("render", render, py::arg("path"), py::kw_only(), py::arg("frames") = py::none(),
            py::arg("size") = py::none(), py::arg("style") = "shaded", py::arg("samples") = py::none(),
            py::arg("shutter") = py::none(), py::arg("subframes") = py::none(), py::arg("bits") = 8, py::arg("jobs") = 0,

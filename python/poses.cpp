@@ -19,12 +19,12 @@
 namespace betwixt::python {
 namespace {
 
-// Frame by frame, in each object by object.
+// The arrays are ordered by frame, then by object.
 struct Poses {
   std::vector<std::string> names;
   std::vector<double> frames;
   std::vector<Mat4> world;
-  std::vector<std::int32_t> parents;  // places among the names; -1: nothing holds it
+  std::vector<std::int32_t> parents;  // indices in `names`; -1 for no parent
 };
 
 std::shared_ptr<const Poses> poses_at(const Program& program, const std::vector<Time>& times) {
@@ -50,7 +50,7 @@ std::shared_ptr<const Poses> poses_at(const Program& program, const std::vector<
   return made;
 }
 
-// More than this is a mistake in the call: it is 16 GiB of matrices.
+// A larger array is taken for a mistake in the call: this many matrices take 16 GiB.
 constexpr std::size_t most = std::size_t{1} << 27;
 
 std::shared_ptr<const Poses> poses(const Film& film, py::handle first, py::handle last, double step) {
@@ -77,7 +77,7 @@ py::ssize_t row(const Poses& p) { return std::ssize(p.names) * matrix; }
 
 void bind_poses(py::module_& m, py::class_<Film>& film) {
   using Held = std::shared_ptr<Poses>;
-  py::class_<Poses, Held>(m, "Poses", "Where all objects are, frame by frame.")
+  py::class_<Poses, Held>(m, "Poses", "The world matrices of all objects at each frame.")
       .def_readonly("names", &Poses::names, "The names of the objects, in their order.")
       .def_property_readonly(
           "frames",
@@ -125,7 +125,7 @@ void bind_poses(py::module_& m, py::class_<Film>& film) {
         return std::const_pointer_cast<Poses>(poses(f, first, last, step));
       },
       py::arg("first") = py::none(), py::arg("last") = py::none(), py::arg("step") = 1,
-      says("Returns where all objects are, frame by frame; by default over the film's own range."));
+      says("Returns the world matrices of all objects at each frame, by default over the film's range."));
 }
 
 }  // namespace betwixt::python

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where all objects are over a range of frames, as one array.
+// The world matrices of all objects over a range of frames, as one array.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Docstrings with signatures: `says("…")`, the last argument of def(), makes the signature of the py::arg before it, in
-// the form that inspect.signature reads. Notebooks and editors show both.
+// Docstrings with signatures. Pass `says("…")` as the last argument of def(): it makes a signature of the py::arg
+// before it, in the form that inspect.signature reads. Notebooks and editors show both.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -19,7 +19,7 @@ struct Says {
 };
 inline Says says(const char* words) { return {words}; }
 
-// "eval(self, target, time)".
+// Returns a signature such as "eval(self, target, time)".
 inline std::string signature_of(const py::detail::function_record& f) {
   std::string all = std::string(f.name) + "(";
   auto add = [&, first = true](const std::string& word) mutable { all += (first ? "" : ", ") + word, first = false; };

@@ -25,7 +25,7 @@ Time in_reach(double seconds, Time (*make)(double, Rate), double n, Rate rate) {
   return make(n, rate);
 }
 
-// A length of time as numpy has it, in a unit of its own.
+// Returns whether an object is a numpy.timedelta64: a length of time in any unit.
 bool is_timedelta64(py::handle said) {
   return py::hasattr(said, "dtype") && said.attr("dtype").attr("kind").cast<std::string>() == "m" &&
          said.attr("ndim").cast<int>() == 0;
@@ -64,7 +64,7 @@ Time time_of(py::handle said, const Document& document) {
 
 std::vector<Time> times_of(py::handle many, const Document& document) {
   if (!py::hasattr(many, "__iter__") && !py::hasattr(many, "__getitem__"))
-    return {time_of(many, document)};  // says why not
+    return {time_of(many, document)};  // raises an error that explains it
   std::vector<Time> times;
   for (const py::handle one : many) times.push_back(time_of(one, document));
   return times;

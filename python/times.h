@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Times as Python says them: a number is a frame, as on the command line; a word is the language's ("24f", "2.5s"); a
-// datetime.timedelta, or numpy's timedelta64, is a length since the beginning.
+// Converts times of Python. A number is a frame, as on the command line. A text is written as in the language ("24f",
+// "2.5s"). A datetime.timedelta or numpy's timedelta64 is the time since the beginning.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -16,10 +16,10 @@ namespace betwixt::python {
 namespace py = pybind11;
 
 Time time_of(py::handle said, const Document&);
-// Whether it is one time and not many.
+// Returns whether the argument is one time and not a list or an array of times.
 bool is_one_time(py::handle said);
 std::vector<Time> times_of(py::handle many, const Document&);
-// The frame's number, whole at frames.
+// Returns the frame number of a time: an integer at a frame, a fraction between two frames.
 double frame_of(Time, const Document&);
 
 }  // namespace betwixt::python

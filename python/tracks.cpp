@@ -19,7 +19,7 @@
 namespace betwixt::python {
 namespace {
 
-// Views, and the document that they look at.
+// Views of tracks and events. Each keeps its document alive.
 struct TrackOf {
   Document document;
   TrackView view;
@@ -90,7 +90,7 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           "twerper", [](const EventOf& e) { return e.view.twerper; },
           "The twerper to the next event; empty if none is given.")
       .def_property_readonly(
-          "arguments", [](const EventOf& e) { return e.view.arguments; }, "The numbers of its twerper.")
+          "arguments", [](const EventOf& e) { return e.view.arguments; }, "The arguments of its twerper: numbers.")
       .def_property_readonly(
           "stops", [](const EventOf& e) { return std::vector(e.view.stops.begin(), e.view.stops.end()); },
           "The stops of its twerper, if it has any.")
@@ -121,7 +121,8 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           says("Its time and value."));
   py::class_<TrackOf>(m, "Track", "The events of one display function.")
       .def_property_readonly(
-          "name", [](const TrackOf& t) { return t.document.name(t.view.target); }, "Its target: \"ball.position\".")
+          "name", [](const TrackOf& t) { return t.document.name(t.view.target); },
+          "Its target, such as \"ball.position\".")
       .def_property_readonly(
           "object", [](const TrackOf& t) { return name_of(t.view.target.object, t.document); },
           "The name of the object.")
@@ -138,7 +139,8 @@ void bind_tracks(py::module_& m, py::class_<Film>& film) {
           "twerper", [](const TrackOf& t) { return t.view.twerper; },
           "The twerper of the whole track; empty if each event has its own.")
       .def_property_readonly(
-          "unsaid", [](const TrackOf& t) { return t.view.default_twerper; }, "The default twerper.")
+          "unsaid", [](const TrackOf& t) { return t.view.default_twerper; },
+          "The default twerper of the display function.")
       .def_property_readonly(
           "before", [](const TrackOf& t) { return t.view.extrapolation_before; },
           "The extrapolation before the first event, a word of `extend`.")

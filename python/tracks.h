@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the author wrote: tracks and the events on them.
+// The tracks of the script and their events, as the author wrote them.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -12,7 +12,7 @@
 namespace betwixt::python {
 namespace {
 
-// As it is written in a script.
+// Returns a value as a script writes it.
 std::string words(const Attachment& a, const Document& document) {
   static constexpr const char* how[] = {"detach", "letgo", "hang on ", "attach to ", "couple to "};
   std::string said = how[static_cast<std::size_t>(a.kind)];
@@ -20,7 +20,7 @@ std::string words(const Attachment& a, const Document& document) {
   return said;
 }
 
-// Whether it is a pair, which is kept as a vector is.
+// Returns whether the values of a target have two components. They are stored as vectors of three.
 bool is_pair(const Target& target, const Document& document) {
   if (target.query() || target.component >= 0) return false;
   for (const FunctionView& f : functions(document, target.object))

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values as Python has them: numbers, arrays of numbers, texts; what refers to an object is its name.
+// Converts values to Python: numbers, arrays of numbers and texts. A reference to an object becomes the object's name.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -19,14 +19,14 @@ namespace betwixt::python {
 namespace py = pybind11;
 
 py::object to_python(const Value&, const Target&, const Document&);
-// Of one target at many times: one array where all of them are made of as many numbers, else a list.
+// Converts the values of one target at many times: an array if all have equally many numbers, otherwise a list.
 py::object to_python(const std::vector<Value>&, const Target&, const Document&);
 
 py::array_t<double> array_of(Vec3);
 py::array_t<double> array_of(const Mat4&);  // [row, column]
 py::str name_of(ObjectId, const Document&);
 
-// An array that shows numbers where they are, for reading; `owner` is kept for as long as anybody looks.
+// Returns a read-only array that views numbers in place. The array keeps `owner` alive.
 template <class T>
 py::array_t<T> view(const T* numbers, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
                     py::handle owner) {
@@ -35,7 +35,7 @@ py::array_t<T> view(const T* numbers, std::vector<py::ssize_t> shape, std::vecto
   return made;
 }
 
-// The same of numbers that are the array's own.
+// Returns a capsule that keeps `what` alive: an owner for view().
 template <class T>
 py::capsule keep(std::shared_ptr<const T> what) {
   return py::capsule(new std::shared_ptr<const T>(std::move(what)),

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Tries what docs/coming-from.md says of us: coming_from.py PROGRAM. Each row's last cell must load without a warning."""
+"""Checks docs/coming-from.md: coming_from.py PROGRAM. The code in the last cell of each row must load without a
+warning."""
 
 import os
 import re

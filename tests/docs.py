@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Tries what the pages show: docs.py PROGRAM.
+"""Checks the films of the documentation: docs.py PROGRAM.
 
-    ```betwixt         a block that begins like this is a film: it must load without a warning
-    ```betwixt warns   this one must load with a warning
+    ```betwixt         a block that begins like this is a film that must load without a warning
+    ```betwixt warns   a block that begins like this is a film that must load with a warning
 
-The pages that the program writes itself must be as it writes them now.
+Also checks that docs/reference.md and docs/command-line.md are as the program writes them now.
 """
 
 import os
@@ -26,7 +26,7 @@ def films():
 
 
 def check_film(program, folder, warns, code):
-    """None if the film is as its page says, otherwise the program's messages."""
+    """Returns None if the film loads as its block says, otherwise the program's messages."""
     script = os.path.join(folder, "film.bx")
     with open(script, "w", encoding="utf-8") as file:
         file.write(code)
@@ -54,7 +54,7 @@ def main():
         if printed == read(f"docs/{name}.md"):
             passed += 1
         else:
-            print(f"FAILED docs/{name}.md differs from the program's rows: call tools/reference.sh PROGRAM")
+            print(f"FAILED docs/{name}.md differs from the program's help texts: call tools/reference.sh PROGRAM")
             failed += 1
     print(f"{passed} passed, {failed} failed")
     return failed > 0 or found < 15

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# examples.sh PROGRAM: renders every example small; each film must hold as many frames as its range says. Then
-# looks at the numbers of some: what they are examples of must be so.
+# examples.sh PROGRAM: renders every example in a small size. Each film must have as many frames as its range. Then
+# checks some values of some examples.
 # shows: G3 G5 G12 G21 G54 G55 G56 G58 G82 G83 G96 G97 G105
 # shows: G4 G52 G63
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -12,7 +12,7 @@ trap 'rm -rf "$folder"' EXIT
 . "$root/tests/timed.sh"
 for script in "$root"/examples/*.bx; do
   name=$(basename "$script" .bx) film=$folder/$name.mp4
-  # `range 1f 72f`; the range ends before a comment. Where none is said the last event is the last frame.
+  # The number of frames comes from `range 1f 72f`. Without a range, the last event is the last frame.
   expected=$(sed -nE 's/^range +([0-9]+)f +([0-9]+)f.*/\2-\1+1/p' "$script" | tail -n 1)
   [ -n "$expected" ] || expected=$(grep -oE '[0-9]+f\b' "$script" | sed 's/f//' | sort -n | tail -n 1)
   if ! "$program" render "$script" -o "$film" --size 160x90 >"$folder/said" 2>&1; then
@@ -30,8 +30,8 @@ for script in "$root"/examples/*.bx; do
   fi
 done
 
-# holds WHAT CONDITION SCRIPT TIMES TARGETS…: whether the condition, in awk, is true of v[1], v[2] …, all numbers that
-# eval gives, in the order of times and targets.
+# holds WHAT CONDITION SCRIPT TIMES TARGETS…: checks a condition of awk about v[1], v[2] …, the numbers that eval
+# prints, in the order of times and targets.
 holds() {
   local what=$1 condition=$2 script=$3 times=$4 values
   shift 4
@@ -82,18 +82,18 @@ holds 'after half of the time every other pendulum is on the other side' 'same(v
 holds 'gears turn by the ratio of their teeth' 'same(v[1], -180) && same(v[2], 202.5)' gears 49f small.rotation.z large.rotation.z
 holds 'the flower rolls on by as much as it turns' 'same(v[4], -9 + 150 * 0.1222) && same(v[8], 1.75) && same(v[1], cos(600 * 3.14159265 / 180))' \
   flower 150f flower.world
-# Intervals of 1 to 5 ticks: 30, 15, 10, 8 and 6 updates, then it lies.
+# Intervals of 1 to 5 ticks: 30, 15, 10, 8 and 6 updates, then the object rests.
 holds 'the ball rolls slower until it lies' 'same(v[4], -6 + 70 * 0.17453) && same(v[20], v[4]) && same(v[1], cos(700 * 3.14159265 / 180))' \
   roll 155f,165f ball.world
 # shows: C63 C131
-# Numbers of a stack of matrices, by hand: 31 and 61 updates.
+# Values of a stack of matrices after 31 and 61 updates, computed by hand.
 holds 'two stars turn in opposite directions while the scene drifts' \
   'same(v[4], 0.93) && same(v[17], -0.760406) && same(v[21], -0.649448) && same(v[33], -0.052336) && same(v[37], 0.99863)' \
   two-stars 25f sky/drift-1.world sky/drift-1/right-1.world sky/drift-1/left-1.world
 holds 'a spinning frisbee follows its trajectory' \
   'same(v[4], -2.916396) && same(v[8], 1.724549) && same(v[12], 1.10578) && same(v[1], 0.038124) && same(v[5], -0.230091)' \
   frisbee 25f flight/roll-1/travel-1/rise-1/sink-1/spin-1/frisbee-1.world
-# Half a second on air, then g/2 t^2; and what a fall wrote are events, which can be moved.
+# Half a second without support, then g/2 t^2. A fall writes events, which can be moved.
 cat >"$folder/air.bx" <<'END'
 create late sphere position=(0 20 0)
 at 1f fall late delay=0.5s
@@ -103,7 +103,7 @@ END
 holds 'the law begins late' 'same(v[1], 20) && same(v[2], 20 - 9.81 / 2 / 4)' "$folder/air.bx" 10f,25f late.position.y
 holds 'a fall is plain events' 'same(v[1], v[4]) && same(v[2], 20)' \
   "$folder/air.bx" 25f,49f late.position.y moved.position.y
-# A geometry is switched, and nothing else.
+# Only the geometry is switched.
 cat >"$folder/switch.bx" <<'END'
 create form7 box
 create thing sphere position=(1 2 3) color=red
@@ -112,7 +112,7 @@ at 12f thing.geometry shape(form7)
 END
 holds 'only the geometry is switched' 'v[1] == v[4] && v[2] == v[5] && v[3] == v[6] && v[1] == 1 && v[7] == 7' \
   "$folder/switch.bx" 6f,13f thing.position thing.geometry
-# The tour of the studio, without its two minutes.
+# The tour of the studio: checked, but not rendered, because it takes two minutes.
 if "$program" check "$root/docs/tour/tour.bx" >/dev/null; then
   passed=$((passed + 1))
 else

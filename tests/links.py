@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Prints each link of a page that leads to no file or to no heading of this repository. Addresses elsewhere are not tried."""
+"""Prints each link of a page whose target file or heading does not exist in this repository. Links to other sites are
+not checked."""
 
 import os
 import sys

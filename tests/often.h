@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Precompiled: what most tests include. A test includes what it needs all the same.
+// The precompiled header: headers that most tests include. Each test still includes every header that it uses.
 #pragma once
 
 #include <gtest/gtest.h>

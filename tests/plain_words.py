@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Counts turns of phrase that readers have to read twice, in documentation, comments and messages.
+"""Counts phrases that readers often have to read twice, in documentation, comments and messages.
 
-    plain_words.py         prints each group that has more of them than it may, and the worst lines of it
-    plain_words.py -v      prints every line
+    plain_words.py         prints each group of files with more of them than its limit, and the first five lines
+    plain_words.py -v      prints all lines with such phrases
 
 A count above the limit is a reason to read the text again. A count below it is no proof that the text is good.
 """
@@ -15,7 +15,7 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
-# What is counted, and how often it may occur in a thousand words.
+# The groups of files, with the limit of each: phrases in a thousand words.
 USUAL = 2
 GROUPS = {
     "docs": (USUAL, ["README.md", "docs/*.md", "docs/*/*.md", "*/README.md"]),
@@ -26,10 +26,10 @@ HIGHER = {"render": 3}  # comments of shaders
 ROOMS = {room: HIGHER.get(room, USUAL) for room in sorted(os.listdir(f"{ROOT}/src"))}
 GROUPS.update({f"src/{room}": (limit, [f"src/{room}/*.h", f"src/{room}/*.cpp"]) for room, limit in ROOMS.items()})
 
-START = r"(?:^|[.;:!?(|,—] ?)"  # of a clause
-TURNS = re.compile("|".join((
-    START + r"(?:[Ww]ho|[Ww]hoever|Whose|Whom) (?!(?:is|are|was|does|can|has)\b[^.]*\?)[a-z]+",
-    START + r"[Ww]hat (?:is|was|are|has|had|goes|comes|stands|lies|moves|hangs|must|can|needs|takes|makes)\b(?![^.]*\?)",
+CLAUSE_START = r"(?:^|[.;:!?(|,—] ?)"  # the start of a clause
+PHRASES = re.compile("|".join((
+    CLAUSE_START + r"(?:[Ww]ho|[Ww]hoever|Whose|Whom) (?!(?:is|are|was|does|can|has)\b[^.]*\?)[a-z]+",
+    CLAUSE_START + r"[Ww]hat (?:is|was|are|has|had|goes|comes|stands|lies|moves|hangs|must|can|needs|takes|makes)\b(?![^.]*\?)",
     r"\b(?:of|by|to|for|from|with|in|at|on) (?:whatever|whom|whoever)\b",
     r"\b(?:nobody|somebody|anybody|everybody)\b",
     r"\b(?:stands|stood|lies|goes on|went on|gone on)\b(?! for\b)",
@@ -39,8 +39,8 @@ TURNS = re.compile("|".join((
 )), re.M)
 
 
-def prose(path):
-    """The words that people read: of a page all but its code, of a source the comments and the longer texts."""
+def readable_lines(path):
+    """Returns the lines that people read: a page without its code; the comments and longer strings of a source file."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
     if path.endswith(".md"):
@@ -60,13 +60,13 @@ def main(verbose):
     failed = False
     for name, (limit, patterns) in GROUPS.items():
         files = [f for p in patterns for f in sorted(glob.glob(p, root_dir=ROOT, recursive=True))]
-        lines = [(f, line) for f in files for line in prose(os.path.join(ROOT, f))]
+        lines = [(f, line) for f in files for line in readable_lines(os.path.join(ROOT, f))]
         words = sum(len(re.findall(r"[A-Za-z']+", line)) for _, line in lines)
-        found = [(f, line) for f, line in lines for _ in TURNS.finditer(line)]
+        found = [(f, line) for f, line in lines for _ in PHRASES.finditer(line)]
         share = 1000 * len(found) / max(1, words)
         if share > limit:
             failed = True
-            print(f"{name}: {share:.1f} turns in a thousand words are hard to read, and {limit} may be")
+            print(f"{name}: {share:.1f} phrases in a thousand words are hard to read; the limit is {limit}")
         if verbose or share > limit:
             for f, line in found if verbose else found[:5]:
                 print(f"  {f}: {line.strip()[:140]}")

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Builds and runs the sections of `./test`, and prints what failed, how many checks passed, and the ten slowest.
 
-    suite.py usual                what shows that the product works
-    suite.py full                 the same, and sanitizers, other programs, pages in a browser, editors, fuzzing
-    suite.py quick [ROOM…]        the rules of the house, and the unit tests of these rooms; without names, of the rooms
-                                  whose test programs the change has reached. Where a room itself has not been edited,
-                                  its slow tests are left out.
+    suite.py usual                the tests that show that the product works
+    suite.py full                 also sanitizers, other programs, pages in a browser, editors and fuzzing
+    suite.py quick [ROOM…]        the rules of the house, and the unit tests of these rooms (folders of src/); without
+                                  names, of all rooms whose test program has changed since it passed. It leaves out the
+                                  slow tests of rooms that you have not edited.
 
-One thread builds, section by section, while half of the processors run what is built already. When all is built, every
-processor runs tests, and one test more runs than there are processors, as some wait for what they test.
+One thread builds the sections in order. Meanwhile half of the processors run the tests of the sections that are built.
+When all is built, one test more runs at a time than there are processors, because some tests wait for other programs.
 """
 
 import glob
@@ -35,18 +35,19 @@ COUNTS = re.compile(r"^(\d+) passed, (\d+) failed$", re.M)
 class Section(NamedTuple):
     name: str
     modes: str  # the modes in which it runs
-    build: str  # a command of tools/setup.sh that builds what it needs, or nothing
-    jobs: Callable[[], list]  # the jobs that it then runs
+    build: str  # the command of tools/setup.sh that builds what it needs; empty if it needs nothing
+    jobs: Callable[[], list]  # returns the jobs; called after the build
 
 
 class Job(NamedTuple):
     label: str
     command: list
-    program: str = ""  # where it tests one program only: its path
+    program: str = ""  # the path of the tested program, if the job tests only one
 
 
 def units(folder, wanted="*"):
-    """Two shares of each test program, so that no processor waits for another at the end."""
+    """Returns a function that lists the jobs: two shares of each test program, so that no processor is idle at the
+    end."""
     def jobs():
         for program in sorted(glob.glob(f"{BUILD}/{folder}/test_{wanted}"), key=lambda p: -os.path.getsize(p)):
             for k in (1, 2):
@@ -57,7 +58,7 @@ def units(folder, wanted="*"):
 def scripts(*patterns, without=()):
     def jobs():
         found = [s for pattern in patterns for s in sorted(glob.glob(pattern, root_dir=ROOT)) if s not in without]
-        found.sort(key=lambda s: "serve" not in s)  # waits most of all, so it comes first
+        found.sort(key=lambda s: "serve" not in s)  # serve_test waits longest, so it comes first
         return [Job(os.path.basename(s), [s, PROGRAM]) for s in found]
     return jobs
 
@@ -85,13 +86,13 @@ def peers():
     return [Job(name, ["tests/peers/run.sh", PROGRAM, name]) for name in ("gltf", "usda", "lottie", "drawings", "web", "typescript", "editor")]
 
 
-def one(*command):
+def single_job(*command):
     return lambda: [Job(os.path.basename(command[0]), list(command))]
 
 
 EDITORS = ("tests/app/editors_test.sh",)
 SECTIONS = (
-    Section("rules of the house", "usual full", "", one("tests/house.sh")),
+    Section("rules of the house", "usual full", "", single_job("tests/house.sh")),
     Section("command line", "usual full", "build release betwixt_command",
             scripts("tests/app/*_test.sh", without=EDITORS)),
     Section("examples", "usual full", "", lambda: [Job("films", ["tests/examples.sh", PROGRAM]),
@@ -100,19 +101,19 @@ SECTIONS = (
     Section("unit tests", "usual full", "build release unit_tests", units("bin")),
     Section("Python", "usual full", "build release betwixt_python", python),
     Section("studio", "usual full", "build release betwixt_studio studio_tests", studio),
-    Section("installation", "usual full", "build release all", one("tests/install/run.sh", BUILD)),
+    Section("installation", "usual full", "build release all", single_job("tests/install/run.sh", BUILD)),
     Section("editors", "full", "", scripts(*EDITORS)),
     Section("unit tests under sanitizers", "full", "build release watched_tests", units("watched")),
     Section("benchmarks", "full", "build release benchmarks", lambda: [Job("they are built", ["true"])]),
-    Section("Blender", "full", "", one("tests/blender/run.sh", BUILD)),
+    Section("Blender", "full", "", single_job("tests/blender/run.sh", BUILD)),
     Section("pages in a browser", "full", "build_player", pages),
     Section("other programs", "full", "tests/peers/run.sh --install", peers),
-    Section("a minute of fuzzing", "full", "tools/fuzz.sh build", one("tools/fuzz.sh", "60")),
+    Section("a minute of fuzzing", "full", "tools/fuzz.sh build", single_job("tools/fuzz.sh", "60")),
 )
 
 
 class Tally:
-    """Counts all checks. Its lock also keeps lines of different threads apart."""
+    """Counts all checks. Its lock also keeps the output of different threads apart."""
 
     def __init__(self):
         self.begun, self.lock = time.monotonic(), threading.Lock()
@@ -124,7 +125,7 @@ class Tally:
 
 
 class Progress:
-    """The jobs of a section: how many are left, and what the others counted."""
+    """The progress of a section: how many jobs are left, and the counts of the others."""
 
     def __init__(self, section, jobs):
         self.name, self.left = section.name, jobs
@@ -133,30 +134,31 @@ class Progress:
 
 
 def run(command, env):
-    """Output and exit code. A job that takes too long is killed with its children."""
+    """Runs a command. Returns its output and exit code. After LONGEST seconds kills it and its children."""
     process = subprocess.Popen(command, cwd=ROOT, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.STDOUT, start_new_session=True, text=True, errors="replace")
     running.add(process)
     try:
         output, _ = process.communicate(timeout=LONGEST)
     except subprocess.TimeoutExpired:
-        waiting = waiting_for(process.pid)
+        waiting = process_tree(process.pid)
         os.killpg(process.pid, signal.SIGKILL)
         output = process.communicate()[0] + f"\nkilled after {LONGEST} s\n{waiting}"
     running.discard(process)
     return output, process.returncode
 
 
-def waiting_for(pid, depth=0):
-    """A process and those that it started, a line each: the state, where in the kernel it waits, and its command."""
+def process_tree(pid, depth=0):
+    """Returns a line for a process and each of its descendants: the state, where in the kernel it waits, the
+    command."""
     def read(name):
         with open(f"/proc/{pid}/{name}", errors="replace") as file:
             return file.read()
     try:
         state, wait, command = read("stat").rsplit(")", 1)[1].split()[0], read("wchan"), read("cmdline").replace("\0", " ")
-        below = [waiting_for(int(child), depth + 1)
+        below = [process_tree(int(child), depth + 1)
                  for thread in os.listdir(f"/proc/{pid}/task") for child in read(f"task/{thread}/children").split()]
-    except OSError:  # it has ended
+    except OSError:  # the process has ended
         return ""
     return f"{'  ' * depth}{pid} {state} {wait} {command[:100]}\n" + "".join(below)
 
@@ -164,15 +166,17 @@ def waiting_for(pid, depth=0):
 running = set()
 
 
-def count(output, code):
-    """(passed, failed) of a job: of its last line that says so, or one."""
+def counts_of(output, code):
+    """Returns (passed, failed) of a job, from its last line "N passed, N failed". Without such a line the job counts as
+    one check, by its exit code."""
     found = COUNTS.findall(output)
     passed, failed = map(int, found[-1]) if found else (int(code == 0), 0)
     return passed, failed or int(code != 0)
 
 
 def timed_run(job, section, times):
-    """Runs a job. `times` gets (seconds, name) for each of its checks, or for all of it if it does not say."""
+    """Runs a job. Adds (seconds, name) for each of its checks to `times`, or for the whole job if it reports no
+    times."""
     with tempfile.NamedTemporaryFile("r", prefix="betwixt-times-") as file:
         begun = time.monotonic()
         output, code = run(job.command, dict(os.environ, BETWIXT_TIMES=file.name))
@@ -184,13 +188,13 @@ def timed_run(job, section, times):
     return output, code, seconds
 
 
-def work(jobs, tally, room, times):
-    """Runs jobs until there is None. `room` says how many may run at a time."""
-    while (one := jobs.get()) is not None:
-        progress, job = one
+def run_jobs(jobs, tally, room, times):
+    """Runs jobs from a queue until it gets None. The semaphore `room` limits how many run at a time."""
+    while (entry := jobs.get()) is not None:
+        progress, job = entry
         with room:
             output, code, seconds = timed_run(job, progress.name, times)
-        passed, failed = count(output, code)
+        passed, failed = counts_of(output, code)
         if job.program and not failed:
             open(passed_file(job), "w").close()
         said = "".join(f"         {line}\n" for line in output.splitlines() if not COUNTS.fullmatch(line))
@@ -210,7 +214,7 @@ def work(jobs, tally, room, times):
 
 
 def build(command):
-    """Runs a command of tools/setup.sh. Its progress goes to standard error; True if it succeeded."""
+    """Runs a command of tools/setup.sh, which prints its progress on stderr. Returns whether it succeeded."""
     shell = 'root=$1; . "$1/tools/setup.sh"; eval "$2"'
     return subprocess.run(["bash", "-c", shell, "bash", ROOT, command], cwd=ROOT, stdin=subprocess.DEVNULL).returncode == 0
 
@@ -230,7 +234,8 @@ def keep_times(times):
 
 
 def edited_rooms():
-    """The rooms whose sources or tests differ from the last commit; where none does, those of the last commit."""
+    """Returns the rooms whose sources or tests differ from the last commit. If none does, returns the rooms that the
+    last commit changed."""
     def changed(*command):
         return subprocess.run(["git", *command], cwd=ROOT, capture_output=True, text=True).stdout.splitlines()
     files = changed("diff", "--name-only", "HEAD") + changed("ls-files", "--others", "--exclude-standard")
@@ -239,20 +244,21 @@ def edited_rooms():
 
 
 def passed_file(job):
-    """Newer than the program of a job if that has passed as it is."""
+    """Returns the path of a marker file. It is newer than the program of a job if this build of it has passed."""
     return f"{BUILD}/passed/{os.path.basename(os.path.dirname(job.program))}-{job.label.replace(' ', '-')}"
 
 
-def reached(jobs):
-    """The jobs whose programs have changed since they passed."""
+def not_passed_yet(jobs):
+    """Returns a function that lists the jobs whose programs have changed since they passed."""
     def old(job):
         mark = passed_file(job)
         return not os.path.exists(mark) or os.path.getmtime(mark) < os.path.getmtime(job.program)
     return lambda: [job for job in jobs() if old(job)]
 
 
-def shortened(jobs, rooms):
-    """Of other rooms than these, only the tests that take less than a third of a second."""
+def without_slow_tests(jobs, rooms):
+    """Returns a function that lists the jobs. Jobs of other rooms than these run only the tests that took at most 0.3
+    s."""
     def short(job):
         room = job.program.rsplit("test_", 1)[1]
         return job if room in rooms else job._replace(command=[*job.command, f"--under=0.3:{TIMES}"])
@@ -260,13 +266,13 @@ def shortened(jobs, rooms):
 
 
 def quick_sections(rooms):
-    """The sections of `./test quick ROOM…`."""
+    """Yields the sections of `./test quick ROOM…`."""
     yield SECTIONS[0]
     if not rooms:
-        yield Section("unit tests", "", "build release unit_tests", reached(shortened(units("bin"), edited_rooms())))
+        yield Section("unit tests", "", "build release unit_tests", not_passed_yet(without_slow_tests(units("bin"), edited_rooms())))
         with open(f"{BUILD}/CMakeCache.txt") as cache:
             if "BETWIXT_STUDIO:BOOL=ON" in cache.read():
-                yield Section("studio", "", "build release studio_tests", reached(panels))
+                yield Section("studio", "", "build release studio_tests", not_passed_yet(panels))
     for room in rooms:
         if room == "app":
             yield Section("command line", "", "build release betwixt_command", scripts("tests/app/*_test.sh", without=EDITORS))
@@ -280,7 +286,7 @@ def main(mode, *rooms):
     tally, jobs, room = Tally(), queue.Queue(), threading.Semaphore(CORES + 1)
     os.makedirs(f"{BUILD}/passed", exist_ok=True)
     times = []
-    workers = [threading.Thread(target=work, args=(jobs, tally, room, times), daemon=True) for _ in range(CORES + 1)]
+    workers = [threading.Thread(target=run_jobs, args=(jobs, tally, room, times), daemon=True) for _ in range(CORES + 1)]
     for worker in workers:
         worker.start()
     held = CORES // 2 + 1
@@ -297,7 +303,7 @@ def main(mode, *rooms):
                 continue
         found = section.jobs()
         if not found:
-            tally.say(f"{section.name}: nothing to run, as all has passed since it changed")
+            tally.say(f"{section.name}: nothing to run, because nothing has changed since it passed")
         progress = Progress(section, len(found))
         for job in found:
             jobs.put((progress, job))
@@ -309,7 +315,7 @@ def main(mode, *rooms):
         worker.join()
     keep_times(times)
     print("the slowest:" + "".join(f"\n{seconds:8.1f} s  {name}" for seconds, name in sorted(times, reverse=True)[:10]))
-    tally.say("in all")
+    tally.say("total")
     print(f"{tally.passed} passed, {tally.failed} failed")
     return tally.failed > 0
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Notes how long checks take, for the list of the slowest that ./test prints."""
+"""Records how long checks take, for the list of the slowest that ./test prints."""
 
 import os
 import sys
@@ -11,7 +11,7 @@ _last = time.monotonic()
 
 
 def timed(name):
-    """Notes the time since the last call under this name."""
+    """Records the time since the last call under this name."""
     global _last
     now = time.monotonic()
     if os.environ.get("BETWIXT_TIMES"):

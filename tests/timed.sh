@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# timed NAME: notes how long it is since the last call, for the list of the slowest that ./test prints. Sourced.
+# Source this file. timed NAME: records the time since the last call, for the list of the slowest that ./test prints.
 timed_last=${EPOCHREALTIME/[.,]/}
 timed() {
   local now=${EPOCHREALTIME/[.,]/} took

@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs one share of the tests of a GoogleTest program, in one process.
 
-    units.py PROGRAM [I/N] [--under=SECONDS:FILE] [GTEST-OPTION…]    the I-th of N shares; all without
+    units.py PROGRAM [I/N] [--under=SECONDS:FILE] [GTEST-OPTION…]    the I-th of N shares; without I/N, all tests
 
---under leaves out the tests that took longer, as FILE says, which has lines "SECONDS<tab>NAME".
-If a test ends the process, it counts as failed, and a further process runs the rest of the share. Prints what failed
-and a last line "N passed, N failed". Appends "SECONDS<tab>NAME" for each test to the file that BETWIXT_TIMES names.
+--under leaves out the tests that took longer than SECONDS in an earlier run. FILE has its times: "SECONDS<tab>NAME".
+If a test ends the process, the test counts as failed, and another process runs the rest of the share. Prints the output
+of failed tests and a last line "N passed, N failed". Appends "SECONDS<tab>NAME" for each test to the file that the
+variable BETWIXT_TIMES names.
 """
 
 import os
@@ -23,21 +24,22 @@ ENDS = re.compile(r"\[ +(OK|FAILED|SKIPPED) +\] (\S+?),?.* \((\d+) ms\)$", re.M)
 
 
 def environment(program):
-    """Options of the sanitizers, and a fixed seed of the random values. RC_PARAMS=seed=… tries others."""
+    """Returns the environment of the tests: options of the sanitizers, and a fixed seed of the random values. Set
+    RC_PARAMS=seed=… for another seed."""
     env = dict(os.environ)
     env.setdefault("RC_PARAMS", "seed=1")
     env.setdefault("UBSAN_OPTIONS", "print_stacktrace=1")
     env.setdefault("ASAN_SYMBOLIZER_PATH", "/usr/bin/llvm-symbolizer-19")
     env.setdefault("LSAN_OPTIONS", f"suppressions={ROOT}/tests/leaks.txt:print_suppressions=0")
-    # The threads of the graphics driver live on while the leak checker stops all threads to look, and now and then it
-    # crashes on them. So it does not look where there is graphics.
+    # The leak checker stops all threads, and sometimes crashes on the threads of the graphics driver. So it is off in
+    # programs that use graphics.
     if re.search(r"test_(render|film|server)$", program):
         env.setdefault("ASAN_OPTIONS", "detect_leaks=0")
     return env
 
 
-def call(program, options, env):
-    """The output and exit code of the program, which is killed with its children if it takes too long."""
+def run_program(program, options, env):
+    """Runs the program. Returns its output and exit code. After LONGEST seconds kills it and its children."""
     process = subprocess.Popen([program, *options], env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.STDOUT, start_new_session=True, text=True, errors="replace")
     try:
@@ -49,9 +51,9 @@ def call(program, options, env):
     return output, process.returncode
 
 
-def names(program, options, env):
-    """The full names of the tests that these options choose."""
-    output, _ = call(program, [*options, "--gtest_list_tests"], env)
+def test_names(program, options, env):
+    """Returns the full names of the tests that these options choose."""
+    output, _ = run_program(program, [*options, "--gtest_list_tests"], env)
     suite, found = "", []
     for line in output.splitlines():
         line = line.split("#")[0].rstrip()
@@ -62,8 +64,8 @@ def names(program, options, env):
     return found
 
 
-def slow(under):
-    """The names of the tests that took longer than SECONDS:FILE says."""
+def slow_tests(under):
+    """Returns the names of the tests that took longer than SECONDS according to FILE. `under` is "SECONDS:FILE"."""
     seconds, path = under.split(":", 1)
     if not os.path.exists(path):
         return set()
@@ -72,8 +74,8 @@ def slow(under):
     return {row[1] for row in rows if float(row[0]) > float(seconds)}
 
 
-def pieces(output):
-    """(name, verdict or None, seconds, text) for each test that began."""
+def results(output):
+    """Yields (name, verdict, seconds, text) for each test that began. The verdict is None if the test did not end."""
     begun = list(BEGINS.finditer(output))
     for k, begin in enumerate(begun):
         text = output[begin.start():begun[k + 1].start() if k + 1 < len(begun) else len(output)]
@@ -89,14 +91,14 @@ def main(program, *options):
     number, count = map(int, share.split("/"))
     env = environment(program)
     room = re.sub(".*test_", "", program)
-    left_out = set().union(*(slow(o[8:]) for o in options if o.startswith("--under=")))
+    left_out = set().union(*(slow_tests(o[8:]) for o in options if o.startswith("--under=")))
     options = [o for o in options if not o.startswith("--under=")]
-    left = [name for name in names(program, options, env)[number - 1::count] if f"{room}/{name}" not in left_out]
+    left = [name for name in test_names(program, options, env)[number - 1::count] if f"{room}/{name}" not in left_out]
     passed, failed, times = 0, 0, []
     while left:
-        output, code = call(program, [*options, "--gtest_color=no", "--gtest_filter=" + ":".join(left)], env)
+        output, code = run_program(program, [*options, "--gtest_color=no", "--gtest_filter=" + ":".join(left)], env)
         done = set()
-        for name, verdict, seconds, text in pieces(output):
+        for name, verdict, seconds, text in results(output):
             done.add(name)
             times.append(f"{seconds:.3f}\t{room}/{name}\n")
             if verdict in ("OK", "SKIPPED"):
@@ -105,7 +107,7 @@ def main(program, *options):
                 failed += 1
                 print(text if verdict else f"{text[-8000:]}\n{name} ended its process with code {code}")
         if len(done) == len(left):
-            # All have passed, and the process failed at its end: a leak, say.
+            # All tests have passed, but the process failed at its end, for example because of a leak.
             if code != 0 and failed == 0:
                 failed += 1
                 print(f"{output[-8000:]}\n{program} ended with code {code}")

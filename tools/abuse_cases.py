@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What abuse.py does to a server: each case is somebody's visit, who may be killed at any moment of it. What
-abuse_lines.py does: each case is a line, or what stands in one."""
+"""The hostile cases. abuse.py takes the methods of Visits: each is a client that may be killed at any moment.
+abuse_lines.py takes LINES (lines to send to a server) and DOORS (hostile input to other commands of the program)."""
 
 import json
 import os
@@ -13,8 +13,8 @@ import subprocess
 import time
 import zlib
 
-# A time that no film comes to: what is asked there takes long, and frames do not (`asked` has a radius until then; else
-# its first one would hold from the beginning on).
+# A time that the server's clock never reaches. So the slow code takes effect in questions about that time, and not in
+# frames. (`asked` has an own radius before it. Without that, its first value would hold from the beginning on.)
 FAR = "100000s"
 SLOW_CODE = [
     "string.rep('', 1e15) == '' and 1 or 2",
@@ -24,7 +24,7 @@ SLOW_CODE = [
     "(function() local t = {} for i = 1, 1e9 do t[i] = ('x'):rep(1000) end return 1 end)()",
     "('x'):rep(30000):find(('x?'):rep(3000) .. ('x'):rep(3000)) or 1",
 ]
-# What the clock has to live with for a while: set, and taken back.
+# Makes frames take long for a while: name -> (lines that begin it, lines that end it).
 FOR_THE_CLOCK = {
     "Lua that never ends": (["set heavy.radius = \"" + SLOW_CODE[2] + "\""], ["set heavy.radius 1"]),
     "Lua's long texts": (["set heavy.radius = \"" + SLOW_CODE[1] + "\""], ["set heavy.radius 1"]),
@@ -52,7 +52,7 @@ procedure texts command lua "local a = ('x'):rep(1000000) for i = 1, 1e9 do if a
 """
 HALVES = [b"create half sph", b"bundle\nremove ball\n", b"set ball.position (1 2", b'note """', b"ball.position\n  1f (",
           b"(" * 1000, b"token x\n", b"at 9999999999999t halt spin", b"\n" * 1000, b"\x00\xff\xfe\n"]
-# Every line of these is refused, and changes nothing, after it has taken its time.
+# Each of these lines takes long, is refused in the end, and changes nothing.
 HEAVY = [
     b"spinning\n", b"texts\n",
     b"bundle\ncreate m{1..1000000} sphere\nset m*.radius 2\nnonsense\nend\n",
@@ -67,7 +67,7 @@ DAMAGED = ["deep.fbx", "cut.obj", "cut.gltf", "noise.dae", "noise.ply", "noise.p
 
 
 def png(width, height, rows, text=b""):
-    """A picture of grays, of packed rows; with a packed text beside it."""
+    """Returns a gray PNG from compressed rows. `text` is a compressed comment, or empty."""
     chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     beside = chunk(b"zTXt", b"Comment\0\0" + text) if text else b""
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
@@ -75,7 +75,8 @@ def png(width, height, rows, text=b""):
 
 
 def wavpack():
-    """Nine hours of silence: blocks of 82 bytes, each of 131,072 samples, 6,000 of them a second."""
+    """Returns nine hours of silence as WavPack: blocks of 82 bytes with 131,072 samples each, at 6,000 samples a
+    second."""
     silence = bytes.fromhex("02015756030240403f00040400ff00ff00ff00ff05060000000000000000000000000902000800008a030000"
                             "ffff07000000")
     return b"".join(struct.pack("<4sIHBBIIIII", b"wvpk", 74, 1040, 0, 0, 0 if i else 0xffffffff, i << 17 & 0xffffffff,
@@ -83,7 +84,7 @@ def wavpack():
 
 
 def bombs():
-    """Files that become much more than they are."""
+    """Returns small files that become very large when they are read: name -> bytes."""
     gltf = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
             "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
             "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}],
@@ -115,7 +116,7 @@ def bombs():
 
 
 def lay_out(folder):
-    """Files that nobody should read."""
+    """Writes damaged files, the files of bombs() and named pipes into the folder."""
     def put(name, data):
         with open(os.path.join(folder, name), "wb") as f:
             f.write(data)
@@ -134,7 +135,9 @@ def lay_out(folder):
 
 
 class Visits:
-    """`port`, `token`: where the server is; `folder`: where what was given is written down."""
+    """One method for each kind of hostile client. The server is at `port` and takes `token`. The methods write what has
+    to be checked later into `folder`: the file `names` has the answers to `names`, `wrong` the answers that should not
+    be ok."""
 
     def __init__(self, port, token, folder):
         self.port, self.token, self.folder = port, token, folder
@@ -152,7 +155,7 @@ class Visits:
         return c
 
     def converse(self, text, answers=1, wait=30):
-        """Says something and waits for so many answers."""
+        """Sends a text, waits for so many answers, at most `wait` seconds, and returns them."""
         c = self.connect()
         c.settimeout(wait)
         c.sendall(text)
@@ -245,7 +248,7 @@ CASES = ["garbage", "half", "half", "flood", "deaf", "crowd", "long_line", "stra
          "heavy_line", "takes_back", "slow_question", "contacts", "files"]
 
 
-# ---- hostile lines: what one host says once, while another one is there (abuse_lines.py)
+# ---- hostile lines: one host sends them once, while another host is connected (abuse_lines.py)
 
 def code(text, target="ball.radius"):
     return f'set {target} = "{text}"'.replace('"' + text + '"', '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"')
@@ -256,10 +259,10 @@ def spheres(count, *then):
 
 
 LOOP = "for i = 1, 1e9 do end return 1"
-# What stands in the left column is what the report calls it. A text is said as it is, a list line by line, each when the
-# one before has been answered.
+# Name in the report -> what to send. A string is sent at once. The lines of a list are sent one by one, each after the
+# answer to the line before.
 LINES = {
-    # Code: what was found, and its relatives.
+    # Code: lines that once did harm, and variations of them.
     "an error that looks like ours": code("error('procedure:', 0)"),
     "an error without words": code("error()"),
     "an error that is a list": code("error({1, {2}})"),
@@ -280,7 +283,7 @@ LINES = {
     "loops on 1,000 things": spheres(1000, code(LOOP, "o*.radius")),
     "a loop in pcall": code("while true do pcall(function() for i = 1, 1e9 do end end) end return 1"),
     "a call of itself": code("local function f(n) return f(n + 1) + 1 end return f(1)"),
-    "a call of itself at its end": code("local function f(n) return f(n + 1) end return f(1)"),
+    "a tail call of itself": code("local function f(n) return f(n + 1) end return f(1)"),
     "a text doubled 40 times": code("local s = 'x' for i = 1, 40 do s = s .. s end return #s"),
     "a list without an end": code("local t = {} for i = 1, 1e9 do t[i] = {} end return 1"),
     "insert in front, again and again": code("local t = {} for i = 1, 200000 do table.insert(t, 1, i) end return 1"),
@@ -292,24 +295,24 @@ LINES = {
     "byte of a megabyte": code("return select('#', string.byte(('x'):rep(900000), 1, -1))"),
     "unpack of a million": code("return select('#', table.unpack({}, 1, 1000000))"),
     "pack of what is unpacked": code("local t = {} for i = 1, 1e6 do t = table.pack(table.unpack(t)) t[#t + 1] = i end return 1"),
-    "an order that is none": code("local t = {} for i = 1, 5000 do t[i] = i % 7 end table.sort(t, function(a, b) return true end) return 1"),
+    "a sort with an inconsistent order": code("local t = {} for i = 1, 5000 do t[i] = i % 7 end table.sort(t, function(a, b) return true end) return 1"),
     "a metatable that asks itself": code("local t = setmetatable({}, {__index = function(t, k) return t[k + 1] end}) return t[1]"),
     "a finalizer without an end": code("setmetatable({}, {__gc = function() for i = 1, 1e9 do end end}) return 1"),
-    "a variable that is closed slowly": code("local x <close> = setmetatable({}, {__close = function() for i = 1, 1e9 do end end}) return 1"),
-    "a name that is an object of a million": code("tostring(setmetatable({}, {__tostring = function() return ('x'):rep(9000000) end}))", "words.text"),
-    "no number": code("0/0"),
-    "beyond all numbers": code("1e308 * 10"),
+    "a __close without an end": code("local x <close> = setmetatable({}, {__close = function() for i = 1, 1e9 do end end}) return 1"),
+    "a __tostring of 9 MB": code("tostring(setmetatable({}, {__tostring = function() return ('x'):rep(9000000) end}))", "words.text"),
+    "not a number": code("0/0"),
+    "infinity": code("1e308 * 10"),
     "a million points of code": code("local p = {} for i = 1, 1000000 do p[i] = vec(i, i) end return p", "line.points"),
-    "20,000 letters of code, others each time": code("(tostring(t) .. ' '):rep(1000)", "words.text"),
+    "code that gives other letters each time": code("(tostring(t) .. ' '):rep(1000)", "words.text"),
     "noise a million times": code("local s = 0 for i = 1, 1e6 do s = s + noise(i, t) end return s"),
     "a circle through 1,000 things": spheres(1000, *(f'set o{i}.radius = "value(\'o{i % 1000 + 1}.radius\')"' for i in (1, 2, 3)),
                                              "set o{4..999}.radius = \"value('o' .. (i + 4) .. '.radius')\""),
-    "each looks back 200 times": code("local s = 0 for i = 1, 1000 do s = s + value('.radius', t - i / 60) end return s"),
+    "a radius that looks back 1,000 times": code("local s = 0 for i = 1, 1000 do s = s + value('.radius', t - i / 60) end return s"),
     "each of 300 asks all others": spheres(300, "set o*.radius = \"(function() local s = 0 for k = 1, 300 do s = s + value('o' .. k .. '.position.x', t - k) end return s end)()\""),
-    "touching, asked of 1,000": spheres(1000, "set o*.radius = \"1 + #touching(self) * 0\""),
+    "touching() of 1,000 things": spheres(1000, "set o*.radius = \"1 + #touching(self) * 0\""),
     "a command without an end": ['procedure forever command lua "while true do end"', "forever"],
     "a command that makes things for ever": ['procedure maker command lua "for i = 1, 1e9 do run(\'create m\' .. i .. \' sphere\') end"', "maker"],
-    "a command that says itself": ['procedure again command lua "run(\'again\')"', "again"],
+    "a command that runs itself": ['procedure again command lua "run(\'again\')"', "again"],
     "a filter without an end": ['procedure slow filter lua "for i = 1, 1e9 do end return input()"', "filter ball.position slow"],
     "a twerper without an end": ['procedure late twerper lua "for i = 1, 1e9 do end return u"', "at 1f ball.position (0 0 0) late",
                                  "at 1000f ball.position (9 0 0)"],
@@ -324,7 +327,7 @@ LINES = {
     "64 kB of nested brackets": "set ball.radius = \"" + "(" * 32000 + "1" + ")" * 32000 + "\"",
     "300 local variables": code(" ".join(f"local a{i} = {i}" for i in range(300)) + " return 1"),
     "10,000 procedures": ["bundle\n" + "".join(f'procedure p{i} lua "{i}"\n' for i in range(10000)) + "end"],
-    # Filters, lines, texts.
+    # Filters, lines, texts and shapes.
     "six stacked filters": [f"filter ball.position smooth width={w}" for w in ("0.001s", "0.04s", "1.7s", "71s", "600s", "3600s")],
     "200 stacked filters": ["bundle\n" + "filter ball.position smooth width=3s\n" * 200 + "end"],
     "springs on springs": ["bundle\n" + "filter ball.position spring frequency=0.01\n" * 20 + "end"],
@@ -340,9 +343,9 @@ LINES = {
     "a star of 10,000 points": ["set good.display on", "create star1 star points=10000"],
     "a gear of 10,000 teeth": "create g gear teeth=10000",
     "10,000 dashes, over and over": "create d polyline points=((0 0) (1e9 0)) dash=(1e-6 1e-6)",
-    # Many.
-    "100,000 things, and all of them asked": spheres(100000, "eval o*.*"),
-    "200,000 places": spheres(200000, "eval o*.position"),
+    # Many objects, names, events or letters.
+    "eval of 100,000 things": spheres(100000, "eval o*.*"),
+    "eval of 200,000 positions": spheres(200000, "eval o*.position"),
     "a list with long names": ["create " + "n" * 900 + "{1..10000} sphere", "list " + "*n" * 300 + "*x"],
     "describe many": spheres(20000, "describe o*"),
     "an alias of many": spheres(100000, "alias all = o*", "set all.radius 2", "alias more = all o* o*"),
@@ -365,7 +368,7 @@ LINES = {
     "a copy of a copy of all": [*spheres(1000), "create all group", *(f"create all{i} like all" for i in range(10)), "create more{1..1000} like ball"],
     "10,000 lights": "create light{1..10000} light",
     "2,000 spheres in one place": ["set heap/*.display on", "subscribe contacts"],
-    "20,000 in one place, contacts asked": spheres(20000, "eval o1.touching", "subscribe contacts"),
+    "contacts of 20,000 in one place": spheres(20000, "eval o1.touching", "subscribe contacts"),
     "bake for a year": "bake ball.position 1f..1000000000f every 1t",
     "stagger many": spheres(50000, "at 1f o*.radius 2", "stagger o*.radius by 1f from random 7"),
     "arrange many": spheres(50000, "arrange o* in grid gap=0.1"),
@@ -378,20 +381,20 @@ LINES = {
     # Times.
     "seek too far, then drive": ["seek 4600000000s", "set ball.drive (e2)", "seek 1s"],
     "seek to the end of times": ["seek 4611686018s", "animate late every 1t by rotate(1deg, z)", "seek 1s"],
-    "a time beyond all": "at 1e300s ball.radius 2",
+    "a time above the largest": "at 1e300s ball.radius 2",
     "a rate of a million": "rate 1000000",
     "a billion ticks a second": "ticks 1000000000",
     "an environment that wanders": ["set ball.environments (w)", "animate w every 1t by rotate(1deg, (1 2 3)) translate(0.1 0 0) scale(1.0001)", "seek 100000000s", "eval ball.world", "seek 2s"],
     "10,000 environments": ["bundle\n" + "".join(f"animate e{i} every 1t by rotate({i % 360}deg, z)\n" for i in range(2000)) + "end"],
-    "asked of a far time": ["set ball.position = \"value('.position', t - 1 / 60) + vec(0.001, 0)\"", "eval ball.position at 1000000s"],
+    "eval at a far time": ["set ball.position = \"value('.position', t - 1 / 60) + vec(0.001, 0)\"", "eval ball.position at 1000000s"],
     "falls for ever": "at 1f fall ball for 1000000s bounce=0.999999",
     "pause, go, seek": ["pause", "seek 5s", "seek 1s", "seek 100s", "seek 2s", "go"] * 20,
     # Files.
     "383 bytes of glTF": 'create m mesh file="bomb.gltf"',
     "a picture of 261 kB": 'create m sphere texture="bomb.png"',
-    "a picture in a picture's clothes": 'create m sphere texture="wide.png"',
+    "a picture of 2^31 by 2^31 pixels": 'create m sphere texture="wide.png"',
     "a picture with 300 MB of comment": 'create m sphere texture="text.png"',
-    "a light of all directions": 'create m sphere texture="bomb.hdr"',
+    "a picture in the HDR format": 'create m sphere texture="bomb.hdr"',
     "122 kB of WavPack": 'create s sound file="bomb.wv"',
     "a sound that is a list of files": 'create s sound file="list.wav"',
     "entities in entities": 'create d scene file="laughs.svg"',
@@ -403,24 +406,25 @@ LINES = {
     "the machine's own files": ['use "/etc/passwd"', 'use "/dev/zero"', 'create m mesh file="../../../../etc/passwd"', 'create s sound file="/etc/passwd"'],
     "a script that uses itself": 'use "itself.bx"',
     "three hosts, three files": ['create s sound file="bomb.wv"', 'create m mesh file="large.obj"', "set ball.radius = \"" + "t and " * 10000 + "t\""],
-    # The wire.
+    # The protocol.
     "a line of 64 MB": "x" * (64 << 20),
     "a million empty lines": "\n" * 1_000_000,
     "brackets that stay open": "set ball.position (" * 20_000,
     "a text that stays open": 'note """' + "x\n" * 200_000,
     "bytes": bytes(range(256)) * 4000,
     "questions by the thousand": ["list", "stats", "time", "help", "names", "history"] * 100,
-    "all that can be heard": ["subscribe changes contacts notes frames"] + ["create z sphere", "remove z"] * 200,
+    "all subscriptions": ["subscribe changes contacts notes frames"] + ["create z sphere", "remove z"] * 200,
 }
 
 
-# ---- the other doors: each is called with the program and a folder of its own, and says what is wrong
+# ---- other commands of the program: each function takes the program and a folder of its own, and returns the failures
 
 FILM_THAT_ERRS = "create ball sphere\nset ball.radius = \"error('procedure:', 0)\"\n"
 
 
 def called(program, folder, *words, given=b"", codes=(0, 1, 2, 3), most=10, **environment):
-    """Runs the program: what is wrong with how it ends, or with what it says."""
+    """Runs the program with these words and this standard input. Returns the failures: no end in `most` seconds, an
+    exit code that is not in `codes`, or output with control characters."""
     begun = time.monotonic()
     try:
         ended = subprocess.run([program, *words], cwd=folder, input=given, capture_output=True, timeout=most,
@@ -430,7 +434,7 @@ def called(program, folder, *words, given=b"", codes=(0, 1, 2, 3), most=10, **en
     said = ended.stdout + ended.stderr
     if ended.returncode not in codes or b"machine failed" in said:
         return [f"{' '.join(words)} ended with {ended.returncode} after {time.monotonic() - begun:.1f} s: {said[-200:]!r}"]
-    return ["what a terminal obeys was said raw"] if re.search(rb"[\0-\x08\x0b-\x1f]|\xc2[\x80-\x9f]|\xe2\x80[\xaa-\xae]", said) else []
+    return ["control characters were printed as they are"] if re.search(rb"[\0-\x08\x0b-\x1f]|\xc2[\x80-\x9f]|\xe2\x80[\xaa-\xae]", said) else []
 
 
 def written(folder, name, text):
@@ -440,7 +444,7 @@ def written(folder, name, text):
 
 
 def each_command(text):
-    """A film, as each command takes it."""
+    """Gives one film to several commands."""
     def do(program, folder):
         film = written(folder, "errs.bx", text)
         return (called(program, folder, "check", film) + called(program, folder, "eval", film, "ball.*", "--at", "2f") +
@@ -451,6 +455,7 @@ def each_command(text):
 
 
 def framed(*messages, length=None):
+    """Returns messages with the headers of the Language Server Protocol."""
     out = b""
     for m in messages:
         body = m if isinstance(m, bytes) else json.dumps(m).encode()
@@ -459,7 +464,7 @@ def framed(*messages, length=None):
 
 
 def language_server(hostile):
-    """Something hostile between a beginning and an end that must be heard."""
+    """Sends hostile bytes to the language server. It must still answer the request `shutdown` that follows them."""
     def do(program, folder):
         begin = framed({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}},
                        {"jsonrpc": "2.0", "method": "textDocument/didOpen", "params": {"textDocument": {
@@ -469,13 +474,14 @@ def language_server(hostile):
             ended = subprocess.run([program, "lsp"], cwd=folder, input=begin + hostile + end, capture_output=True, timeout=10)
         except subprocess.TimeoutExpired:
             return ["the language server has not ended in 10 s"]
-        heard = re.search(rb'"id": ?77\b', ended.stdout)
-        return [] if heard and ended.returncode == 0 else [f"it ended with {ended.returncode}, heard: {bool(heard)}"]
+        answered = re.search(rb'"id": ?77\b', ended.stdout)
+        return [] if answered and ended.returncode == 0 else [f"it ended with {ended.returncode}; "
+                                                              f"`shutdown` was answered: {bool(answered)}"]
     return do
 
 
 def linked(program, folder):
-    """A page's player must not be written over what is there."""
+    """`betwixt web --link` must not write its player over a file of another program, nor into a pipe."""
     film, player = written(folder, "ball.bx", "create ball sphere\n"), written(folder, "player.js", "// Betwixt 9\n")
     os.mkdir(os.path.join(folder, "theirs"))
     written(folder, "theirs/betwixt-player.js", "mine\n")
@@ -490,7 +496,7 @@ def linked(program, folder):
 
 
 def farm(program, folder):
-    """A stranger's folder of settings is data."""
+    """Settings in the folder of a farm are data: no command in them may run."""
     os.mkdir(os.path.join(folder, "film.mp4.farm"))
     for i, line in enumerate(("program $(touch ran)", "first a[$(touch ran)]", "chunk 3; touch ran", "PATH=.; ran")):
         written(folder, "film.mp4.farm/settings", f"version 1\n{line}\n")
@@ -502,7 +508,7 @@ def farm(program, folder):
 
 
 def vanished(program, folder):
-    """What a journal cannot keep any more is refused."""
+    """A server must refuse commands when its journal has been moved away and cannot keep them any more."""
     from abuse_lines import Serving
     server = Serving(program, folder, "film.bx")
     try:
@@ -515,10 +521,10 @@ def vanished(program, folder):
                     host.do("set good.radius 3")
                     answers.append("ok")
                 except OSError as why:
-                    return [f"the host was let down: {why}"]
+                    return [f"the host's connection failed: {why}"]
                 except Exception as why:  # refused
                     answers.append(str(why))
-        return [] if "ok" not in answers else [f"it was answered {answers}"]
+        return [] if "ok" not in answers else [f"the answers were {answers}"]
     finally:
         server.stop()
 

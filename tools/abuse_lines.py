@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""See abuse.sh: one hostile line after another, each said to a server of its own while a well-behaved host is there."""
+"""Sends each hostile line of abuse_cases.py to a server of its own, with a well-behaved host. abuse.sh calls this."""
 
 import contextlib
 import math
@@ -18,15 +18,17 @@ import time
 from abuse_cases import DOORS, LINES, SCRIPT, lay_out
 from betwixt_client import Gone, Refused, Server
 
-ALONE = 1.0  # seconds, to compare with
-AFTER = 1.0  # seconds that are looked at once all is answered
+ALONE = 1.0  # seconds without the hostile host, for comparison
+AFTER = 1.0  # seconds of measuring after the hostile host has its answers
 LONGEST = 6.0  # seconds that the hostile host waits for its answers
-MOST_WAIT = 0.05  # seconds for an answer to the other host …
-MOST_NOISE = 3  # … or so many times its slowest one before: other work on the machine
+# The slowest answer to the other host may take MOST_WAIT seconds, or MOST_NOISE times its slowest answer without the
+# hostile host if that is longer: the machine may have other work.
+MOST_WAIT = 0.05
+MOST_NOISE = 3
 MOST_STOP = 1.0  # seconds from SIGTERM to the end
-MOST_START = 10.0  # seconds until it serves again
-SHOWN = ("good.world", "good.radius", "ball.world", "ball.radius", "heavy.position")  # of the film that is compared
-AT = "3.25s"
+MOST_START = 10.0  # seconds until a server accepts connections
+SHOWN = ("good.world", "good.radius", "ball.world", "ball.radius", "heavy.position")  # compared after a restart …
+AT = "3.25s"  # … at this time
 
 
 class Serving:
@@ -50,10 +52,10 @@ class Serving:
             if b"serving at" in words:
                 return words
             if self.process.poll() is not None:
-                raise Gone(f"it does not start: {words[-300:]!r}")
+                raise Gone(f"the server does not start: {words[-300:]!r}")
             time.sleep(0.005)
         self.process.kill()
-        raise Gone(f"it has not started in {MOST_START:g} s")
+        raise Gone(f"the server has not started in {MOST_START:g} s")
 
     def host(self, timeout=30):
         return Server(f"127.0.0.1:{self.port}", self.token, timeout=timeout)
@@ -63,9 +65,10 @@ class Serving:
             return int(re.search(r"VmHWM:\s*(\d+)", status.read())[1]) / 1024
 
     def stop(self):
-        """Seconds from SIGTERM to the end; where it has ended already, or does not end, why."""
+        """Stops the server. Returns the seconds from SIGTERM to the end, or a text if it had ended or did not end
+        well."""
         if self.process.poll() is not None:
-            return f"it ended with {self.process.returncode}"
+            return f"it had ended with {self.process.returncode}"
         begun = time.monotonic()
         self.process.terminate()
         try:
@@ -77,8 +80,8 @@ class Serving:
         return time.monotonic() - begun if self.process.returncode == 0 else f"it ended with {self.process.returncode}"
 
 
-class Good:
-    """Asks all the time, by lines that need code's and names' ways, and knows the answers."""
+class PoliteHost:
+    """The well-behaved host: it sends lines with code and with patterns all the time, and checks the answers."""
 
     def __init__(self, server, undone):
         self.undone = undone  # whether the hostile host says `undo`
@@ -99,7 +102,7 @@ class Good:
                                         f"set good.radius {radius}"))
         found = self.timed(lambda: self.host.eval("good.radius", "good.world", at=f"{tick}t"))
         turned = math.sin(math.radians(3 * (tick + 1)))
-        # `undo` takes back the last command of the document, so it may have been this host's own.
+        # `undo` takes back the last command of the document, which may be one of this host.
         mine = found["good.radius"] == radius or self.undone
         if not mine or abs(found["good.world"][4] - turned) > 1e-9:
             self.wrong.append(f"at {tick}t {found}")
@@ -111,7 +114,8 @@ class Good:
 
 
 def say(server, said):
-    """The hostile host, in a process of its own: what it was answered, in a word or two, goes into a pipe."""
+    """Runs the hostile host in a process of its own. Returns the process id and a pipe that gets the last answer: "ok",
+    the text of an error, or why there was no answer."""
     here, there = os.pipe()
     child = os.fork()
     if child:
@@ -145,16 +149,16 @@ def say(server, said):
         os._exit(0)
 
 
-def shown(host):
+def values_now(host):
     return {name: host.eval(name, at=AT)[name] for name in SHOWN}
 
 
-def one(program, folder, said):
-    """What the line does: a row of the report, and what is wrong with it."""
+def try_line(program, folder, said):
+    """Sends one hostile line to a new server. Returns a row of the report and the failures."""
     row, wrong = {}, []
     server = Serving(program, folder, "film.bx")
     try:
-        good = Good(server, "undo" in (said if isinstance(said, list) else []))
+        good = PoliteHost(server, "undo" in (said if isinstance(said, list) else []))
         for _ in range(3):
             good.ask()
         good.worst = 0
@@ -176,31 +180,31 @@ def one(program, folder, said):
         row["noise"] = math.ceil(row["due"] * begun["frames_missed"] / max(1, begun["frames_due"]))
         row["worst"], row["quiet"], row["memory"] = good.worst, quiet, server.most_memory()
         wrong += good.wrong[:1]
-        film = shown(good.host)
+        film = values_now(good.host)
     except (Gone, Refused) as why:
-        wrong.append(f"the other host was let down: {why}")
+        wrong.append(f"the other host failed: {why}")
         film = None
     row["stop"] = server.stop()
     if film is not None:
-        wrong += again(program, folder, film, row)
+        wrong += check_restart(program, folder, film, row)
     if row.get("missed", 0) > row.get("noise", 0):
         wrong.append(f"{row['missed']} frames missed")
     if row.get("worst", 0) > max(MOST_WAIT, MOST_NOISE * row.get("quiet", 0)):
-        wrong.append("the other host waited")
+        wrong.append("the other host waited too long")
     if isinstance(row["stop"], str) or row["stop"] > MOST_STOP:
         wrong.append(f"SIGTERM: {row['stop']}")
     return row, wrong
 
 
-def again(program, folder, film, row):
-    """What is wrong with the film after a restart."""
+def check_restart(program, folder, film, row):
+    """Restarts the server. Returns the failures: it does not start, or the film differs."""
     try:
         server = Serving(program, folder)
     except Gone as why:
         return [str(why)]
     try:
         row["start"] = server.took
-        now = shown(server.host())
+        now = values_now(server.host())
         return [f"{name} is {now[name]} and was {film[name]}" for name in SHOWN if now[name] != film[name]][:1]
     except (Gone, Refused) as why:
         return [f"after a restart: {why}"]
@@ -208,8 +212,8 @@ def again(program, folder, film, row):
         server.stop()
 
 
-def at_a_door(program, folder, what):
-    """Other programs than the server: what is wrong, where anything is."""
+def try_command(program, folder, what):
+    """Runs a test of another command than `serve`. Returns an empty row of the report and the failures."""
     return {}, what(program, folder)
 
 
@@ -217,7 +221,7 @@ def number(row, name, words, times=1):
     return words.format(times * row[name]) if isinstance(row.get(name), (int, float)) else "-"
 
 
-def told(name, row, wrong):
+def report_line(name, row, wrong):
     shown_answer = row.get("answer", "")
     return (f"{'FAIL' if wrong else 'ok':5}{name[:46]:47}{number(row, 'missed', '{}'):>4} of {number(row, 'due', '{}'):5}"
             f"{number(row, 'worst', '{:.1f}', 1000):>8} ({number(row, 'quiet', '{:.1f}', 1000):>5})"
@@ -225,20 +229,20 @@ def told(name, row, wrong):
             f"{shown_answer[:60]}" + "".join(f"\n     {w}" for w in wrong))
 
 
-def chosen(words, count):
+def case_numbers(words, count):
     first, _, last = words.partition("-")
     return range(int(first or 1) - 1, min(int(last or first or count), count))
 
 
 def main():
     program, words = sys.argv[1], sys.argv[2]
-    cases = [*((name, one, said) for name, said in LINES.items()),
-             *((name, at_a_door, what) for name, what in DOORS.items())]
+    cases = [*((name, try_line, said) for name, said in LINES.items()),
+             *((name, try_command, what) for name, what in DOORS.items())]
     failed, worst, stop, missed = [], 0.0, 0.0, 0
     print(f"{'':5}{'':47}{'frames missed':13}{'worst ms (alone)':>18}{'SIGTERM':>8}{'MiB':>6}{'again':>7}  answer")
     with tempfile.TemporaryDirectory() as files:
         lay_out(files)
-        for i in chosen(words, len(cases)):
+        for i in case_numbers(words, len(cases)):
             name, how, what = cases[i]
             with tempfile.TemporaryDirectory() as folder:
                 shutil.copytree(files, folder, dirs_exist_ok=True, copy_function=os.link, ignore=lambda at, all_of_them: [
@@ -251,11 +255,11 @@ def main():
                     row, wrong = how(program, folder, what)
                 except Gone as why:
                     row, wrong = {}, [str(why)]
-            print(told(f"{i + 1} {name}", row, wrong), flush=True)
+            print(report_line(f"{i + 1} {name}", row, wrong), flush=True)
             failed += [name] if wrong else []
             worst, missed = max(worst, row.get("worst", 0)), missed + row.get("missed", 0)
             stop = max(stop, row["stop"]) if isinstance(row.get("stop"), float) else stop
-    print(f"{len(chosen(words, len(cases)))} lines: {missed} frames missed, the slowest answer to another host "
+    print(f"{len(case_numbers(words, len(cases)))} lines: {missed} frames missed, the slowest answer to another host "
           f"{1000 * worst:.0f} ms, the slowest end {stop:.2f} s; {len(failed)} failed")
     return int(bool(failed))
 

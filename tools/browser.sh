@@ -2,10 +2,11 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Lists of CSS transforms beside a real browser, frame by frame: Chromium shows 300 random pairs of lists at seven times
-# each, and the tests of the algebra compare. The tests alone, without a browser, take what one has answered before.
+# Compares the program's CSS transforms with a real browser. Chromium shows 300 random pairs of lists at seven times
+# each, and the tests of the algebra compare the matrices. ./test needs no browser: it compares with recorded answers.
 #   tools/browser.sh [--record] [TESTS]
-# --record: one frame of each pair becomes tests/algebra/css_chromium.txt. TESTS: build/release/bin/test_algebra
+# --record writes one frame of each pair to tests/algebra/css_chromium.txt, which ./test uses. The default of TESTS is
+# build/release/bin/test_algebra.
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 die() { printf 'browser.sh: %s\n' "$*" >&2; exit 3; }
 
@@ -16,12 +17,12 @@ tests=${1:-$root/build/release/bin/test_algebra}
 for browser in ${BROWSER-} chromium chromium-browser google-chrome ''; do
   ! command -v "$browser" >/dev/null || break
 done
-[ -n "$browser" ] || die "this compares with a real browser, and there is none: apt-get install chromium, or BROWSER=PROGRAM"
+[ -n "$browser" ] || die "no browser was found: apt-get install chromium, or set BROWSER=PROGRAM"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 version=$("$browser" --version 2>/dev/null | grep -oE '^[A-Za-z ]+ [0-9.]+')
-# As root a browser has no sandbox of its own; the page is ours.
+# Chromium needs --no-sandbox when root starts it. The page is our own, so that is safe.
 timeout 120 "$browser" --headless=new --no-sandbox --disable-gpu --user-data-dir="$work/profile" --dump-dom \
   "file://$root/tools/browser.html" 2>"$work/log" >"$work/page"
 {
@@ -30,7 +31,7 @@ timeout 120 "$browser" --headless=new --no-sandbox --disable-gpu --user-data-dir
 } >"$work/answers"
 grep -q '^# the end' "$work/page" && [ "$(wc -l <"$work/answers")" -gt 1000 ] || {
   tail -n 5 "$work/log" >&2
-  die "the browser gave no answers"
+  die "the browser wrote no answers"
 }
 echo "$version"
 BETWIXT_CSS_ANSWERS=$work/answers "$tests" --gtest_filter='CssInChromium.*' >"$work/result" 2>&1
@@ -38,5 +39,5 @@ status=$?
 grep -vE '^\[|^Note|^Running|^$' "$work/result"
 [ "$status" = 0 ] || { echo "they differ" && exit 1; }
 [ -z "$record" ] ||
-  # Neither the first nor the last of the seven.
+  # One of the seven times of each pair, but neither the first nor the last.
   awk '/^#/ || (row++ % 7) == int((row - 1) / 7) % 5 + 1' "$work/answers" >"$root/tests/algebra/css_chromium.txt"

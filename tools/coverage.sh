@@ -3,15 +3,16 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # coverage.sh: writes build/coverage.md, which lists the tests that show each item of tests/coverage.txt.
-# coverage.sh --check: prints no name; fails if an item has neither a test nor a reason, or a tag names no item.
+# coverage.sh --check: fails if an item has neither a test nor a reason, or if a tag names an unknown item.
 #
-# A test says what it shows in a comment: "// shows: G54 R-T5" above a TEST, "# shows: G22" anywhere in a shell script.
-# Each line of tests/coverage.txt is an item, what it is, and where no test can show it why, with tabs between.
+# A test names its items in a comment: "// shows: G54 R-T5" above a TEST, "# shows: G22" anywhere in a shell script.
+# Each line of tests/coverage.txt has an item, a description, and a reason if no test can show the item, separated by
+# tabs.
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
 page=build/coverage.md
 case ${1-} in '' | --check) ;; *) echo "usage: tools/coverage.sh [--check]" >&2; exit 2 ;; esac
 
-# ITEM <tab> TEST <tab> FILE, one line each, in the order of the files.
+# Prints ITEM <tab> TEST <tab> FILE for each tag, in the order of the files.
 tags() {
   find tests -type f \( -name '*.cpp' -o -name '*.sh' \) | LC_ALL=C sort | while read -r file; do
     awk -v file="$file" '

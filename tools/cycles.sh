@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# cycles.sh FILM.bx -o OUT [--samples N] [--size WxH] [--frames A..B]: the film as Blender's Cycles renders it. OUT is
-# whatever betwixt join makes (.mp4, .webm, …), or numbered pictures (frame-%04d.png). Installs Blender where it is
-# missing and builds the Python module first.
+# cycles.sh FILM.bx -o OUT [--samples N] [--size WxH] [--frames A..B]: renders a film with Blender's Cycles. OUT is a
+# movie of a type that betwixt join writes (.mp4, .webm, …), or numbered pictures (frame-%04d.png). Installs Blender if
+# it is missing, and builds the Python module first.
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 . "$root/tools/setup.sh"
 usage() {

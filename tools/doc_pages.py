@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""The Markdown pages of the repository: which there are, their headings, their links and their blocks of code."""
+"""Reads the Markdown pages of the repository: their paths, headings, links and blocks of code."""
 
 import glob
 import os
@@ -11,7 +11,7 @@ FENCE = re.compile(r"^ *```(.*)\n((?:.*\n)*?) *```$", re.M)
 
 
 def pages():
-    """The paths of all pages, from the root of the repository."""
+    """Returns the paths of all pages, relative to the root of the repository."""
     found = [f for p in ("*.md", "*/*.md", "*/*/*.md") for f in glob.glob(p, root_dir=ROOT)]
     return sorted(f for f in found if not f.startswith("build/"))
 
@@ -22,24 +22,24 @@ def read(path):
 
 
 def blocks(text):
-    """(words behind the fence, code) of each block of code."""
+    """Returns (words after the opening fence, code) for each block of code."""
     return [(m[1].split(), m[2]) for m in FENCE.finditer(text)]
 
 
 def without_code(text):
-    """The text without blocks and spans of code. Lines keep their numbers."""
+    """Returns the text without blocks and spans of code. The other lines keep their line numbers."""
     text = FENCE.sub(lambda m: "\n" * m[0].count("\n"), text)
     return re.sub(r"(`+)(?:(?!`).|\n(?!\n))*?\1(?!`)", lambda m: "`" + "\n" * m[0].count("\n") + "`", text)
 
 
 def slug(heading):
-    """The anchor of a heading, as GitHub makes it."""
+    """Returns the anchor that GitHub gives to a heading."""
     plain = re.sub(r"!?\[([^]]*)\]\([^)]*\)", r"\1", heading)
     return re.sub(r"[^\w\- ]", "", plain.strip().lower()).replace(" ", "-")
 
 
 def headings(text):
-    """(level, heading, anchor) of each heading. A repeated one has a number: size, size-1."""
+    """Returns (level, heading, anchor) for each heading. Repeated anchors get a number: size, size-1."""
     seen, found = {}, []
     for mark, heading in re.findall(r"^(#+) +(.*?) *#*$", FENCE.sub("", text), re.M):
         anchor = slug(heading)
@@ -52,7 +52,7 @@ LINK = re.compile(r"(!?\[[^]\n]*(?:\n[^]\n]*)?\])\(([^)\s]+)\)")
 
 
 def links(text):
-    """(line, where it leads) of each link and picture."""
+    """Returns (line number, target) for each link and picture."""
     plain = without_code(text)
     return [(plain.count("\n", 0, m.start()) + 1, m[2]) for m in LINK.finditer(plain)]
 

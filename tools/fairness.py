@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""How long other hosts wait while one host says a hostile line.
+"""Measures how long other hosts wait while one host sends hostile lines.
 
     tools/fairness.py [--program PROGRAM] [--seconds N] [CASE…]
 
 For each case it starts a server and prepares the film. Four polite hosts ask every 5 ms: `time`, a line with a quoted
-text, a line with a pattern, and `set x.position`. They ask first while the hostile host is silent, then while it says its
-lines. The report gives the slowest answer of each polite host in both phases, how long the hostile lines took, the memory
-that the server took at most, and how long it took to end on SIGTERM while the hostile lines were said again.
+text, a line with a pattern, and `set x.position`. They ask first alone, then while a hostile host sends its lines. The
+report gives the slowest answer of each polite host in both phases, how long the hostile lines took, the peak memory of
+the server, and how long the server took to end after SIGTERM while the hostile lines were sent again.
 
-The figures depend on how busy the machine is: compare the two phases, and the delay of the program itself ("self").
+The figures depend on how busy the machine is. So compare the two phases with each other, and with the delay of this
+program itself ("self").
 """
 
 import argparse
@@ -24,8 +25,8 @@ import sys
 import tempfile
 import time
 
-MOST_TO_END = 10  # seconds that a server is given to end
-EVERY = 0.005  # seconds from one question of a polite host to its next one
+MOST_TO_END = 10  # seconds that a server may take to end
+EVERY = 0.005  # seconds from one question of a polite host to its next
 SCRIPT = """rate 30
 create x sphere
 create word text text="one"
@@ -49,7 +50,7 @@ def lines_of_a_bundle(lines):
 
 
 def sound(path):
-    """A WAV of 122 kB."""
+    """Writes a WAV file of 122 kB."""
     n = 122_000
     with open(path, "wb") as f:
         f.write(b"RIFF" + (36 + n).to_bytes(4, "little") + b"WAVEfmt " + (16).to_bytes(4, "little") +
@@ -58,7 +59,7 @@ def sound(path):
 
 
 def mesh(path):
-    """A grid of 160,000 triangles."""
+    """Writes an OBJ file of 160,000 triangles, one for each cell of a grid."""
     side = 400
     with open(path, "w") as f:
         for y in range(side):
@@ -72,7 +73,7 @@ def mesh(path):
 
 T_AND_T = " and ".join(["t"] * 200_000)
 LONG_NAMES = ["create " + "a" * 900 + "{1..20000} sphere"]
-# By name: lines that prepare, hostile lines (each connection says all of them), connections.
+# Name -> (lines that prepare the film, hostile lines, number of connections). Each connection sends all hostile lines.
 CASES = {
     "eval all of 100000": (many(100_000), ["eval o*.*"], 1),
     "eval position of 200000": (many(200_000), ["eval o*.position"], 1),
@@ -107,7 +108,7 @@ CASES = {
 }
 
 
-class Polite:
+class PoliteHost:
     def __init__(self, path, kind):
         self.kind, self.question, self.n, self.asked, self.due = kind, POLITE[kind], 0, None, 0.0
         self.waits, self.wrong, self.buffer = [], 0, b""
@@ -130,13 +131,13 @@ class Polite:
             self.asked = None
 
     def take(self, now):
-        """The slowest answer since the last call. An answer that has not come yet counts too."""
+        """Returns the slowest answer since the last call, in seconds. An answer that has not come yet counts too."""
         open_now = [now - self.asked] if self.asked else []
         worst, self.waits = max(self.waits + open_now, default=0), []
         return worst
 
 
-class Hostile:
+class HostileHost:
     def __init__(self, path, lines):
         self.lines, self.at, self.told, self.begun = lines, 0, [], None
         self.socket = socket.socket(socket.AF_UNIX)
@@ -160,7 +161,7 @@ class Hostile:
         self.out = self.out[sent:] if sent < len(self.out) else b""
 
     def hear(self, now):
-        parts = self.socket.recv(1 << 18).split(b"\n")  # of an answer only the beginning is kept
+        parts = self.socket.recv(1 << 18).split(b"\n")  # only the beginning of an answer is kept
         for i, part in enumerate(parts):
             if len(self.buffer) < 160:
                 self.buffer += part[:160]
@@ -177,14 +178,15 @@ class Hostile:
 
 
 def run(sockets, seconds, until=None):
-    """Runs the hosts for this many seconds, or until `until`. Returns the longest delay of this program itself."""
+    """Runs the hosts for this many seconds, or until `until()` is true. Returns the longest delay of this program
+    itself, in seconds."""
     chosen = selectors.DefaultSelector()
     for s in sockets:
         chosen.register(s.socket, selectors.EVENT_READ, s)
     end, late = time.monotonic() + seconds, 0.0
     while (now := time.monotonic()) < end and not (until and until()):
         for s in sockets:
-            if isinstance(s, Polite):
+            if isinstance(s, PoliteHost):
                 s.ask(now)
             else:
                 s.next(now)
@@ -201,14 +203,16 @@ def run(sockets, seconds, until=None):
     return late
 
 
-def listens(path, lines):
+def connect(path, lines):
+    """Returns a host that sends these lines, or None if no server listens yet."""
     try:
-        return Hostile(path, lines)
+        return HostileHost(path, lines)
     except OSError:
         return None
 
 
-def memory(pid):
+def peak_memory(pid):
+    """Returns the peak memory of a process in MiB."""
     with open(f"/proc/{pid}/status") as f:
         for line in f:
             if line.startswith("VmHWM"):
@@ -216,7 +220,7 @@ def memory(pid):
     return 0
 
 
-def case(name, call):
+def run_case(name, call):
     prepare, lines, connections = CASES[name]
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "s")
@@ -228,7 +232,7 @@ def case(name, call):
         server = subprocess.Popen([call.program, "serve", os.path.join(folder, "film.bx"), "--socket", path, *kept],
                                   stderr=subprocess.DEVNULL)
         try:
-            while not (first := listens(path, prepare)):
+            while not (first := connect(path, prepare)):
                 time.sleep(0.01)
                 if server.poll() is not None:
                     sys.exit(f"the server has ended with {server.returncode}")
@@ -236,21 +240,21 @@ def case(name, call):
             for took, told in first.told:
                 if '"ok":true' not in told:
                     print("   not prepared:", told)
-            polite = [Polite(path, kind) for kind in POLITE]
+            polite = [PoliteHost(path, kind) for kind in POLITE]
             run(polite, 1)
             for p in polite:
                 p.take(time.monotonic())
             late_before = run(polite, min(call.seconds, 3))
             before = [p.take(time.monotonic()) for p in polite]
-            hostile = [Hostile(path, [line.replace("{}", str(i)) if name == "mesh" else line for line in lines])
+            hostile = [HostileHost(path, [line.replace("{}", str(i)) if name == "mesh" else line for line in lines])
                        for i in range(connections)]
             begun = time.monotonic()
             late = run(polite + hostile, call.seconds, lambda: all(h.done for h in hostile))
             took = time.monotonic() - begun
             after = [p.take(time.monotonic()) for p in polite]
-            again = [Hostile(path, h.lines) for h in hostile]
+            again = [HostileHost(path, h.lines) for h in hostile]
             run(again, 0.2, lambda: all(h.done for h in again))
-            most = memory(server.pid)
+            most = peak_memory(server.pid)
             server.send_signal(signal.SIGTERM)
             begun = time.monotonic()
             try:
@@ -280,13 +284,13 @@ def main():
     options.add_argument("--program", default=os.path.join(root, "build/release/bin/betwixt"))
     options.add_argument("--seconds", type=float, default=20)
     options.add_argument("--verbose", action="store_true", help="print the first answers to the hostile lines")
-    options.add_argument("--save", action="store_true", help="keep the history; the disk adds its own delays")
+    options.add_argument("--save", action="store_true", help="keep a history on the disk, which adds delays of its own")
     options.add_argument("cases", nargs="*")
     call = options.parse_args()
     print(f"{'slowest answers in ms':26} {' '.join(POLITE)}")
     for name in CASES:
         if not call.cases or any(word in name for word in call.cases):
-            case(name, call)
+            run_case(name, call)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Lays out all C++ as .clang-format says; with `check`, only says which files differ.
+# Formats all C++ files by .clang-format. With `check` it changes nothing, and fails if a file is formatted differently.
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
 command -v clang-format >/dev/null || { echo "format.sh: clang-format is missing: apt-get install clang-format" >&2; exit 3; }
 how=(-i)

@@ -2,12 +2,13 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Looks for texts that break what reads them.
-#   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS for all targets together: motion, drawing, language, protocol, scene, lsp
-#   tools/fuzz.sh build                      builds the targets, and looks for nothing
-#   tools/fuzz.sh keep [TARGET…]             what was learnt becomes the corpus in tests/fuzz/corpus
-# It begins with that corpus, the examples and the tests' scripts. What is found lies in build/fuzz/found, what was said in
-# build/fuzz/TARGET.log; what was learnt is kept in build/fuzz/corpus, so that the next run goes on from there.
+# Fuzzing: gives random input to the readers of the program, and looks for input that makes them fail.
+#   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS is the time of all targets together
+#   tools/fuzz.sh build                       only builds the targets
+#   tools/fuzz.sh keep [TARGET…]              stores the corpora of earlier runs, made small, in tests/fuzz/corpus
+# The targets are motion, drawing, language, protocol, scene and lsp; the default is all of them. A run begins with the
+# corpora of tests/fuzz/corpus and build/fuzz/corpus, the examples and the scripts of the tests. It writes failing input
+# to build/fuzz/found, its log to build/fuzz/TARGET.log, and new input to build/fuzz/corpus.
 root=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 . "$root/tools/setup.sh"
 keep=
@@ -25,20 +26,20 @@ build fuzz "${targets[@]/#/fuzz_}"
 folder=$root/build/fuzz
 cd "$folder" || die "there is no $folder"
 mkdir -p found
-# Leaks are looked for at the end: after each execution that would take more than all the rest. Texts are short, as most
-# of what is to be found lies in few lines.
+# Leaks are checked once at the end: a check after each execution would take longer than everything else. The inputs are
+# short, because a few lines are enough to show most mistakes.
 declare -A longest=([motion]=400 [drawing]=2048 [language]=2048 [protocol]=1024 [scene]=8192 [lsp]=1024)
 options=(-artifact_prefix=found/ -detect_leaks=0 -entropic=0 -timeout=120 -rss_limit_mb=3000)
 export LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0
 
-# words TARGET: the dictionary of what it reads.
-words() {
+# dictionary TARGET: prints the path of its dictionary.
+dictionary() {
   local own=$root/tests/fuzz/$1.dict
   [ -e "$own" ] || own=$root/tests/fuzz/language.dict
   echo "$own"
 }
 
-# seeds TARGET: everything it begins with, in seeds/TARGET.
+# seeds TARGET: copies the input with which its run begins to seeds/TARGET.
 seeds() {
   rm -rf "seeds/$1"
   mkdir -p "seeds/$1" "corpus/$1"
@@ -49,12 +50,12 @@ seeds() {
   [ "$1" = motion ] || find "$root/examples" "$root/tests" -name "*.$ending" -size -32k -exec cp -f {} "seeds/$1/" \;
 }
 
-# fuzz TARGET SECONDS
+# fuzz TARGET SECONDS: runs a target and prints its result. Fails if it found a failure.
 fuzz() {
   local several=() status runs
   [ "$jobs" = 1 ] || several=(-fork="$jobs")
   seeds "$1"
-  bin/fuzz_"$1" "corpus/$1" "seeds/$1" "${options[@]}" -dict="$(words "$1")" -max_len="${longest[$1]}" \
+  bin/fuzz_"$1" "corpus/$1" "seeds/$1" "${options[@]}" -dict="$(dictionary "$1")" -max_len="${longest[$1]}" \
     -max_total_time="$2" "${several[@]}" >"$1.log" 2>&1
   status=$?
   runs=$(grep -aoE '^#[0-9]+' "$1.log" | tail -n 1 | tr -d '#')
@@ -62,12 +63,12 @@ fuzz() {
     echo "$1: ${runs:-0} texts without a failure"
   else
     grep -aE 'ERROR|SUMMARY|does not hold|runtime error|#[0-9]+ .*betwixt' "$1.log" | head -n 20
-    echo "$1: a failure after ${runs:-0} texts: the text is in $folder/found, what was said in $folder/$1.log"
+    echo "$1: a failure after ${runs:-0} texts: the text is in $folder/found, the log is $folder/$1.log"
   fi
   return "$status"
 }
 
-# What is not needed to come wherever the corpus comes is left out.
+# merge TARGET: stores a corpus of the same coverage with fewer texts in tests/fuzz/corpus.
 merge() {
   seeds "$1"
   rm -rf "kept/$1"

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Makes docs/gallery.md: each short example with its first comment, a picture and the script. Also makes the pictures of docs/look.md.
+# Makes docs/gallery.md (each short example with its first comment, a picture and its script) and pictures of
+# docs/look.md.
 #   tools/gallery.sh PROGRAM   makes the page and its pictures
 #   tools/gallery.sh --check   fails if the page differs from the examples
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
@@ -45,12 +46,12 @@ case ${1-} in
       "$1" frame "$root/examples/$2.bx" --at "$3f" -o "$root/docs/pictures/gallery/$2.png" --size 480x270 || exit 1
       set -- "$1" "${@:4}"
     done
-    # The films of docs/look.md, each below its heading.
+    # The films of docs/look.md. Each film has the name of the heading above it.
     folder=$(mktemp -d) || exit 1
     awk -v folder="$folder" '/^## /{name = tolower($2)} /^```/{inside = !inside; next} inside{print >(folder "/" name ".bx")}' "$root/docs/look.md"
     for film in "$folder"/*.bx; do
       name=${film##*/} name=${name%.bx} how='--size 480x270'
-      # The pair of the other style has two pictures of this program. They are smaller, because grain takes many bytes.
+      # Only the style `traced` gets its picture "before" here too. Both are smaller, because grain takes many bytes.
       if [ "$name" = traced ]; then
         how='--size 440x248'
         "$1" frame "$film" --at 1f -o "$root/docs/pictures/look/$name-before.png" $how || exit 1

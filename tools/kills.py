@@ -5,9 +5,9 @@
 
     tools/kills.py PROGRAM [ROUNDS] [SEED]
 
-Lines are sent without waiting for answers. What is there after a kill must be what a plain model says is there after
-some number of these: of all that were answered at least, and of no more than were sent. After a cut it must be what was
-there after some number of them, however few. Ends with "N passed, N failed" and an exit code.
+It sends commands without waiting for the answers. After a kill, the film must equal the film of a simple model after
+the first n commands, where n is at least the number of answered commands and at most the number of sent ones. After a
+cut, n may be any number. The last line is "N passed, N failed". The exit code is 1 if a check failed.
 """
 
 import json
@@ -27,16 +27,16 @@ AUTHOR = "# by hand\n# bundle\nrate 24\ncreate ball sphere\nset ball.radius 7  #
 
 
 def names(made):
-    """What stands for a set of names: equal for equal sets, and quickly made of one that is a name smaller."""
+    """Returns a fingerprint of a set of names: equal for equal sets, and quick to update when a name is added."""
     return len(made), sum(map(hash, made))
 
 
 class Model:
-    """Commands that stand, and those that were undone; each has its lines."""
+    """A simple model of a film: the commands in effect and the undone ones. Each command is a list of lines."""
 
-    def __init__(self, stand=()):
-        self.stand, self.undone, self.states = [], [], [("7", (0, 0))]
-        for lines in stand:
+    def __init__(self, in_effect=()):
+        self.in_effect, self.undone, self.states = [], [], [("7", (0, 0))]
+        for lines in in_effect:
             self.do(lines)
 
     def do(self, lines):
@@ -46,29 +46,29 @@ class Model:
                 radius = words[2]
             else:
                 count, hashes = count + 1, hashes + hash(words[1])
-        self.stand.append(lines)
+        self.in_effect.append(lines)
         self.states.append((radius, (count, hashes)))
         self.undone = []
 
     def undo(self):
-        self.undone.append((self.stand.pop(), self.states.pop()))
+        self.undone.append((self.in_effect.pop(), self.states.pop()))
 
     def redo(self):
         lines, state = self.undone.pop()
-        self.stand.append(lines)
+        self.in_effect.append(lines)
         self.states.append(state)
 
     def text(self):
-        return [line for lines in self.stand for line in lines]
+        return [line for lines in self.in_effect for line in lines]
 
     def state(self):
-        """The ball's radius, and which objects there are."""
+        """Returns the ball's radius and a fingerprint of the names of the other objects."""
         return self.states[-1]
 
 
-def states(stand, changes, of):
-    """What there is after none, one, two … of the changes."""
-    model = Model(stand)
+def states(in_effect, changes, of):
+    """Returns of(model) after 0, 1, 2 … of the changes. A change of None (`save`) changes nothing."""
+    model = Model(in_effect)
     out = [of(model)]
     for change in changes:
         if change:
@@ -78,8 +78,8 @@ def states(stand, changes, of):
 
 
 def commands(rng, number, bundles):
-    """Endless things to say: the lines, and what they do to a model. Every command is another one."""
-    done = undone = 0  # what was said here can be undone
+    """Generates random commands without end: (number, lines to send, change of a model). No two commands are equal."""
+    done = undone = 0  # commands of this generator that can be undone and redone
     while True:
         number += 1
         what = rng.randrange(12)
@@ -115,7 +115,7 @@ class Rounds:
             print(f"FAILED {what}", flush=True)
 
     def cut(self, journal):
-        """The journal's first bytes only, however many."""
+        """Cuts the journal at a random byte."""
         with open(journal, "r+b") as f:
             size = f.seek(0, os.SEEK_END)
             f.truncate(self.rng.randrange(size + 1))
@@ -123,7 +123,7 @@ class Rounds:
 
     # ---- a server
 
-    def begin(self):
+    def start_server(self):
         server = subprocess.Popen([self.program, "serve", "--socket", "s", "--save", "live.bx", "--class", "ordinary",
                                    "--undo", str(DEPTH), "--checkpoint", "20000"], stderr=subprocess.PIPE, text=True)
         said = ""
@@ -133,45 +133,45 @@ class Rounds:
                 return server
         raise RuntimeError(f"the server did not begin: {said}")
 
-    def found(self):
-        """What a server begins with. It is killed then, having done nothing."""
-        server = self.begin()
-        with socket.socket(socket.AF_UNIX) as wire:
-            wire.settimeout(60)
-            wire.connect("s")
-            wire.sendall(b"eval ball.radius\nlist\n")
-            with wire.makefile() as answers:
+    def state_after_start(self):
+        """Starts a server, returns the state of its film as Model.state does, and kills it."""
+        server = self.start_server()
+        with socket.socket(socket.AF_UNIX) as connection:
+            connection.settimeout(60)
+            connection.connect("s")
+            connection.sendall(b"eval ball.radius\nlist\n")
+            with connection.makefile() as answers:
                 radius = json.loads(answers.readline())["values"]["ball.radius"]
                 made = re.findall(r"\bo\d+", json.loads(answers.readline())["said"])
         server.kill()
         server.communicate()
         return str(radius), names(set(made))
 
-    def live(self, what):
-        """One life of a server: what was done to it, and how much of that was answered."""
-        server = self.begin()
-        wire = socket.socket(socket.AF_UNIX)
-        wire.connect("s")
+    def run_until_killed(self, what):
+        """Runs a server and stops or kills it. Returns the changes that were sent, and how many were answered."""
+        server = self.start_server()
+        connection = socket.socket(socket.AF_UNIX)
+        connection.connect("s")
         answers = bytearray()
 
-        def listen():
+        def read_answers():
             while True:
                 try:
-                    more = wire.recv(1 << 16)
+                    more = connection.recv(1 << 16)
                 except OSError:
                     return
                 if not more:
                     return
                 answers.extend(more)
 
-        ear = threading.Thread(target=listen)
-        ear.start()
+        reader = threading.Thread(target=read_answers)
+        reader.start()
         changes, last = [], time.monotonic() + self.rng.random() * 0.3
         try:
             for number, lines, change in commands(self.rng, self.number, True):
                 self.number = number
                 changes.append(change)
-                wire.sendall(("\n".join(lines) + "\n").encode())
+                connection.sendall(("\n".join(lines) + "\n").encode())
                 if time.monotonic() > last:
                     break
         except OSError:
@@ -183,8 +183,8 @@ class Rounds:
             server.kill()
             self.kills += 1
         server.communicate()
-        ear.join()
-        wire.close()
+        reader.join()
+        connection.close()
         lines = answers.decode().split("\n")[:-1]
         refused = [line for line in lines if '"ok":true' not in line]
         self.verdict(not refused, f"{what}: {refused[:1]}")
@@ -192,35 +192,36 @@ class Rounds:
         return changes, len(lines)
 
     def serve(self, index):
-        """Some lives of a server on one file, and a cut at their end."""
+        """Starts and kills a server on one file a few times, then cuts its journal."""
         for name in os.listdir("."):
             os.unlink(name)
         with open("live.bx", "w") as f:
             f.write(AUTHOR)
-        stand, all_states = [], []
+        in_effect, all_states = [], []
         for life in range(1 + self.rng.randrange(3)):
-            changes, answered = self.live(f"server {index}.{life}")
-            ways = states(stand, changes, Model.state)
-            all_states += ways
-            found = self.found()
-            n = next((n for n in range(len(ways) - 1, answered - 1, -1) if ways[n] == found), None)
+            changes, answered = self.run_until_killed(f"server {index}.{life}")
+            possible = states(in_effect, changes, Model.state)
+            all_states += possible
+            found = self.state_after_start()
+            n = next((n for n in range(len(possible) - 1, answered - 1, -1) if possible[n] == found), None)
             self.verdict(n is not None, f"server {index}.{life}: {answered} of {len(changes)} were answered; {found[0]}")
             if n is None:
                 return
-            model = Model(stand)
+            model = Model(in_effect)
             for change in changes[:n]:
                 if change:
                     change(model)
-            stand = model.stand
+            in_effect = model.in_effect
         self.checkpoints += os.path.exists("live.bx.orig")
         if os.path.exists(".live.bx.journal"):
             self.cut(".live.bx.journal")
-            found = self.found()
+            found = self.state_after_start()
             self.verdict(found in all_states, f"server {index}, cut: {found[0]}")
 
     # ---- a shell
 
     def shell(self, index):
+        """Kills a shell while it carries out commands, may cut its journal, and compares the recovered script."""
         for name in os.listdir("."):
             os.unlink(name)
         with open("film.bx", "w") as f:
@@ -249,9 +250,9 @@ class Rounds:
                        check=False)
         with open("film.bx") as f:
             found = f.read()
-        ways = ["\n".join([AUTHOR, *text, ""]) if text else AUTHOR for text in states([], changes, Model.text)]
+        possible = ["\n".join([AUTHOR, *text, ""]) if text else AUTHOR for text in states([], changes, Model.text)]
         self.kills += 1
-        self.verdict(found in ways[0 if cut else answered:],
+        self.verdict(found in possible[0 if cut else answered:],
                      f"shell {index}{', cut' if cut else ''}: {answered} of {len(changes)} were answered; {found[-60:]!r}")
 
 

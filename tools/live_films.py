@@ -1,12 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Films that are alive in pages. A comment above a block of a Markdown page says how it changes the film so far:
+"""Live films: films that play in a page and can be edited there. A comment above a block of code in a Markdown page
+makes a live film. It says how the block changes the film so far:
 
-    <!-- live: new -->                        the block is a film
-    <!-- live: below -->                      its lines go to the end
-    <!-- live: above LINE -->                 its lines go above that line
-    <!-- live: in place of LINE -->           they replace that line and the indented lines below it (a time: that row)
-    <!-- live: with WORDS for WORDS -->       a mistake, which the next film does not have
+    <!-- live: new -->                        the block is a new film
+    <!-- live: below -->                      the lines of the block go to the end of the film
+    <!-- live: above LINE -->                 they go above this line
+    <!-- live: in place of LINE -->           they replace this line and the indented lines below it
+    <!-- live: with WORDS for WORDS -->       the film has the first words instead of the second: a mistake, only here
+
+LINE is a whole line, or its first word. The time of an event row also works; then only that row is replaced.
 """
 
 import html
@@ -19,13 +22,13 @@ from typing import NamedTuple, Optional
 
 
 class Part(NamedTuple):
-    """A part of a page, between blank lines."""
+    """A part of a page between two blank lines."""
 
     text: str  # without the comment
-    code: Optional[str] = None  # of a block
-    film: Optional[str] = None  # that is alive here
-    whole: bool = False  # the block is the film
-    wrong: bool = False  # the film has a mistake
+    code: Optional[str] = None  # the content of a block of code; None for other parts
+    film: Optional[str] = None  # the live film after this part; None if the part has no comment
+    whole: bool = False  # the block is the whole film
+    wrong: bool = False  # the film has a mistake on purpose
 
 
 def as_script_text(text):
@@ -33,7 +36,7 @@ def as_script_text(text):
 
 
 def block_end(lines, first):
-    """Where the indented lines below a line end."""
+    """Returns the index after the last indented line below a line."""
     end = first + 1
     while end < len(lines) and lines[end].startswith(" "):
         end += 1
@@ -41,6 +44,8 @@ def block_end(lines, first):
 
 
 def changed(film, how, block, page):
+    """Returns the film, changed by a block as its comment says. Ends the program if the line is not exactly once in
+    it."""
     lines, new = film.split("\n"), block.split("\n")
     if how == "new":
         return block
@@ -55,7 +60,7 @@ def changed(film, how, block, page):
 
 
 def texts(markdown):
-    """The parts of a page as texts. Blank lines within a block do not divide it."""
+    """Yields the parts of a page as texts. Blank lines within a block of code do not divide it."""
     part, inside = [], False
     for line in markdown.split("\n") + [""]:
         inside ^= line.startswith("```")
@@ -83,7 +88,7 @@ def parts(markdown, page):
 
 
 def check(program, part, page):
-    """Ends the program if a film has a mistake, or has none where the page says so."""
+    """Ends the program if a film has a mistake, or if it has none and `part.wrong` is set."""
     with tempfile.NamedTemporaryFile("w", suffix=".bx") as script:
         script.write(part.film), script.flush()
         run = subprocess.run([program, "check", script.name], capture_output=True, text=True)
@@ -98,7 +103,7 @@ def player(film, name):
 
 
 def files_of(program, films, folder):
-    """The element with the files that the films need. Puts the player and its style into the folder."""
+    """Returns the HTML element with the files that the films need. Copies the player and its style into the folder."""
     os.makedirs(folder, exist_ok=True)
     with tempfile.TemporaryDirectory() as scripts:
         paths = [f"{scripts}/{i}.bx" for i in range(len(films))]

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""A server that runs for months, in minutes: it carries out commands as fast as it can, then is killed and begins again.
+"""Tests in minutes what a server does in months: sends commands as fast as it can, kills the server and restarts it.
 
     tools/marathon.py PROGRAM [COMMANDS] [SECONDS]
 
-Ten million commands if not said, or as many as fit into the seconds. They come in bundles of a thousand, some of them on the
-way at once, and are about a thousand objects: values, events that replace others, environments; what was done long ago is
-cleared now and then. Says as it goes how much memory the server takes and how long its log is; at last how long it takes
-to begin again, and whether what is there is what was answered. Ends with an exit code: 1 where it is not, or where memory
-or log go on growing.
+The default is ten million commands. With SECONDS it stops earlier when that time is over. Commands come in bundles of
+a thousand, and several bundles are on the way at once. They set values, events and environments of a thousand objects,
+and sometimes clear old events. The program prints the server's memory and the length of its log while it runs. At the
+end it prints how long a restart takes, and whether the film is the same after it. The exit code is 1 if the film
+differs, if the server refused a bundle, or if the memory or the log keeps growing.
 """
 
 import json
@@ -24,12 +24,12 @@ import tempfile
 import time
 
 OBJECTS = 1000
-BUNDLE = 1000  # commands
-AHEAD = 6  # bundles that are on the way
-REPORTS = 20
-FORGET = 250_000  # commands, after which hosts that go on for months say what need not be kept
-WORTH = "eval o*.radius o*.color o*.position.x o*.display at 50f"
-LOG = 64 << 20  # a checkpoint comes every 16 MiB, and what is said while it is made stands behind it
+BUNDLE = 1000  # commands in a bundle
+AHEAD = 6  # bundles on the way at once
+REPORTS = 20  # lines of the report
+FORGET = 250_000  # old events are cleared after every so many commands, as hosts that run for months should do
+VALUES = "eval o*.radius o*.color o*.position.x o*.display at 50f"  # compared after the restart
+LONGEST_LOG = 64 << 20  # bytes; a checkpoint begins every 16 MiB, and the log grows further while it is made
 
 
 def memory(pid):
@@ -37,14 +37,15 @@ def memory(pid):
         return int(re.search(r"VmRSS:\s+(\d+)", f.read()).group(1)) / 1024
 
 
-def begin(program):
+def start_server(program):
+    """Starts a server. Returns it, and how many seconds the start took."""
     begun = time.monotonic()
     server = subprocess.Popen([program, "serve", "--socket", "s", "--save", "live.bx", "--class", "ordinary"],
                               stderr=subprocess.PIPE, text=True)
     for line in server.stderr:
         if line.startswith("serving at"):
             return server, time.monotonic() - begun
-    raise RuntimeError("the server did not begin")
+    raise RuntimeError("the server did not start")
 
 
 class Host:
@@ -60,7 +61,7 @@ class Host:
     def answer(self):
         return json.loads(self.answers.readline())
 
-    def answers_of(self, lines):
+    def expect_ok(self, lines):
         for _ in range(lines):
             answer = self.answer()
             assert answer["ok"], answer
@@ -71,7 +72,7 @@ class Host:
 
 
 class Film:
-    """What hosts say, and what is there then."""
+    """Generates random commands, and keeps the radius that each object should have."""
 
     def __init__(self):
         self.rng = random.Random(13)
@@ -97,11 +98,11 @@ class Film:
         return [*lines, "end"]
 
 
-def forget(host):
-    """What hosts did up to ten seconds ago."""
+def clear_old_events(host):
+    """Clears the events of `environments` and `display` that are older than ten seconds."""
     before = host.ask("time")["seconds"] - 10
     host.send([f"clear *.{of} before {max(before, 0):.3f}s" for of in ("environments", "display")])
-    host.answers_of(2)
+    host.expect_ok(2)
 
 
 def log_size():
@@ -109,7 +110,7 @@ def log_size():
 
 
 def run(program, commands, seconds):
-    server, _ = begin(program)
+    server, _ = start_server(program)
     host, film = Host(), Film()
     host.send([f"create o{{0..{OBJECTS - 1}}} sphere"])
     host.send([f"animate e{k} every 1t by rotate({k + 1}deg, y)" for k in range(10)])
@@ -132,9 +133,9 @@ def run(program, commands, seconds):
                 break
         part = max(done / commands, (time.monotonic() - begun) / seconds)
         if done >= forget_at:
-            host.answers_of(ahead)
+            host.expect_ok(ahead)
             done, ahead, forget_at = done + BUNDLE * ahead, 0, forget_at + FORGET
-            forget(host)
+            clear_old_events(host)
         if done % 10000 == 0:
             longest = max(longest, log_size())
         if part * REPORTS >= reports + 1:
@@ -149,15 +150,15 @@ def run(program, commands, seconds):
         ahead, done = ahead - 1, done + BUNDLE
     gone = time.monotonic() - begun
     stats = host.ask("stats")["stats"]
-    worth = host.ask(WORTH)["values"]
-    memory_then = memory(server.pid)
+    values_before = host.ask(VALUES)["values"]
+    memory_before = memory(server.pid)
     server.send_signal(signal.SIGKILL)
     server.communicate()
     longest = max(longest, log_size())
 
-    server, again = begin(program)
+    server, again = start_server(program)
     host = Host()
-    same = host.ask(WORTH)["values"] == worth
+    same = host.ask(VALUES)["values"] == values_before
     names = sorted(film.radius)
     values = host.ask("eval " + " ".join(f"o{k}.radius" for k in names))["values"]
     right = all(values[f"o{k}.radius"] == film.radius[k] for k in names)
@@ -166,21 +167,21 @@ def run(program, commands, seconds):
     server.terminate()
     server.communicate()
     whole = os.path.getsize("live.bx")
-    server, clean = begin(program)
+    server, clean = start_server(program)
     server.kill()
     server.communicate()
 
-    sizes.append(memory_then)
+    sizes.append(memory_before)
     half = len(sizes) // 2
     grows = half > 2 and min(sizes[half:]) > 1.2 * max(sizes[1:half])
     print(f"{done} commands in {gone:.0f} s, {done / gone:.0f} a second; {refused} bundles refused; "
           f"the server counts {stats['commands']}")
     print(f"log at most {longest / 2**20:.1f} MiB, memory {sizes[0]:.0f} to {sizes[-1]:.0f} MiB")
-    print(f"killed, it begins again in {again:.2f} s with {after:.0f} MiB; "
-          f"ended, its script is {whole / 2**20:.2f} MiB and begins in {clean:.2f} s")
-    print(f"what is there is {'the same' if same else 'SOMETHING ELSE'}, "
+    print(f"after a kill it starts in {again:.2f} s with {after:.0f} MiB; "
+          f"after a normal end its script is {whole / 2**20:.2f} MiB, and it starts in {clean:.2f} s")
+    print(f"the film is {'the same' if same else 'DIFFERENT'}, "
           f"{len(names)} values are {'right' if right else 'WRONG'}, undo {'works' if undone else 'DOES NOT WORK'}")
-    return not (same and right and undone) or refused > 0 or grows or longest > LOG
+    return not (same and right and undone) or refused > 0 or grows or longest > LONGEST_LOG
 
 
 def main():

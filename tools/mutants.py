@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Asks how many mistakes the tests catch: changes one line in each of some source files, one at a time, and runs the
-tests until one fails.
+"""Measures how many mistakes the tests catch. It changes one line of a source file, runs the tests until one fails,
+restores the file, and goes to the next file.
 
-    mutants.py [COUNT [SEED]]      40 and 1. Run it in a clone of its own, after ./test: it edits src/.
+    mutants.py [COUNT [SEED]]      the defaults are 40 and 1; run it in a clone of its own, after ./test: it edits src/
 
 For each mistake it builds and runs the unit tests of the file's room, then those of the rooms that follow, then the
 command line, the examples, Python and the studio. Prints a line for each mistake, and the share that was caught.
@@ -26,7 +26,7 @@ SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" 
 
 
 def mistakes(path, rand):
-    """Lines of a file that can be changed, in random order: (line number, the new line)."""
+    """Returns the lines of a file, and possible changes in random order: (line number, new line)."""
     with open(path) as file:
         lines = file.read().split("\n")
     found = []
@@ -56,7 +56,7 @@ def fails(command, seconds):
 
 
 def caught_by(room):
-    """The name of the first test that fails; None: all pass. "" if the mistake does not compile."""
+    """Returns the name of the first test that fails, None if all pass, or "" if the changed file does not compile."""
     rooms = ROOMS[ROOMS.index(room):] if room in ROOMS else []
     for k, name in enumerate(rooms):
         if not ninja(f"test_{name}"):

@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The gallery and the tutorial as pages in which all films play and can be edited: build/pages/gallery.html, tutorial.html.
-#   tools/pages.sh [PROGRAM [FOLDER]]    ./betwixt is the program if none is said; it builds what plays first
+# Makes web pages of the gallery and the tutorial in which all films play and can be edited: build/pages/gallery.html
+# and build/pages/tutorial.html.
+#   tools/pages.sh [PROGRAM [FOLDER]]    the default of PROGRAM is ./betwixt, which first builds the player for pages
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 program=${1:-$root/betwixt} folder=${2:-$root/build/pages}
 mkdir -p "$folder" || exit 3

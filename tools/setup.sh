@@ -1,18 +1,18 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What ./betwixt and ./test share: installing what is missing, configuring, building. Sourced, with `root` set to the
-# project's folder. Everything is said on stderr; what cannot be done ends the script with exit code 3.
+# Functions that ./betwixt and ./test share: they install missing packages, configure and build. Set `root` to the
+# project's folder and source this file. The functions print on stderr. After a failure they exit with code 3.
 
-with=()  # what a build is told besides
+with=()  # extra options for cmake
 say() { printf 'betwixt: %s\n' "$*" >&2; }
 die() { say "$*"; exit 3; }
 
-# need FILE…: installs those packages of the lists that are missing.
+# need FILE…: installs the missing packages of these lists.
 need() {
   local missing
   if ! command -v dpkg-query apt-get >/dev/null; then
-    say "this is not Debian: taking it that everything in tools/*packages.txt is there"
+    say "this is not Debian: packages are not checked (tools/*packages.txt lists what is needed)"
     return
   fi
   missing=$(comm -23 <(sed 's/#.*//; s/ .*//; /^$/d' "$@" | sort -u) \
@@ -20,7 +20,7 @@ need() {
   [ -z "$missing" ] || install_packages $missing
 }
 
-# need_meanwhile FILE…: the same beside what comes next, where nobody has to be asked for a password; need_done waits.
+# need_meanwhile FILE…: the same in the background if no password is needed. need_done waits for it.
 need_meanwhile() {
   meanwhile=
   if [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; then
@@ -46,7 +46,7 @@ install_packages() {
   local get=("${admin[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
   compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null || "${get[@]}" update >"$log" 2>&1 || true
   if ! "${get[@]}" install -y --no-install-recommends "$@" >"$log" 2>&1; then
-    # Lists that are too old name files that are gone.
+    # If the package lists are old, they name files that the server no longer has: update them and try again.
     { "${get[@]}" update && "${get[@]}" install -y --no-install-recommends "$@"; } >"$log" 2>&1 || {
       tail -n 20 "$log" >&2
       rm -f "$log"
@@ -56,7 +56,8 @@ install_packages() {
   rm -f "$log"
 }
 
-# build PRESET TARGET…: configures build/PRESET where that is due and builds the targets; one at a time.
+# build PRESET TARGET…: configures build/PRESET if needed and builds the targets. Only one build of a preset runs at a
+# time.
 build() {
   mkdir -p "$root/build" || die "cannot write in $root"
   (
@@ -65,7 +66,7 @@ build() {
   ) 9>"$root/build/$1.lock" || exit 3
 }
 
-# with_parts PRESET PART…: builds of this preset know these parts from now on: studio, python, tests.
+# with_parts PRESET PART…: adds parts (studio, python, tests) to a preset. Later builds keep them.
 with_parts() {
   local cache=$root/build/$1/CMakeCache.txt part
   for part in "${@:2}"; do
@@ -78,7 +79,7 @@ with_parts() {
   ) 9>"$root/build/$1.lock" || exit 3
 }
 
-# build_player: build/web/betwixt-player.js, what plays in pages.
+# build_player: builds build/web/betwixt-player.js, the player for web pages.
 build_player() {
   mkdir -p "$root/build" || die "cannot write in $root"
   (
@@ -87,7 +88,7 @@ build_player() {
     "$root/tools/web.sh" 2>&1 | tee "$root/build/web.log" | sparse web
     [ "${PIPESTATUS[0]}" = 0 ] || {
       grep -iE 'error|undefined|cannot' "$root/build/web.log" | tail -n 20 >&2
-      die "the player could not be built: build/web.log has all that was said"
+      die "the player could not be built: build/web.log has the whole output"
     }
   ) 9>"$root/build/web.lock" || exit 3
 }
@@ -98,12 +99,12 @@ configure() {
     grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
     [ ! -f "$root/build/$1/build.ninja" ] || return 0
   else
-    # A checkout that was moved is configured afresh. `--fresh` deletes what is compiled, so a new part alone does not.
+    # A checkout that was moved needs `--fresh`, which deletes all compiled files. A new part alone does not need it.
     [ ! -f "$cache" ] || options+=(--fresh)
-    # clang needs two thirds of the time of g++, which is as good otherwise.
+    # clang compiles in two thirds of the time of g++. Both compilers work.
     ! command -v clang++-19 >/dev/null || options+=(-DCMAKE_CXX_COMPILER=clang++-19)
   fi
-  # What it has been told once stays.
+  # Parts that were added earlier stay.
   local part
   for part in STUDIO PYTHON TESTS; do
     ! grep -qx "BETWIXT_$part:BOOL=ON" "$cache" 2>/dev/null || with+=("-DBETWIXT_$part=ON")
@@ -111,7 +112,7 @@ configure() {
   ! command -v ccache >/dev/null || options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   (cd "$root" && cmake --preset "$1" "${options[@]}" "${with[@]}") >"$log" 2>&1 || {
     grep -v '^-- ' "$log" | tail -n 30 >&2
-    die "the build could not be configured (all of it: build/$1.log)"
+    die "the build could not be configured (the whole output: build/$1.log)"
   }
 }
 
@@ -124,15 +125,15 @@ make_targets() {
     NINJA_STATUS='[%f/%t] ' ninja -C "$root/build/$preset" "$@" 2>&1 | tee "$log" | sparse "$preset"
     [ "${PIPESTATUS[0]}" = 0 ] || {
       tail -n 40 "$log" >&2
-      die "the build failed (all of it: build/$preset.log)"
+      die "the build failed (the whole output: build/$preset.log)"
     }
   fi
 }
 
-# What ccache has to pass over to keep what is compiled behind precompiled headers.
+# ccache caches files with precompiled headers only if it ignores these differences.
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS-pch_defines,time_macros,include_file_mtime,include_file_ctime}
 
-# One line for every tenth of the work.
+# sparse NAME: reads the output of ninja and prints one line for every tenth of the work.
 sparse() {
   awk -v what="$1" -F '[][/]' '/^\[[0-9]+\/[0-9]+\]/ && $3 > 3 && int(10 * $2 / $3) > tenth {
     tenth = int(10 * $2 / $3)

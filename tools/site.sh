@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Builds the documentation as a site with search, in which films play: build/site/index.html. The site needs no server.
-#   tools/site.sh [PROGRAM [FOLDER]]    the default is ./betwixt, which is built first, with the player for pages
+#   tools/site.sh [PROGRAM [FOLDER]]    the default of PROGRAM is ./betwixt, which first builds the player for pages
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 . "$root/tools/setup.sh"
 need "$root/tools/site-packages.txt"

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The pictures of docs/studio.md: the window, dark and light, each of its panels, and what makes films.
+# Makes the pictures of docs/studio.md: the window, dark and light, each of its panels, and the export dialog.
 #   tools/studio-pictures.sh PROGRAM
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 [ $# = 1 ] || { sed -n '6s/^# *//p' "$0"; exit 2; }
@@ -10,7 +10,7 @@ program=$(realpath -- "$1")
 folder=$(mktemp -d) && trap 'rm -r "$folder"' EXIT
 cp -r "$root/examples" "$folder/films" || exit 1
 
-# NAME FILM OPTION… — a picture, of 256 colours; what stands on standard input is said first.
+# picture NAME FILM OPTION…: makes a picture of 256 colors. The studio runs the lines of standard input first.
 picture() {
   local name=$1 film=$2
   shift 2

@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# A tour of the studio, two minutes long: docs/tour/tour.bx, and the pictures that it shows, of a film that grows line by line.
-#   tools/tour.sh PROGRAM [OUT.mp4]   makes the pictures anew, and the film
+# Makes the pictures of docs/tour/tour.bx, a tour of the studio of two minutes. They show a film that grows line by
+# line.
+#   tools/tour.sh PROGRAM [OUT.mp4]   makes the pictures, and with OUT.mp4 also the movie
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 [ $# = 1 ] || [ $# = 2 ] || { sed -n '6s/^# *//p' "$0"; exit 2; }
 program=$(realpath -- "$1")
@@ -12,7 +13,8 @@ folder=$(mktemp -d) && trap 'rm -r "$folder"' EXIT
 cp "$tour/begin.bx" "$folder/film.bx"
 export QT_SCALE_FACTOR=1.125
 
-# NAME STEPS TIME OPTION… — the studio after so many lines, at that time; then what stands on standard input is said.
+# picture NAME STEPS TIME OPTION…: makes a picture of the studio at that time. The studio runs the first STEPS lines of
+# lines.txt before, then the lines of standard input.
 picture() {
   local name=$1 steps=$2 at=$3
   shift 3

@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# docs/tutorial.md as a page in which each film is alive (tools/live_films.py).
-#   tutorial_page.py PROGRAM PAGE.html     PROGRAM checks each film; betwixt-player.js is put beside the page
+# Makes a web page of docs/tutorial.md with live films (tools/live_films.py).
+#   tutorial_page.py PROGRAM PAGE.html     checks each film with PROGRAM; copies betwixt-player.js to the page's folder
 import base64, hashlib, html, os, re, subprocess, sys
 
 import live_films
 
 program, out = sys.argv[1:]
 root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-films = []  # of the page
+films = []  # the live films of the page that have no mistake
 read = lambda path: open(os.path.join(root, path), encoding="utf-8").read()
 
 
@@ -20,7 +20,7 @@ def inline(text):
             pieces[i] = f"<code>{html.escape(piece[1:-1])}</code>"
         else:
             piece = html.escape(piece, quote=False)
-            piece = re.sub(r"!\[[^]]*\]\([^)]*\)", "", piece)  # the film itself is there
+            piece = re.sub(r"!\[[^]]*\]\([^)]*\)", "", piece)  # the live film replaces the picture
             piece = re.sub(r"\*\*(.+?)\*\*", r"<strong>\1</strong>", piece)
             piece = re.sub(r"(?<!\*)\*([^*]+)\*(?!\*)", r"<em>\1</em>", piece)
             pieces[i] = re.sub(r"\[([^]]+)\]\(([^)]+)\)", r'<a href="../../docs/\2">\1</a>', piece)
@@ -53,7 +53,7 @@ a { color: light-dark(#0b5394, #8fc3f5); }
 betwixt-editor { margin: 0 0 1.8rem; --betwixt-text-height: 26rem; }
 """
 look = f'<link rel="stylesheet" href="betwixt-page.css">\n<style>{style}</style>'
-# As src/app/page_policy.cpp says it of pages with their files beside them.
+# The same policy as src/app/page_policy.cpp gives to pages whose files are in the same folder.
 hashed = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
 policy = ("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; "
           f"style-src 'self' 'sha256-{hashed}'; connect-src 'self'; img-src 'self'; base-uri 'none'; form-action 'none'; "

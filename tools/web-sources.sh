@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# web-sources.sh FOLDER: brings the sources of the libraries that the engine for web pages takes, from Debian's source
-# packages, wherever this machine has its packages from. Its own list of packages is left as it is.
+# web-sources.sh FOLDER: downloads the sources of the libraries that the engine for web pages needs. They come as Debian
+# source packages from the servers that this machine uses. The package lists of the machine are not changed.
 set -e
 folder=$(mkdir -p -- "$1" && cd -- "$1" && pwd)
 wanted='lua5.4 freetype harfbuzz libglu bullet pugixml meshoptimizer tinyobjloader libspng zlib'
@@ -22,13 +22,13 @@ get=(apt-get -qq -o Dir::Etc::SourceList=/dev/null -o Dir::Etc::SourceParts="$li
 "${get[@]}" update >&2
 cd "$lists"
 for package in $wanted; do
-  # Of some only the original can be had; that is all that is taken.
+  # For some packages the server has only the original archive. It is all that we need, so a failure is no error here.
   "${get[@]}" source --download-only "$package" >"$lists/log" 2>&1 || true
   archive=
   for one in "$lists/${package}"_*.orig.tar.*; do
     case $one in *.asc) ;; *) [ ! -s "$one" ] || archive=$one ;; esac
   done
-  [ -n "$archive" ] || { cat "$lists/log" >&2; echo "the source of $package cannot be had" >&2; exit 3; }
+  [ -n "$archive" ] || { cat "$lists/log" >&2; echo "the source of $package cannot be downloaded" >&2; exit 3; }
   tar -x -f "$archive" -C "$folder"
 done
 echo "$wanted" >"$folder/all"

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# web.sh: builds the engine for web pages, build/web/betwixt.js and betwixt.wasm, and what is made of it. Packages:
-# tools/web-packages.txt.
+# web.sh: builds the engine for web pages (build/web/betwixt.js and betwixt.wasm), the player and the other files that
+# contain it. tools/web-packages.txt lists the packages that it needs.
 set -e
 root=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 out=$root/build/web

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Blender without pictures: frame_set, which goes through the tracks and makes the matrices of the world.
+# Measures Blender without pictures: frame_set evaluates the F-curves and makes the world matrices.
 #   blender -b -P frames_blender.py -- ROW ROUNDS       keys, random, shared, rest, move, tree, edit
-#   blender -b -P frames_blender.py -- compare - <LINES: as peers/scene.mjs
-# A line a round: "Blender" and what a frame takes, in the row's unit.
+#   blender -b -P frames_blender.py -- compare - <LINES: like peers/scene.mjs
+# Prints a line for each round: "Blender" and the time of a frame, in the unit of the row.
 import math
 import os
 import sys
@@ -16,19 +16,19 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import scene as numbers
 
 row, rounds = sys.argv[sys.argv.index("--") + 1:][:2]
-PART = 10  # that one of the many boxes and nodes, for making them takes very long; figures are as if all were there
+PART = 10  # makes only a tenth of the many boxes and nodes, because that takes very long; times are multiplied by this
 PATHS = ("location", "rotation_euler", "scale")
 
 bpy.ops.wm.read_factory_settings(use_empty=True)
 scene = bpy.context.scene
 scene.render.fps = 60
 scene.frame_start, scene.frame_end = 1, 1000
-things = bpy.data.collections.new("things")  # comes to the scene when it is full, as each that comes is dear
+things = bpy.data.collections.new("things")  # linked to the scene when it is full, because each later object costs much time
 
 
 def put(name, at=(0, 0, 0), parent=None):
     thing = bpy.data.objects.new(name, None)
-    thing.rotation_mode = "ZYX"  # about the own x, then y, then z
+    thing.rotation_mode = "ZYX"  # about the object's own x axis, then y, then z
     thing.location = at
     thing.parent = parent
     things.objects.link(thing)
@@ -36,7 +36,7 @@ def put(name, at=(0, 0, 0), parent=None):
 
 
 def animate(thing, path, frames, values):
-    """Straight between the keys."""
+    """Makes F-curves with linear interpolation."""
     data = thing.animation_data or thing.animation_data_create()
     if data.action is None:
         data.action = bpy.data.actions.new(thing.name)
@@ -94,7 +94,7 @@ def measure(frames, unit):
 
 
 def edits():
-    """One key of a million is moved; the frame that follows."""
+    """Moves one key of a million, and evaluates the next frame."""
     frames = list(range(1, 1001))
     balls = [put(f"ball{k}") for k in range(1000)]
     for k, ball in enumerate(balls):

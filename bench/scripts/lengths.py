@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# How long the scripts of the gallery are beside the same films in other tools' own idiom: lines and characters,
-# without comments, blank lines and what stands at lines' ends and beginnings. Prints the table of docs/gallery.md.
+# Compares the lengths of the gallery's scripts with the same films in other tools: lines and characters, without
+# comments, blank lines, and blanks at the beginnings and ends of lines. Prints the table of docs/gallery.md.
 import re
 import statistics
 from pathlib import Path

@@ -3,8 +3,8 @@
 """An add-on that imports Betwixt scripts as Blender objects with F-curves. It can follow a script file or a server.
 
 Install this one file: Edit > Preferences > Add-ons > Install. Then use File > Import > Betwixt (.bx). The add-on needs
-the Python module `betwixt` (docs/python.md). If the module is not installed, name its folder in the add-on's preferences, or
-in the variable BETWIXT_PYTHON. docs/exchange.md lists what comes through.
+the Python module `betwixt` (docs/python.md). If the module is not installed, name its folder in the add-on's
+preferences or in the variable BETWIXT_PYTHON. docs/exchange.md lists what the add-on imports.
 """
 
 import importlib
@@ -28,8 +28,8 @@ bl_info = {
     "category": "Import-Export",
 }
 
-HELD, STRAIGHT, CUBIC = 0, 1, 2  # CONSTANT, LINEAR, BEZIER, as foreach_set numbers them
-MOMENT = 0.002  # frames that a jump takes, before its time: a curve has only one value at a time
+HELD, STRAIGHT, CUBIC = 0, 1, 2  # the numbers that foreach_set has for CONSTANT, LINEAR and BEZIER
+MOMENT = 0.002  # a jump becomes a step of so many frames before its time, because a curve has one value at each time
 
 
 def betwixt():
@@ -48,7 +48,8 @@ def betwixt():
 # ---- curves
 
 def pieces_of(channel, rate):
-    """Returns tuples (shape, first, last, begin, end, leaving, arriving) in frames. Each jump takes MOMENT."""
+    """Returns tuples (shape, first, last, begin, end, leaving, arriving): times in frames, values and slopes at both
+    ends. Each jump takes MOMENT frames."""
     given, made = without_corners(channel, rate), []
     for k, (shape, first, last, begin, end, leaving, arriving) in enumerate(given):
         jumps = k + 1 < len(given) and not alike(given[k + 1][3], end)
@@ -71,10 +72,11 @@ def pieces_of(channel, rate):
 
 
 def without_corners(channel, rate):
-    """Returns lists [shape, first, last, begin, end, leaving, arriving] in frames, with each corner as one key.
+    """Returns lists [shape, first, last, begin, end, leaving, arriving] in frames, with one key for each corner.
 
-    A corner may be a very short piece. Close to a key Blender uses the key's value. So the piece becomes one key at the
-    value to which both of its sides lead, on a whole frame if the piece is near one."""
+    A corner may be a very short piece. Blender uses the value of a key also for times very close to it, so such a piece
+    would show wrong values. It becomes one key at the value to which both neighbours lead, on a whole frame if one is
+    near."""
     given = [[("held", "straight", "cubic").index(p.shape), p.first, p.last, p.begin, p.end, p.leaving / rate,
               p.arriving / rate] for p in channel.pieces]
     given = [p for p in given[:-1] if p[2] > p[1]] + given[-1:]  # the last may be a jump, without length
@@ -100,7 +102,8 @@ def alike(a, b):
 
 
 def curve(action, path, index, points):
-    """Makes an F-curve from (frame, value, interpolation, slope after, slope before), with handles at thirds."""
+    """Makes an F-curve from points (frame, value, interpolation, slope after, slope before). The handles are at thirds
+    of the segments."""
     fcurve = action.fcurves.new(path, index=index)
     n = len(points)
     x, y, shape, leaving, arriving = (np.array([p[i] for p in points], dtype=float) for i in range(5))
@@ -125,7 +128,8 @@ def action_of(owner):
 
 
 def animate(owner, path, channel, rate, order=None):
-    """Animates a property by a channel. `order` gives the channel's component for each of the property's."""
+    """Animates a property by a channel. `order` has the index of the channel's component for each component of the
+    property."""
     order = order or range(channel.width)
     if channel.constant:
         setattr(owner, path, [channel.pieces[0].begin[i] for i in order])
@@ -143,7 +147,8 @@ def animate(owner, path, channel, rate, order=None):
 
 
 def animate_samples(owner, path, frames, values, index=0, held=False, also=None):
-    """Animates a number by its values at frames, linear or held between them. Returns whether it varies."""
+    """Animates a number by its values at frames. Between frames it is linear, or constant if `held`. Returns whether
+    the number varies."""
     values = [float(v) for v in values]
     if all(v == values[0] for v in values):
         return False
@@ -250,7 +255,8 @@ class Thing:
 
 
 def dress(owner, thing, frames, collection):
-    """Gives an object its meshes: one, one with shape keys, or several of which one is visible at a time."""
+    """Gives an object its meshes: one mesh, one mesh with shape keys, or several meshes of which one is visible at a
+    time."""
     meshes = [item.mesh() for _, item in thing.shapes]
     first = meshes[0]
     alike = all(m.triangles.shape == first.triangles.shape and (m.triangles == first.triangles).all()
@@ -281,7 +287,8 @@ def dress(owner, thing, frames, collection):
 
 
 def hold_while(shown, thing, frames, variant=None):
-    """Shows an object while its thing is visible; a variant only while the thing has that shape."""
+    """Hides an object at the frames at which its thing is not visible. A variant is also hidden while the thing has
+    another shape."""
     seen = set(thing.frames)
     if variant is not None:
         begin = thing.shapes[variant][0]
@@ -294,7 +301,8 @@ def hold_while(shown, thing, frames, variant=None):
 
 
 def light_of(name, lights, frames, target):
-    """Returns a light. Suns are as bright as ours. Lamps fade differently in Blender, so they match ours at `target`."""
+    """Returns a light. Suns are as bright as in Betwixt. Lamps fade with distance in another way in Blender, so they
+    have the brightness of Betwixt only at the point `target`."""
     sun = lights[0].sun
     made = bpy.data.lights.new(name, "SUN" if sun else "POINT")
     bright = [max(*l.color, 1e-9) for l in lights]
@@ -346,7 +354,7 @@ def camera_of(name, cameras, frames, scene, rate):
 
 
 def pose_samples(owner, frames, worlds):
-    """Animates a rigid motion given by matrices."""
+    """Animates location and rotation of an object by its world matrices at frames."""
     owner.rotation_mode = "QUATERNION"
     places, turns = [], []
     for w in worlds:
@@ -409,7 +417,8 @@ def say_time(film, scene):
 
 
 def bring_in(film, name, scene, tolerance=2e-6):
-    """Imports a film. Returns a collection, below one parent that turns y up to z up, and its objects by name."""
+    """Imports a film. Returns a new collection, and the imported objects by name. All objects have one root as
+    ancestor, which turns y up to z up."""
     say_time(film, scene)
     rate = film.rate
     frames = list(range(scene.frame_start, scene.frame_end + 1))
@@ -433,7 +442,8 @@ def bring_in(film, name, scene, tolerance=2e-6):
         cameras[frame.camera.name][0].append(f)
         cameras[frame.camera.name][1].append(frame.camera)
 
-    moved, holds, parents = {}, {}, {}  # by name: the object with the motion; that of the data and children; the parent
+    # By name: the object with the motion, the object with the data and the children, the name of the parent.
+    moved, holds, parents = {}, {}, {}
     for k in film.motion(metres=tolerance, radians=tolerance, arcs=False):
         data = None
         if k.name in cameras:
@@ -446,7 +456,7 @@ def bring_in(film, name, scene, tolerance=2e-6):
         moved[k.name] = held
         collection.objects.link(held)
         held["betwixt"] = k.name
-        if k.sheared:  # a turn, a stretch and another turn: the data and the children are below both objects
+        if k.sheared:  # rotation, scaling and another rotation need two objects; the inner one has data and children
             held.rotation_mode = "QUATERNION"
             animate(held, "rotation_quaternion", k.inner, rate, (3, 0, 1, 2))
             held.parent = moved[k.name] = bpy.data.objects.new(k.name + " around", None)
@@ -475,7 +485,7 @@ def bring_in(film, name, scene, tolerance=2e-6):
         for path in ("hide_render", "hide_viewport"):
             setattr(shown, path, hidden[0])
             animate_samples(shown, path, frames, hidden, held=True)
-    if "" in cameras:  # the film has no camera: this one sees everything
+    if "" in cameras:  # the film has no camera of its own at some frames: use the default camera, which sees everything
         eye = bpy.data.objects.new("eye", camera_of("eye", cameras[""][1], cameras[""][0], scene, rate))
         collection.objects.link(eye)
         eye.parent = root
@@ -499,7 +509,7 @@ def bring_in(film, name, scene, tolerance=2e-6):
 
 
 def middle_of(frame):
-    """Returns the middle of the visible things. There, lamps are as bright as ours."""
+    """Returns the middle of the visible things. Imported lamps have the brightness of Betwixt at this point."""
     places = [i.world[:3, 3] for i in frame.items]
     return np.mean(places, axis=0) if places else np.zeros(3)
 
@@ -524,12 +534,12 @@ def take_out(collection):
 # ---- live
 
 class Live:
-    """Follows a file or a server: imports the film again whenever its script changes."""
+    """Follows a script file or a server: imports the film again whenever its script changes."""
 
     def __init__(self, where, scene, tolerance=2e-6):
         self.where, self.scene, self.tolerance = where, scene, tolerance
         self.server, self.collection, self.objects, self.known = None, None, {}, None
-        self.said = ""  # the error in the current script; the last good film stays
+        self.said = ""  # the error in the current script; the last film without errors stays
         if not where.endswith(".bx"):
             self.server = importlib.import_module("betwixt_client").Server(where)
 
@@ -540,7 +550,7 @@ class Live:
             return script.read()
 
     def look(self):
-        """Imports the film if the script changed. Returns whether it did."""
+        """Imports the film if the script changed. Returns whether it was imported."""
         try:
             text = self.text()
         except OSError as why:
@@ -551,7 +561,7 @@ class Live:
         self.known = text
         try:
             film = betwixt().loads(text, "" if self.server is not None else self.where)
-        except Exception as why:  # for example half a line; works again when the line is complete
+        except Exception as why:  # for example an incomplete line: the next change may be valid
             self.said = str(why)
             return False
         self.said = ""

@@ -71,7 +71,7 @@ class Refused(Exception):
 
 
 class _Closing:
-    """Closes the object at the end of a `with`."""
+    """A base class: `with` closes the object at its end."""
 
     def __enter__(self):
         return self
@@ -139,7 +139,7 @@ class Server(_Closing):
     # ---- commands
 
     def do(self, command):
-        """Carries out a command of the language, or a word of the server. Returns the answer as a dict; raises Refused.
+        """Carries out a command of the language or of the server. Returns the answer as a dict; raises Refused.
 
         Inside `bundle` the command is only collected, and `do` returns None.
         """
@@ -153,7 +153,8 @@ class Server(_Closing):
 
     @contextlib.contextmanager
     def bundle(self):
-        """Collects the commands inside, and carries out all of them at once at the end, or none and raises Refused."""
+        """Collects the commands inside the `with`. At its end the server carries out all of them at once. If it refuses
+        one, it carries out none, and this raises Refused."""
         self.begin_bundle()
         try:
             yield self
@@ -213,7 +214,8 @@ class Server(_Closing):
         return self.events(wait)
 
     def events(self, wait=None):
-        """Yields past and future events. Ends if none arrives for `wait` seconds; None waits for ever."""
+        """Yields the events that have arrived and those to come. Ends if none arrives for `wait` seconds; None waits
+        for ever."""
         while True:
             if self._events:
                 yield self._events.popleft()
@@ -245,8 +247,8 @@ class Server(_Closing):
         return answer
 
     def _exchange(self, text):
-        """Sends a text that has one answer, and waits for it. An exception in between closes the connection: otherwise
-        the late answer would be taken for that of the next command."""
+        """Sends a text that has one answer, and returns the answer. An exception in between closes the connection:
+        otherwise the late answer could be taken for that of the next command."""
         sent = text.encode() + b"\n"
         try:
             self._send(sent)
@@ -297,11 +299,11 @@ class Server(_Closing):
 
 
 class Host(Server):
-    """A server in the calls of the Animation Imaging Model (betwixt/aim.h, docs/aim.md).
+    """A connection with the calls of the Animation Imaging Model (betwixt/aim.h, docs/aim.md).
 
     Matrices are 16 numbers row by row, for row vectors: p' = p M, with the translation in the last row. `translate`,
-    `rotate_z` and the functions beside them return such matrices. Times are whole ticks, colours sRGB from 0 to 1.
-    Names of objects, tags and environments are positive numbers that no other host has or had.
+    `rotate_z` and similar functions return such matrices. Times are whole ticks, colours sRGB from 0 to 1. Names of
+    objects, tags and environments are positive numbers. No other host gets or got the same numbers.
     """
 
     NAMES_AT_ONCE = 1000
@@ -310,9 +312,9 @@ class Host(Server):
         super().__init__(where, token, timeout)
         self._blocks = []  # the first number of each thousand that the server gave us
         self._named = collections.Counter()
-        self._open = None  # the open object
-        self._interrupted = False  # another command came between its rows: the next row must open it again
-        self._replacing = False
+        self._open = None  # the name of the open object
+        self._interrupted = False  # another command came after its last row: the next row must open it again
+        self._replacing = False  # `replace` was the last row but those that replace
         self._open_before_bundle = None
         self._stamp = self._now = -math.inf  # when the last command takes effect; the last known tick
         try:
@@ -324,7 +326,7 @@ class Host(Server):
     # ---- objects: display lists
 
     def make_object(self):
-        """MAKEOBJ: opens a new object, to which the commands until `close_object` belong. Returns its name."""
+        """MAKEOBJ: opens a new object. The commands until `close_object` belong to it. Returns its name."""
         self._none_open()
         made = self._name("object")
         self.do(f"make O{made}")
@@ -345,7 +347,7 @@ class Host(Server):
 
     @contextlib.contextmanager
     def object(self):
-        """`with host.object() as star:` is `make_object` … `close_object`."""
+        """Opens a new object for a `with`, and closes it at the end: `with host.object() as star:`."""
         made = self.make_object()
         try:
             yield made
@@ -379,12 +381,12 @@ class Host(Server):
         self._row("pop")
 
     def multiply_matrix(self, matrix):
-        """MULTMATRIX: top of stack = matrix times top."""
+        """MULTMATRIX: replaces the matrix on top of the stack by `matrix` times it."""
         self._row(f"multiply {_matrix(matrix)}")
 
     @contextlib.contextmanager
     def matrix(self, matrix):
-        """`with host.matrix(m):` is `push_matrix`, `multiply_matrix(m)` … `pop_matrix`."""
+        """Multiplies a matrix to the stack for the commands inside a `with`: `with host.matrix(m):`."""
         text = _matrix(matrix)
         self.push_matrix()
         try:
@@ -429,7 +431,7 @@ class Host(Server):
     # ---- environments
 
     def make_environment(self):
-        """Returns a new name."""
+        """Returns the name of a new environment. `animate` creates it."""
         return self._name("environment")
 
     def begin_environment(self, environment):
@@ -437,12 +439,12 @@ class Host(Server):
         self._row(f"begin {_name('E', environment)}")
 
     def end_environment(self):
-        """EndAniEnv: ends the environment that was begun last."""
+        """EndAniEnv: ends the innermost open environment."""
         self._row("end")
 
     @contextlib.contextmanager
     def environment(self, environment):
-        """`with host.environment(spin):` is `begin_environment(spin)` … `end_environment`."""
+        """Puts the commands inside a `with` into the environment: `with host.environment(spin):`."""
         self.begin_environment(environment)
         try:
             yield
@@ -455,12 +457,14 @@ class Host(Server):
 
     def animate(self, environment, interval, matrix, *, change=0, period=1, ceiling=30, from_=None, until=None,
                 keep_phase=False):
-        """Animate: applies `matrix` every `interval` ticks. Returns the tick at which this begins, or None in a bundle.
+        """Animate: multiplies `matrix` to the environment every `interval` ticks. Returns the tick at which the command
+        takes effect, or None in a bundle.
 
-        Every `period` ticks the interval grows by `change`, or shrinks if it is negative. A growing interval stops the
-        motion for good at the `ceiling`. The motion starts `from_` ticks from now (None: at once) and stops `until`
-        ticks from now (None: never). With `keep_phase`, the first update comes when the old motion's next one was due.
-        This call creates the environment; it also accepts a number that `make_environment` did not return.
+        Every `period` ticks the interval grows by `change` ticks, or shrinks if `change` is negative. When a growing
+        interval reaches `ceiling`, the motion stops for good. The motion starts `from_` ticks from now (None: at once)
+        and stops `until` ticks from now (None: never). With `keep_phase`, the first step comes when the next step of
+        the old motion was due. The call creates the environment. It also accepts a number that does not come from
+        `make_environment`.
         """
         line = f"animate {_name('E', environment)} every {operator.index(interval)}t by {_matrix(matrix)}"
         if change:
@@ -475,15 +479,17 @@ class Host(Server):
         return self._stamped(line + (" keep-phase" if keep_phase else ""))
 
     def halt(self, environment):
-        """HaltAnimation: stops the motion. Returns its tick, or None in a bundle."""
+        """HaltAnimation: stops the motion. Returns the tick at which the command takes effect, or None in a bundle."""
         return self._stamped(f"halt {_name('E', environment)}")
 
     def kill(self, environment):
-        """KillAnimation: ends the environment. Returns its tick, or None in a bundle."""
+        """KillAnimation: ends the environment. Returns the tick at which the command takes effect, or None in a
+        bundle."""
         return self._stamped(f"kill {_name('E', environment)}")
 
     def cancel(self, environment):
-        """Drops the environment's future starts and stops. Returns its tick, or None in a bundle."""
+        """Drops the environment's future starts and stops. Returns the tick at which the command takes effect, or None
+        in a bundle."""
         return self._stamped(f"cancel {_name('E', environment)}")
 
     def get_interval(self, environment):
@@ -491,11 +497,11 @@ class Host(Server):
         return self._value(environment, "every")
 
     def get_matrix(self, environment):
-        """GetAniMatrix: returns the matrix of one step, M, not A."""
+        """GetAniMatrix: returns M, the matrix of one step."""
         return _transposed(self._value(environment, "by"))
 
     def get_environment_matrix(self, environment):
-        """Returns the matrix of all steps so far, A."""
+        """Returns A, the product of all steps so far."""
         return _transposed(self._value(environment, "world"))
 
     def get_slot_counter(self):
@@ -508,7 +514,7 @@ class Host(Server):
     # ---- internals
 
     def do(self, command):
-        """As `Server.do`; also allowed between the commands of an open object."""
+        """Does what `Server.do` does. It is also allowed between the commands of an open object."""
         self._interrupted = True
         return super().do(command)
 
@@ -526,7 +532,8 @@ class Host(Server):
         return super()._bundle_over()
 
     def _name(self, kind):
-        """Returns a new number. The server gives each number once, a thousand at a time. Kinds share numbers."""
+        """Returns a number that is new for this kind of name. The server gives each number to one host only, a thousand
+        at a time. An object, a tag and an environment may have the same number."""
         block, number = divmod(self._named[kind], self.NAMES_AT_ONCE)
         if block == len(self._blocks):
             self._blocks.append(self._answer_to("names")["first"])
@@ -643,8 +650,9 @@ def transform(p, m):
 
 
 class Picture:
-    """A picture of a ring. `width` and `height`: its size. `rgba`: bytes, row by row from the top. `seconds`: the time
-    in the film. `number`: the number of the frame. `moment`: when it was shown, by time.monotonic_ns()."""
+    """A picture that the server has shown: its `width` and `height` in pixels, its pixels in `rgba` (bytes, row by row
+    from the top), its time in the film in `seconds`, the `number` of the frame, and the `moment` when it was shown, in
+    nanoseconds as time.monotonic_ns() counts them."""
 
     def __init__(self, width, height, rgba, flicks, number, moment):
         self.width, self.height, self.rgba = width, height, rgba
@@ -653,7 +661,7 @@ class Picture:
 
 
 class Ring(_Closing):
-    """The pictures of a server that was started with `--to ring:NAME`.
+    """Reads the latest pictures of a server that was started with `--to ring:NAME`.
 
         with Ring("stage") as ring:
             picture = ring.wait()

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Betwixt in Visual Studio Code: what the editor asks goes to `betwixt lsp`, and what that answers comes back in the
-// editor's own words. It needs no other packages.
+// The extension for Visual Studio Code. It sends the editor's requests to `betwixt lsp` and converts the answers to the
+// editor's types. It needs no other packages.
 "use strict";
 const vscode = require("vscode");
 const { Server } = require("./server.js");
@@ -13,7 +13,7 @@ let server;
 /** @type {vscode.DiagnosticCollection} */
 let said;
 
-// From the one's words to the other's
+// Conversions between the types of the Language Server Protocol and those of the editor
 
 /** @param {any} p */
 const toPosition = (p) => new vscode.Position(p.line, p.character);
@@ -51,7 +51,7 @@ function toSymbol(s) {
 }
 
 /**
- * Asks about a text, where it has an answer.
+ * Sends a request about a document. Returns the result, or null if there is none or no server runs.
  * @param {string} what @param {vscode.TextDocument} document @param {object} more @param {any} token
  */
 async function ask(what, document, more, token) {
@@ -179,7 +179,7 @@ function offer(context) {
   context.subscriptions.push(...all);
 }
 
-// The texts
+// Notifications about documents
 
 /** @param {vscode.TextDocument} document */
 function opened(document) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A language server that is started and asked: messages of JSON, each below its length.
+// Starts a language server and exchanges JSON messages with it. A header with its length comes before each message.
 "use strict";
 const { spawn } = require("child_process");
 

@@ -4,10 +4,10 @@
 // The animation algebra: motions as strings of translations, rotations and scalings, and their in-betweens.
 // Source: Chandran, Kulkarni, Nath, On Transformations for Animation.
 //
-// A motion is a product F1 F2 ... Fm of factors. Each factor gives the total that it moves by, and the leftmost is
-// applied last. Fraction t of the motion is A(t) = F1(t) F2(t) ... Fm(t). With N steps, A_k = A(k/N): frame 0 is the
-// identity and frame N is the whole motion. Centres are points of the rest pose; the factors to their left move them.
-// Column vectors, radians.
+// A motion is a product F1 F2 ... Fm of factors. Each factor gives its total movement, and the leftmost factor is
+// applied last. At fraction t the motion is A(t) = F1(t) F2(t) ... Fm(t). With N steps, A_k = A(k/N): frame 0 is the
+// identity and frame N is the whole motion. Centres are points of the rest pose. The factors to the left of a factor
+// also move its centre. Points are column vectors, angles are in radians.
 //
 // Room: algebra
 #pragma once
@@ -27,13 +27,13 @@ namespace betwixt {
 
 struct Factor {
   enum class Kind : std::uint8_t { translate, rotate, scale };
-  // How a scaling by G grows with t: G^t, or 1 + (G - 1) t as in CSS and SVG.
+  // The factor of a scaling by G at t: G^t (exponential), or 1 + (G - 1) t as in CSS and SVG (linear).
   enum class Law : std::uint8_t { exponential, linear };
   Kind kind = Kind::translate;
   Law law = Law::exponential;
   Vec3 by{};              // translate: the displacement; scale: the factors G
   Vec3 centre{};          // rotate, scale
-  std::string about;      // rotate, scale: an object whose position when the motion begins is the centre; "": `centre`
+  std::string about;      // rotate, scale: the object whose position at the start of the motion is the centre; "": none
   Vec3 axis{0, 0, 1};     // rotate
   double angle = 0;       // rotate: the total, whole turns included
   double angle_rest = 0;  // rotate: the rounding error of `angle`, so that many turns keep their fraction
@@ -49,10 +49,10 @@ Factor translate_by(Vec3 way);
 Factor rotate_by(double angle, Vec3 centre = {}, Vec3 axis = {0, 0, 1});
 Factor scale_by(Vec3 factors, Vec3 centre = {}, Factor::Law = Factor::Law::exponential);
 
-// Reads a motion: T(dx dy) R(90deg @ cx cy) S(gx gy @ sx sy) S(g), and in space T(x y z)
-// R(90deg @ cx cy cz axis x y z) S(gx gy gz @ x y z). `linear` at the end of an S sets the linear law. Angles are in
-// deg, rad or turn, lengths in m, cm or mm. A centre may be the name of an object. Errors: syntax, range; place.column
-// and place.length count characters, the column from 1.
+// Reads a motion: T(dx dy) R(90deg @ cx cy) S(gx gy @ sx sy) S(g), and in space T(x y z) R(90deg @ cx cy cz axis x y z)
+// S(gx gy gz @ x y z). `linear` at the end of an S sets the linear law. Angles are in deg, rad or turn, lengths in m,
+// cm or mm. A centre may be the name of an object. Errors: syntax, range. Their place.column and place.length count
+// characters; the first column is 1.
 Result<Motion> parse_motion(std::string_view);
 // Returns the shortest text that parse_motion reads as an equal motion.
 std::string to_string(const Motion&);
@@ -73,13 +73,14 @@ Result<Motion> inverse(const Motion&);
 
 // ---- From step to step
 
-// How points are moved from one frame to the next. The methods are the source's and work in the plane. Without a
-// reason to step, compute A(t) for each frame instead.
+// How points are moved from one frame to the next. The methods come from the source and work in the plane. If you do
+// not need every frame in turn, compute A(t) instead.
 enum class Method : std::uint8_t {
-  matrix,       // multiplies the points at rest by A_k; its numbers are updated from step to step
-  geometric,    // translates, scales and shears the points in place. For the eleven rows of the source's first table,
-                // with scalings by the linear law. SR and ST agree with the motion at its end only
-  differences,  // multiplies by one constant matrix, if there is one. With a single step there is one for every string
+  matrix,       // multiplies the points at rest by A_k; the numbers of A_k are updated from step to step
+  geometric,    // translates, scales and shears the points in place. Only for the eleven rows of the source's first
+                // table, with scalings by the linear law. SR and ST match the motion only at its end
+  differences,  // multiplies the points by one constant matrix at each step. Only for strings that have such a matrix;
+                // with a single step all have one
   best,         // the cheapest method, for any string
 };
 std::string_view name_of(Method);
@@ -97,10 +98,11 @@ class Steps {
   ~Steps();
 
   std::int64_t frame() const;
-  void step();                // goes to the next frame; there is no last one
-  void seek(std::int64_t k);  // goes to any frame, by the closed form
-  // Sets after how many steps the closed form is evaluated again, against rounding errors; 0: never. The default is 256
-  // in double and 64 in float. It is 32 for two-term recurrences in float, and for the numbers of A_k.
+  void step();                // goes to the next frame, also beyond the last step
+  void seek(std::int64_t k);  // goes to any frame directly, by the closed form
+  // Sets after how many steps the closed form is evaluated again, so that rounding errors do not accumulate; 0: never.
+  // The default is 256 in double and 64 in float. For two-term recurrences in float, and for the numbers of A_k, it is
+  // 32.
   void renew_every(int steps);
   std::span<const Number> x() const;
   std::span<const Number> y() const;
@@ -111,7 +113,7 @@ class Steps {
   std::unique_ptr<State> state_;
 };
 
-// Operations (multiplications and additions): a number for each point and a number besides.
+// Numbers of operations (multiplications and additions): for each point, and besides those.
 struct Cost {
   long long per_point = 0, besides = 0;
   long long functions = 0;  // sines, exponentials and other functions
@@ -120,7 +122,7 @@ struct Cost {
 struct Count {
   std::string kernel;  // the operation on the points, by name
   Cost planned;        // per step, as the scheme predicts
-  Cost before, step;   // counted by running the code with a number type that counts
+  Cost before, step;   // before the first step, and per step: counted by running the code with a counting number type
 };
 // Counts the operations of a plan for this number of points. Errors: as for Steps.
 Result<Count> count_operations(const Motion&, std::int64_t steps, Method, std::size_t points);
@@ -128,8 +130,8 @@ Result<Count> count_operations(const Motion&, std::int64_t steps, Method, std::s
 // Returns "8Np + 14".
 std::string to_string(const Cost&);
 
-// Returns the costs that the source prints for this string in its two tables, or std::nullopt if it is not a row of
-// them. Those of `geometric` are for the linear law, those of `matrix` for the exponential law.
+// Returns the costs that the two tables of the source print for this string, or std::nullopt if they have no row for
+// it. The costs of `geometric` are for the linear law, those of `matrix` for the exponential law.
 struct Printed {
   std::string row;
   Cost matrix, geometric;                // per step

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Contacts (collision detection): which drawn objects touch, which groups they form, and which leave the picture.
-// Source: Animation Imaging Model, section 5, where a module of its own detects collisions and tells the host.
+// Source: Animation Imaging Model, section 5. There, a separate module detects collisions and reports them to the host.
 //
 // Room: program
 #pragma once
@@ -16,12 +16,12 @@
 
 namespace betwixt {
 
-// Where a box is in the camera's view: fully outside, across the edge of the window (touching it counts), or
-// inside. The camera sees everything before its eye (perspective) or before its plane (orthographic), however far.
-// Anything behind that is outside.
+// Where a box is in the camera's view: fully outside, across the edge of the picture (a box that touches the edge
+// counts), or inside. The view has no far limit: it reaches from the eye (perspective) or the camera's plane
+// (orthographic) to infinity. Everything behind that is outside.
 enum class Sight : std::uint8_t { out, boundary, in };
 
-// A box in world space around one drawn object, with its sides along the axes. Its faces belong to it.
+// An axis-aligned box in world space around one drawn object. Boxes that only share a face, an edge or a corner touch.
 struct ContactBox {
   ObjectId id, body;
   Vec3 low, high;
@@ -40,8 +40,8 @@ struct ContactGroup {
 };
 
 struct ContactOptions {
-  bool related = false;               // whether to report pairs of one body too (see Item::body)
-  std::optional<double> aspect = {};  // width / height of the picture; nullopt: as the camera says
+  bool related = false;               // whether to report pairs within one body too (see Item::body)
+  std::optional<double> aspect = {};  // width / height of the picture; nullopt: that of the camera
 };
 
 struct Contacts {
@@ -54,26 +54,25 @@ struct Contacts {
   std::vector<ContactGroup> groups;  // ordered by their first object
   bool complete = true;
 
-  const ContactBox* find(ObjectId) const;  // null if the object is not drawn
-  Sight sight(ObjectId) const;             // Sight::out if the object is not drawn
-  // Return the objects that touch one, and whether two touch.
-  std::vector<ObjectId> touching(ObjectId) const;
-  bool touching(ObjectId, ObjectId) const;
+  const ContactBox* find(ObjectId) const;          // null if the object is not drawn
+  Sight sight(ObjectId) const;                     // Sight::out if the object is not drawn
+  std::vector<ObjectId> touching(ObjectId) const;  // the objects that touch this one
+  bool touching(ObjectId, ObjectId) const;         // whether these two touch
 };
 
 // Returns the contacts at the time of the frame.
 Contacts contacts(const Frame&, const ContactOptions& = {});
-// Returns every pair that touches at some time from `before` to `after`, if each box moves straight and at constant
-// speed between its two positions. So fast objects do not pass through each other unnoticed. An object that only one of
-// the frames draws is present at that frame's time only. Boxes and sights are those of `after`.
+// Returns every pair that touches at some time from `before` to `after`. Each box moves in a straight line at constant
+// speed between its two positions, so fast objects cannot pass through each other unnoticed. An object that only one of
+// the frames draws exists only at the time of that frame. Boxes and sights are those of `after`.
 Contacts swept(const Frame& before, const Frame& after, const ContactOptions& = {});
 
-// A contact, a group or a visibility that began or ended between two ticks.
+// A change from one tick to the next: a contact or a group begins or ends, or the sight of an object changes.
 struct ContactEvent {
   enum class What : std::uint8_t { contact, group, view };
   What what = What::contact;
   bool begin = true;              // contact, group
-  Sight sight = Sight::out;       // view
+  Sight sight = Sight::out;       // view: the new one
   std::vector<ObjectId> objects;  // contact: two; group: more than two; view: one
   std::vector<Contact> pairs;     // group
   Time time;                      // of the tick
@@ -91,8 +90,9 @@ class ContactWatch {
   explicit ContactWatch(ContactOptions options = {}, bool sweep = false) : options_(options), sweep_(sweep) {}
 
   // Returns what changed since the last frame. Call it for the next tick of forward play, or for the same tick after
-  // the film was edited. A frame from before the last one is a seek. Ends come first, then begins: contacts, groups,
-  // views. With `sweep`, a contact that exists only between two ticks begins and ends at the later one.
+  // the film was edited. A frame that is earlier than the last one is a seek. Contacts come first, then groups, then
+  // views; what ended comes before what began. With `sweep`, a contact that exists only between two ticks begins and
+  // ends at the later tick.
   std::vector<ContactEvent> step(const Frame&);
   // Jumps to another time. Returns no events; later steps compare with this frame.
   void seek(const Frame&);

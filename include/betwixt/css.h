@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Lists of CSS transforms: converts them to motions and back, and computes what a browser shows between two lists.
-// Source: CSS Transforms 1 and 2. Numbers stay as in CSS, whose y axis points down: rotate(90deg) takes x to y, as in a
-// motion; only on the page this looks clockwise.
+// Source: CSS Transforms 1 and 2. Numbers stay as in CSS: rotate(90deg) takes x to y, as in a motion. On a page this
+// looks clockwise, since the y axis of CSS points down.
 //
 // Room: algebra
 #pragma once
@@ -22,8 +22,8 @@ namespace betwixt {
 
 // One transform function. Lengths are in pixels, angles in radians.
 struct CssFunction {
-  // Functions of one kind are interpolated number by number. translateX() is a translation, rotateY() is a rotation;
-  // skewX() and skewY() are two kinds.
+  // Functions of one kind are interpolated number by number. translateX() is of the kind translate, and rotateY() of
+  // the kind rotate. skewX() and skewY() are different kinds.
   enum class Kind : std::uint8_t { translate, rotate, scale, skew, skew_x, skew_y, perspective, matrix };
   Kind kind = Kind::translate;
   Vec3 by{};              // translate: the displacement; scale: the factors; skews: the angles along x and y
@@ -36,12 +36,12 @@ struct CssFunction {
 };
 using CssList = std::vector<CssFunction>;  // an empty list is `none`
 
-// The border box of the element, which percentages refer to.
+// The size of the element's border box in pixels; percentages refer to it.
 struct CssSize {
   double width = 0, height = 0;
 };
 
-// Reads a list such as "translate(10px, 20px) rotate(90deg) scale(2)", or "none". Knows every function of CSS
+// Reads a list such as "translate(10px, 20px) rotate(90deg) scale(2)", or "none". Accepts every function of CSS
 // Transforms 2, lengths in px and in the absolute units (inches, centimetres …), and calc(), min(), max() and clamp()
 // of known values. Errors: syntax, name, range, type (a unit that depends on the page, % without a size); place.column
 // and place.length count characters.
@@ -50,20 +50,21 @@ Result<CssList> parse_css(std::string_view list, std::optional<CssSize> size = {
 // Returns the product of the list. A perspective fills the fourth row: divide x, y and z of a point by its w.
 Mat4 matrix_of(const CssList&);
 
-// What a browser shows between two lists: at t = 0 the first, at t = 1 the second, outside that by the same rule.
-// Functions are interpolated pairwise as long as both are of one kind; the shorter list is padded with functions that
-// do nothing. The rest of each list is multiplied to one matrix; both matrices are decomposed and interpolated.
+// What a browser shows between two lists: at t = 0 the first list, at t = 1 the second. Other t are extrapolated.
+// Functions are interpolated pairwise up to the first pair of different kinds; the shorter list is padded with
+// functions that do nothing. From there on, each list is multiplied to one matrix, and the two matrices are decomposed
+// and interpolated.
 struct CssBetween {
   Mat4 matrix;
-  // The number of the first function, counted from 1, that loses whole turns; 0: none loses any.
-  std::size_t mixed = 0;      // the lists differ from here on, so matrices are interpolated
-  std::size_t short_way = 0;  // the rotations have two axes, so the short way is taken
-  bool jumps = false;         // a matrix cannot be decomposed: the first list holds up to half way, then the second
+  // Whole turns can be lost in two ways. Each number is that of the first function, counted from 1; 0: not lost.
+  std::size_t mixed = 0;      // from this function on the kinds differ, so matrices are interpolated
+  std::size_t short_way = 0;  // these two rotations have different axes, so the short way is taken
+  bool jumps = false;         // a matrix cannot be decomposed: the first list is shown before t = 0.5, then the second
 };
 CssBetween css_between(const CssList& from, const CssList& to, double t);
 
 // Returns the list that `animation-composition: accumulate` makes of both: displacements and angles are added, and
-// scale(2) with scale(3) gives scale(4). (`add` is one list behind the other.) Returns `over` alone if a matrix cannot
+// scale(2) with scale(3) gives scale(4). (For `add`, append `over` to `under`.) Returns `over` alone if a matrix cannot
 // be decomposed.
 CssList css_accumulated(const CssList& under, const CssList& over);
 
@@ -71,13 +72,12 @@ CssList css_accumulated(const CssList& under, const CssList& over);
 // the linear law. Errors: those of `parse_css`; type if the list has matrix(), skew() or perspective().
 Result<Motion> from_css(std::string_view list, Vec3 origin = {}, std::optional<CssSize> size = {});
 
-// Two lists between which a browser shows the motion, with `transform-origin: 0 0`. `to` alone gives the end only: a
-// centre is written as translate(centre) ... translate(-centre), and both lists need it so that it does not move.
-// Errors: those of `check`; type for a scaling under the exponential law or an object's name as a centre.
-
 struct CssLists {
   std::string from, to;
 };
+// Returns two lists between which a browser shows the motion, with `transform-origin: 0 0`. A centre is written as
+// translate(centre) ... translate(-centre) in both lists, so that it does not move; `to` alone gives only the end.
+// Errors: those of `check`; type for a scaling under the exponential law or an object's name as a centre.
 Result<CssLists> to_css(const Motion&);
 
 }  // namespace betwixt

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A document: an immutable value that holds a film. Copies are cheap and share their content. To be able
-// to undo, keep a copy.
+// A document: an immutable value that holds a film. Copies are cheap and share their content. To undo, keep a copy.
 //
 // Room: scene
 #pragma once
@@ -28,10 +27,10 @@ struct Scene;  // src/scene/document.h
 // The earliest and the latest time.
 inline constexpr Time earliest_time{INT64_MIN}, latest_time{INT64_MAX};
 
-// Values of an object that you can read but not set. Target::function holds a query in place of a display function.
+// Values of an object that you can read but not set. Target::function holds a query instead of a display function.
 enum class Query : std::uint16_t {
   loudness = 0xfff8,  // of a sound, as heard at the time: the root mean square over 50 ms, 0 to 1
-  onsets,             // how many onsets (beats, strokes) of the sound there were until the time
+  onsets,             // the number of onsets (beats, strokes) of the sound until the time
   in_view,            // whether any part of a drawn object is in view
   touching,           // the names of the objects that a drawn object touches
   count,              // ENV.count: the number of updates of an environment until the time
@@ -55,11 +54,11 @@ struct Target {
   std::uint16_t function = 0;  // FunctionView::id of an object's display function (betwixt/object.h), or a Query
   int component = -1;
   bool velocity = false;  // the rate of change instead, per second
-  ObjectId layer;         // the layer whose track it is; without one, the object's own
+  ObjectId layer;         // the layer that has the track; empty: the object's own track
   friend constexpr bool operator==(Target, Target) = default;
 };
 
-// What each alias means: patterns and names, which are looked up at each use.
+// The patterns and names that each alias stands for. They are looked up at each use.
 using Aliases = std::map<std::string, std::vector<std::string>, std::less<>>;
 
 class Document {
@@ -71,17 +70,18 @@ class Document {
   // Ticks a second: the time step of environments (transforms that are applied again and again), of contacts and of the
   // imaging server.
   Rate ticks() const;
-  // Returns the first and the last time of the film; the last frame may be a little earlier. Without a `range` command:
-  // frame 1 to the last event, camera cut, note or change of a display list, or one second if none is after frame 1.
+  // Returns the first and the last time of the film; the last frame may be a little earlier. Without a `range` command
+  // the film goes from frame 1 to the last event, camera cut, note or change of a display list. If none of these is
+  // after frame 1, it lasts one second.
   std::pair<Time, Time> range() const;
-  // Return what the script sets, or else std::nullopt: the width and height in pixels (of a flat film otherwise 1920
-  // and 1080), the samples a pixel, and the largest number of pictures that are averaged into a blurred one.
-  std::optional<std::pair<int, int>> size() const;
-  std::optional<int> samples() const;
-  std::optional<int> subframes() const;
-  bool transparent() const;  // whether the background is transparent
-  double aspect() const;     // width / height; 16:9 if the script sets no size
-  int frame_count() const;   // frames in the range, ends included; at least 1
+  // Return what the script sets, or std::nullopt if it sets nothing. Only size() has a default for flat films: 1920 x
+  // 1080.
+  std::optional<std::pair<int, int>> size() const;  // width and height in pixels
+  std::optional<int> samples() const;               // per pixel
+  std::optional<int> subframes() const;             // the most pictures that are averaged into a blurred one
+  bool transparent() const;                         // whether the background is transparent
+  double aspect() const;                            // width / height; 16:9 if the script sets no size
+  int frame_count() const;                          // frames in the range, ends included; at least 1
 
   std::vector<std::string> names() const;                                     // of all objects, in order of creation
   ObjectId find(std::string_view name) const;                                 // an empty id if no object has the name

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An evaluation: a program at one time, kept from one time to the next, for playback. Going to a new time computes
-// only the things that change.
+// An evaluation: the state of a program at one time, for playback. When you go to another time, it computes only what
+// changes.
 //
-// The frame comes as columns. Each drawable has one place in every column; drawables are the objects of a kind that can
-// be drawn, visible or not, in object order. The evaluation also lists the places that differ since the last time. The
-// result for a time never depends on the times before. Use an evaluation from one thread at a time; each thread may
-// have its own.
+// It gives the frame as columns (arrays). A drawable is an object of a kind that can be drawn, whether it is visible or
+// not. It has the same index in every column; the order is that of the objects. The evaluation also lists the drawables
+// that differ since the last time. The result for a time never depends on the times before. Use an evaluation from one
+// thread at a time; each thread may have its own.
 //
 // Room: program
 #pragma once
@@ -28,7 +28,7 @@ class DeferredEvaluation;  // src/program/deferred_evaluation.h
 class Evaluation {
  public:
   explicit Evaluation(const Program&);
-  // Each frame is ready in time: `deferred` works out what may take long, and a slow value is the last one that has
+  // Never waits for slow values: `deferred` computes them in other threads, and the frame has the last result that has
   // come.
   Evaluation(const Program&, DeferredEvaluation& deferred);
   Evaluation(Evaluation&&) noexcept;
@@ -37,14 +37,15 @@ class Evaluation {
 
   // Evaluates the program at a time.
   void to(Time);
-  // Evaluates the program at a time in advance, on any thread that has this object to itself, so that the first `to` at
-  // a time close to it is only an update. Asks `deferred` nothing. It does not count as a `to`.
+  // Evaluates the program at a time in advance, so that a first `to` at a time close to it is only an update. It does
+  // not count as a `to`, and does not use `deferred`. You may call it on any thread while no other thread uses this
+  // object.
   void prepare(Time);
-  // Replaces the program by an edited one. The next `to` then lists what differs from the last time of the old one.
+  // Replaces the program by an edited one. The next `to` then lists what differs from the last `to` of the old program.
   void use(const Program&);
 
   const Program& program() const;
-  Time time() const;  // that of the last `to`
+  Time time() const;  // of the last `to`
 
   // The columns are valid until the next `to` or `use`. Before the first `to` their content has no meaning.
   std::span<const ObjectId> drawables() const;  // in object order
@@ -53,7 +54,7 @@ class Evaluation {
   struct Look {
     Vec3 color{1, 1, 1};                                        // linear light
     double transparency = 0, shininess = 0;                     // as in Item
-    double blend = 0;                                           // how far it is on the way to `toward`
+    double blend = 0;                                           // how far `shape` has turned into `toward`, as in Item
     std::uint32_t shape = none, toward = none, texture = none;  // pass them to shape() and texture()
     Material material = Material::plastic;
     bool visible = false;
@@ -62,14 +63,15 @@ class Evaluation {
     friend bool operator==(const Look&, const Look&) = default;
   };
   std::span<const Look> looks() const;
-  // Return the shape or texture of a number. A shape that varies keeps its number; when `changed` lists its drawable,
-  // the number gives another shape.
+  // Return the shape or texture with this number. A shape that varies keeps its number. When it differs, `changed`
+  // lists its drawable, and the number gives the new shape.
   const std::shared_ptr<const Shape>& shape(std::uint32_t number) const;
   const std::shared_ptr<const Picture>& texture(std::uint32_t number) const;
-  // Returns the drawables that differ in anything since the last `to`, in order. Returns all of them after the first
-  // `to`, and if `use` has changed which drawables there are.
+  // Returns the indices, in order, of the drawables in which anything differs from the previous `to`. Returns all of
+  // them after the first `to`, and if `use` has changed which drawables there are.
   std::span<const std::uint32_t> changed() const;
-  // Tells a caller who misses some calls of `to` whether `changed` lists all that differs from the state it saw last.
+  // Tells whether `changed` lists everything that differs from the state that you saw last. It does if `program` is the
+  // same and `times` is one more than in the revision of that state.
   struct Revision {
     std::uint64_t program = 0;  // differs after each `use`; no two evaluations have the same
     std::uint64_t times = 0;    // how often `to` was called since `use`

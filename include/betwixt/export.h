@@ -18,7 +18,7 @@ namespace betwixt {
 
 struct ExportOptions {
   std::string path;               // the extension gives the format: .glb .gltf …
-  Time from, until;               // the segment to export; it begins at 0 in the file
+  Time from, until;               // the segment to export; in the file it begins at time 0
   KeyOptions keys;                // if its go_on returns false, no file is written
   std::vector<ObjectId> objects;  // the objects to export; all if empty
   bool overwrite = true;
@@ -27,7 +27,7 @@ struct ExportOptions {
 struct Exported {
   std::size_t objects = 0;
   std::size_t channels = 0;         // channels that vary
-  std::size_t keys = 0, baked = 0;  // their keys; the keys that one a frame would take
+  std::size_t keys = 0, baked = 0;  // keys: their keys; baked: how many one key a frame would make
   std::size_t bytes = 0;
   std::vector<std::string> left_out;  // what the format cannot express, each once, in words
 };
@@ -41,8 +41,8 @@ struct ExportFormat {
 };
 std::vector<ExportFormat> export_formats();
 
-// Returns the default options for a file of this name. The style is `asked`, or else the one that all programs which
-// read the format play alike. The tolerance is a tenth of a millimetre, for straight keys a millimetre.
+// Returns the default options for a file of this name. The style is `asked`. If that is not given, it is the style that
+// all programs play alike which read the format. The tolerance is 0.1 mm, and 1 mm for straight keys.
 KeyOptions usual_keys(std::string_view path, std::optional<KeyStyle> asked = {});
 
 }  // namespace betwixt

@@ -21,24 +21,25 @@
 
 namespace betwixt {
 
-// Paints the k-th frame of the film, counted from 0. Each job has a painter of its own and calls it from its own
-// thread.
+// Paints the k-th frame of the film, counted from 0. A film is painted by several threads, called jobs. Each job has
+// its own painter and calls it from its own thread.
 using Painter = std::function<Status(int k, Picture& out)>;
 
 // The same, as linear light.
 using LinearPainter = std::function<Status(int k, LinearPicture& out)>;
 
 // Fills in a film's sound: left, right, left, …, 48,000 pairs a second (sound_rate in betwixt/sound.h), from -1 to 1;
-// the encoder clips what is outside. Called once, before the first picture; `stereo` is silent then.
+// the encoder clips what is outside. Called once, before the first picture. All numbers of `stereo` are 0 before the
+// call.
 using Sounds = std::function<Status(std::span<float> stereo)>;
 
-// Adds all sounds of a program from a time on to `stereo` (as in Sounds), each to the nearest sample. The functions
-// `at`, `from`, `until` and the fades have their values at time 0; `gain` varies as its track says. Errors: file (a
-// sound file is missing), machine (no ffmpeg).
+// Mixes all sounds of a program into `stereo`, which begins at the time `from` and has the layout of Sounds. The
+// beginning of a sound is rounded to the nearest sample. The display functions `at`, `from`, `until` and the fades of a
+// sound are read at time 0 only; `gain` follows its track. Errors: file (a sound file is missing), machine (no ffmpeg).
 Status mix_sounds(const Program&, Time from, std::span<float> stereo);
 bool has_sounds(const Document&);
 // Return whether a format (by the extension of `path`) can hold sound, transparency, more than 8 bits a channel, or
-// unclamped light. Numbered PNG has more than 8 bits only if FilmOptions::bits asks for it.
+// unclamped light. Numbered PNG can hold 16 bits, and does if FilmOptions::bits is 16.
 bool takes_sound(const std::string& path);
 bool takes_alpha(const std::string& path);
 bool takes_16_bits(const std::string& path);
@@ -50,7 +51,7 @@ struct FilmOptions {
   int first_number = 1;  // number of the first picture file
   Rate rate;
   int width = 1280, height = 720;
-  int jobs = 0;  // painters that work at the same time, at most 256; 0: as many as suits this machine
+  int jobs = 0;  // threads that paint, at most 256; 0: as many as suits this machine
   bool overwrite = true;
   // For numbered pictures: keeps those that exist, are complete and have this size, and makes the others. Each is put
   // in place as soon as it is made, even if the film fails later.
@@ -64,7 +65,8 @@ struct FilmOptions {
 
 // Returns the codecs that a format can use, the default first. Returns an empty list if there is no choice.
 std::vector<std::string> codecs_of(const std::string& path);
-// Checks that the format has the quality and the requested codec. Errors (range, name) list the valid values.
+// Checks that the format supports the quality and the codec that the options name. Errors (range, name) list the valid
+// values.
 Status check_encoding(const FilmOptions&);
 
 struct FilmStats {
@@ -79,10 +81,10 @@ struct FilmStats {
 // to stop the film; then no file is left under its final name, except the pictures made with `only_missing`.
 using Progress = std::function<bool(int done, int frames, double seconds)>;
 
-// Make a film. Each job calls new_painter once, from its own thread, one job at a time. At most two pictures for each
-// job are in memory. The film (or all its pictures) is written under a hidden name beside the final one and renamed
-// when it is complete; with `only_missing` each picture is renamed when it is complete. OpenEXR and PNG of 16 bits need
-// make_linear_film. Errors: range (an unknown extension, options out of bounds, a picture of another size,
+// Make a film. Each job calls new_painter once, from its own thread; these calls do not overlap. At most two pictures
+// for each job are in memory. The film (or all its pictures) is written under a hidden name beside the final one and
+// renamed when it is complete; with `only_missing` each picture is renamed when it is complete. OpenEXR and PNG of 16
+// bits need make_linear_film. Errors: range (an unknown extension, options out of bounds, a picture of another size,
 // `only_missing` or 16 bits for a format without it), file (no such folder, the file exists), machine (no ffmpeg, not
 // writable, disk full, stopped), and the painter's errors, unchanged.
 Result<FilmStats> make_film(const FilmOptions&, const std::function<Result<Painter>()>& new_painter,
@@ -99,7 +101,7 @@ struct FrameList {
   Time first, last;  // of the segment; the last frame may be earlier than `last`
   int count = 1;
   int number = 1;       // the number of the first frame
-  bool on_grid = true;  // whether the first frame has a whole number
+  bool on_grid = true;  // whether `first` is exactly the time of a numbered frame; then `number` is valid
   Rate rate;
   Time time(int k) const { return on_grid ? rate.frame(number + k) : first + rate.span(k); }
 };
@@ -111,13 +113,13 @@ struct RenderJob {
   FrameList frames;
   RenderOptions pictures;
   std::optional<Blur> blur;  // nullopt: no blur
-  FilmOptions film;          // of make_linear_film if `pictures.linear`, otherwise of make_film
+  FilmOptions film;          // for make_linear_film if `pictures.linear`, otherwise for make_film
 };
 RenderJob render_job(const Program&, const std::string& path, const FrameList&, RenderOptions, std::optional<Blur>,
                      int bits = 8);
-// Return painters for the frames; call each from the thread that made it. After each frame it passes the problems of
-// procedures, which may be none, to TellProblems: from several threads at once if a film has several jobs. Errors:
-// those of make_renderer.
+// Return painters for the frames; call each from the thread that made it. After each frame, a painter calls
+// TellProblems with the problems of that frame; the list may be empty. If there are several jobs, several threads may
+// call it at the same time. Errors: those of make_renderer.
 using TellProblems = std::function<void(const std::vector<std::string>&)>;
 Result<Painter> painter_of(const Program&, const RenderJob&, const TellProblems& = {});
 Result<LinearPainter> linear_painter_of(const Program&, const RenderJob&, const TellProblems& = {});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A frame: everything that can be seen of a document at one time. A pure value.
+// A frame: everything that can be seen of a document at one time. It does not refer to the document.
 //
 // Room: program
 #pragma once
@@ -28,14 +28,14 @@ struct Item {
   double shininess = 0;                 // 0 dull to 1 a mirror-like highlight
   Material material = Material::plastic;
   bool casts = true;                       // whether it casts shadows
-  std::shared_ptr<const Picture> texture;  // null if it has none but its mesh's
-  // The body that it belongs to: the drawn object at the end of its chain of attachments, or the whole that its name
-  // makes it a part of (car/wheel belongs to car). Without either, the object itself.
+  std::shared_ptr<const Picture> texture;  // null if it has none, or only that of its mesh file
+  // The body that it belongs to. For an attached object, this is the drawn object that you reach last if you go from
+  // parent to parent. For a part by name it is the whole (car for car/wheel). Otherwise it is the object itself.
   ObjectId body;
 };
 
-// Whether a light casts shadows. `strongest`: if no other light is stronger. Of all lights that cast shadows, the four
-// strongest are drawn with them.
+// Whether a light casts shadows. `strongest`: only if no other light is stronger. A renderer draws the shadows of at
+// most four lights, the strongest of those that cast shadows.
 enum class Casting : std::uint8_t { strongest, off, on, soft };
 
 struct Light {
@@ -53,16 +53,16 @@ struct Camera {
   bool orthographic = false;
   double fov = 0.9;          // horizontal, radians (perspective)
   double height = 10;        // metres seen from bottom to top (orthographic)
-  double aspect = 16.0 / 9;  // width / height of the film's pictures, as the script says; you may make others
+  double aspect = 16.0 / 9;  // width / height of the film's pictures, from the script; you may use another
   double shutter = 0;        // seconds of exposure, from the frame's time on
   double aperture = 0;       // metres, the diameter of the lens opening (perspective); 0: all is sharp
-  double focus = 10;         // metres before the eye, along its axis, that are sharp
-  // Lens shift to the right and up, in halves of the picture.
+  double focus = 10;         // metres from the camera, along its axis, at which things are sharp
+  // Lens shift: to the right, in halves of the width, and up, in halves of the height.
   double shift_x = 0, shift_y = 0;
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-// The surroundings of a film's objects, and its light besides the lights. Colours are linear light.
+// The surroundings of the objects, and all light that does not come from a Light. Colours are linear light.
 struct Surroundings {
   struct Fog {
     Vec3 color;
@@ -83,7 +83,7 @@ struct Surroundings {
 
 struct Frame {
   Time time;
-  std::vector<Item> items;    // in object order
+  std::vector<Item> items;    // in the order in which the objects were created
   std::vector<Light> lights;  // if empty, the renderer adds its own
   Camera camera;
   std::optional<Vec3> background;  // linear light; nullopt: the renderer's soft gradient

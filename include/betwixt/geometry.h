@@ -18,7 +18,7 @@ struct Geometry {
   Mat4 local;                        // mesh space to object space (a scaling; for most shapes the identity)
 };
 
-// Returns the triangles of an item, also while it turns into another shape. `around` is the number of faces around the
+// Returns the triangles of an item, also during a morph to another shape. `around` is the number of faces around the
 // widest circle. Equal shapes get the same mesh as long as you hold it. Safe to call from any thread.
 Geometry geometry_of(const Item&, int around = 48);
 

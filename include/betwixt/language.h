@@ -17,25 +17,28 @@
 namespace betwixt {
 
 struct LoadOptions {
-  // Allows any file. Otherwise a script reads files only below its own folder, and of packed files only those that
-  // unpack to at most 100 times their size and 64 MiB, and to 1 GiB in total.
+  // Allows any file. Otherwise a script reads only files below its own folder. A packed file may then unpack to at most
+  // 100 times its size plus 64 MiB, and to at most 1 GiB.
   bool read_anywhere = false;
-  // The time, in ticks, at which a live host sends its lines. If it is set, `animate`, `halt`, `kill` and `cancel`
-  // without a time happen then. `set` puts objects into environments (`environments`, `drive`) then, as `at` would. A
-  // `begin` below `make` or `edit` means the environment that has the name then. In the history each of these lines has
-  // this time. Lines that the host did not write itself (in files that it uses, in own commands) happen as written.
+  // The time, in ticks, at which a live host sends its lines. If it is set, it is the time of every `animate`, `halt`,
+  // `kill` and `cancel` that has none. It is also the time from which `set` puts objects into environments
+  // (`environments`, `drive`). A `begin` below `make` or `edit` means the environment that has the name at this time.
+  // The history stores each of these lines with this time. Lines that the host did not write itself (in files that it
+  // uses, in own commands) are not affected.
   std::optional<Time> now = {};
   bool read_nothing = false;  // reads no files at all
-  // Called with the real path of each file that is requested and allowed, whether it exists or not; may repeat a path.
+  // Called with the real path of each file that is requested and allowed, whether it exists or not. A path may come
+  // several times.
   std::function<void(const std::string& path)> asked_for = {};
   bool tex = false;     // typesets formulas with the programs latex and dvisvgm; otherwise formulas are errors
-  bool counts = false;  // adds a notice of how many objects the pattern of a command named, if more than one
+  bool counts = false;  // adds a notice if the pattern of a command names several objects: how many
   // Returns the current text of a used script (by its real path) while someone edits it, or nullopt to read the file.
   std::function<std::optional<std::string>(const std::string& path)> written = {};
 };
 
-// Loads a plug-in (include/betwixt/plugin.h) until the program ends. From then on every script can use its twerpers,
-// filters, commands and functions. A script cannot do this itself, since plug-ins are programs.
+// Loads a plug-in (include/betwixt/plugin.h), which stays loaded until the program ends. From then on every script can
+// use its twerpers (interpolations), filters, commands and functions. A script cannot load plug-ins itself, since they
+// can do anything that a program can.
 Status use_plugin(const std::string& path);
 
 struct Loaded {
@@ -54,7 +57,8 @@ std::string tidy(std::string_view text);
 // Returns a script that makes this document: load_text(write(d)) == d.
 std::string write(const Document&);
 
-// Reads how long a shutter is open: 180deg (of 360 a frame), 10ms, 0.5f or off. Returns seconds. Errors: syntax, range.
+// Reads how long a shutter is open: 180deg (360deg is a frame), 10ms, 0.5f or off. Returns seconds; off is 0. Errors:
+// syntax, range.
 Result<double> parse_shutter(std::string_view, const Document&);
 // Reads a time such as "24f", "2.5s" or "00:01:02.5", at the document's rates. Errors: syntax, range.
 Result<Time> parse_time(std::string_view text, const Document&);
@@ -64,7 +68,6 @@ std::string format_time(Time, const Document&);
 // Returns the targets that a pattern names: "ball.position", "wheel*.{position,color}", or "ball" for all its display
 // functions that are not at rest (position, rotation, scale …). Returns an empty list if nothing matches. Errors: name,
 // if an object or a function does not exist.
-
 Result<std::vector<Target>> find_targets(std::string_view pattern, const Document&);
 
 }  // namespace betwixt

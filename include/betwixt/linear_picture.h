@@ -25,7 +25,7 @@ struct LinearPicture {
 void to_shown(const LinearPicture&, Picture& out);
 // The same, with 16 bits a channel.
 std::vector<std::uint16_t> to_shown_16(const LinearPicture&);
-// Converts back: takes four numbers of 16 bits a pixel, as shown, and returns their light.
+// Converts a shown picture, with four numbers of 16 bits a pixel, back to linear light.
 LinearPicture to_light(int width, int height, const std::vector<std::uint16_t>& rgba);
 
 }  // namespace betwixt

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Vectors, quaternions and matrices in f64. Column vectors, right-handed, y up, metres, radians.
+// Vectors, quaternions and matrices in f64. Vectors are columns. Space is right-handed with y up; units are metres and
+// radians.
 //
 // Room: base
 #pragma once
@@ -34,7 +35,7 @@ constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z};
 constexpr Vec3 operator*(Vec3 a, double s) { return s * a; }
 constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-inline double length(Vec3 a) {  // cannot overflow; not std::hypot, since libraries differ in its last bit
+inline double length(Vec3 a) {  // cannot overflow. Avoids std::hypot, since libraries differ in its last bit
   const double x = std::abs(a.x), y = std::abs(a.y), z = std::abs(a.z), most = std::max({x, y, z});
   if (!(most > 0)) return x + y + z;
   return most * std::sqrt((x / most) * (x / most) + (y / most) * (y / most) + (z / most) * (z / most));
@@ -83,23 +84,23 @@ inline Quat axis_angle(Vec3 axis, double angle) {
   const double s = std::sin(angle / 2);
   return {std::cos(angle / 2), n.x * s, n.y * s, n.z * s};
 }
-// Returns the rotation of q done `s` times. The angle is that of q in full: -q turns the other way around. For half of
-// the shorter rotation use power(q.w < 0 ? -q : q, 0.5).
+// Returns the rotation q applied `s` times; `s` may be a fraction. The angle of q may be above half a turn: -q turns
+// the other way around. For half of the shorter rotation use power(q.w < 0 ? -q : q, 0.5).
 inline Quat power(Quat q, double s) {
   const double sine = length(Vec3{q.x, q.y, q.z});
   if (sine < 1e-300) return {};
   const double half_angle = s * std::atan2(sine, q.w), k = std::sin(half_angle) / sine;
   return {std::cos(half_angle), k * q.x, k * q.y, k * q.z};
 }
-// Returns the sine and cosine of an angle in radians, to 2e-16 and with the same bits on every machine. Beyond a
-// million radians they are those of the C library.
+// The sine and cosine of an angle in radians. The error is at most 2e-16, and the bits are the same on every machine.
+// Beyond a million radians they come from the C library.
 struct SineCosine {
   double sine = 0, cosine = 1;
 };
 inline SineCosine sine_cosine(double angle) {
   if (!(std::abs(angle) < 1e6)) return {std::sin(angle), std::cos(angle)};
   // Subtract whole quarter turns. A quarter turn is given in three parts; the first two have few bits, so that their
-  // products are exact. The remainder is at most an eighth of a turn; the series are for that.
+  // products are exact. The remainder is at most an eighth of a turn, which is the range of the two series.
   constexpr double quarters = 0.63661977236758134308, first = 1.57079632673412561417e+00,
                    second = 6.07710050630396597660e-11, third = 2.02226624879595063154e-21;
   constexpr double shift = 0x1.8p52;  // adding it rounds to whole numbers
@@ -212,7 +213,8 @@ inline bool finite(std::span<const double> numbers) {
 inline bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 inline bool finite(const Mat4& a) { return finite(std::span(a.m)); }
 
-// Returns a rigid motion to `eye` with the -z axis towards `target` and y up as far as possible.
+// Returns the matrix that puts the origin at `eye` and turns the -z axis towards `target`, with y as far up as
+// possible.
 inline Mat4 look_at(Vec3 eye, Vec3 target) {
   const Vec3 back = normalize(eye - target);
   const Vec3 up = std::abs(back.y) > 1 - 1e-12 ? Vec3{0, 0, back.y > 0 ? -1.0 : 1.0} : Vec3{0, 1, 0};

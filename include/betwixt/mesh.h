@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Triangle meshes for the graphics interface (from here on in f32), and pictures as bytes.
+// Triangle meshes in f32 for the graphics interface, and pictures as bytes.
 //
 // Room: scene
 #pragma once
@@ -39,8 +39,8 @@ struct Mesh {
   std::vector<std::uint32_t> triangles;       // three indices a triangle, counter-clockwise from outside
   std::vector<std::uint32_t> edges;           // two indices an edge, for wireframe
   std::vector<MeshPart> parts;                // cover `triangles`; if empty, the mesh is one plain part
-  bool closed = false;                        // whether the inside can never be seen, so that back faces may be culled
-  std::shared_ptr<const Rig> rig;             // how joints and weights deform it; null if they do not
+  bool closed = false;                        // whether back faces may be culled, because the inside can never be seen
+  std::shared_ptr<const Rig> rig;             // the joints and weights that deform it; null if there are none
   bool posed = false;                         // whether this is a deformed pose, which will soon be replaced by another
 
   Box box() const;  // an empty mesh has a box at the origin

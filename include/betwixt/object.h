@@ -3,8 +3,8 @@
 //
 // The objects of a document, for programs that show or translate them: a studio, an exporter, a binding.
 //
-// These functions read the document and evaluate nothing; for values at a time use a Program. A view points into the
-// document and is valid as long as the document or a copy of it lives. An object that does not exist is treated as a
+// These functions read the document and evaluate nothing. For values at a time use a Program. A view points into the
+// document and is valid as long as the document or a copy of it exists. An object that does not exist is treated as a
 // group without functions. Numbers are in metres, seconds and radians, colours are sRGB.
 //
 // Room: scene
@@ -23,14 +23,17 @@ namespace betwixt {
 std::string_view name_of(Kind);  // "sphere"
 // Returns all objects, in order of creation.
 std::vector<ObjectId> objects(const Document&);
-// Returns the objects that a word of the language names: an alias (in its order), a pattern or braces (in order of
-// names), or a name.
+// Returns the objects that a word of the language names. The word is an alias (a name for several objects), a pattern,
+// a name with braces, or a plain name. The objects of an alias come in its own order, those of a pattern or braces in
+// order of names.
 std::vector<ObjectId> objects(const Document&, std::string_view word);
 Kind kind(const Document&, ObjectId);  // Kind::group if there is no such object
-// Returns whether the object comes from a display list. Then it comes and goes with the list; no script creates it.
+// Returns whether the object comes from a display list (stored drawing commands). Then it exists only because of the
+// list; no `create` makes it.
 bool derived(const Document&, ObjectId);
 
-// How a script writes the numbers of a function. Without a unit they are metres, millimetres, or plain numbers.
+// How a script writes the numbers of a function. A moment is a time (24f), seconds are a length of time, and an opening
+// is the time for which a shutter is open (180deg). A number without a unit is in metres, in millimetres or plain.
 enum class Unit : std::uint8_t { none, metres, millimetres, moment, seconds, opening };
 
 // A display function of an object: a property that can be animated.
@@ -62,7 +65,7 @@ std::vector<AttachmentSpan> attachments(const Document&, ObjectId);
 struct LayerView {
   ObjectId id;
   std::string_view mode;  // "add": adds its values; "mix": blends over to them
-  Target weight;          // how much of it is applied, 0 to 1; can be animated
+  Target weight;          // the share of the layer that is applied, 0 to 1; can be animated
 };
 std::vector<LayerView> layers(const Document&);  // in the order in which they are applied
 

@@ -16,8 +16,8 @@ namespace betwixt {
 
 // Returns a PNG as bytes. Errors: machine.
 Result<std::string> to_png(const Picture&);
-// Write a file beside the final one and rename it, so that no half file is ever left under the final name. Errors: file
-// (cannot be written), machine (disk full).
+// Write a temporary file beside the final one and rename it, so that there is never an incomplete file under the final
+// name. Errors: file (cannot be written), machine (disk full).
 Status write_png(const std::string& path, const Picture&, bool overwrite = true);
 // The same for linear light: a PNG with 16 bits a channel, as a screen shows it; an OpenEXR in half floats, unchanged.
 Status write_png(const std::string& path, const LinearPicture&, bool overwrite = true);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Plug-ins: twerpers (interpolation functions), filters, procedures, commands and display functions in C, or in any
-// language that can call C. You use them exactly like built-in ones. To make a shared library you need this header
-// only:
+// language that can call C. You use them exactly like built-in ones. You need only this header to make one as a shared
+// library:
 //
 //     #include <betwixt/plugin.h>
 //     static double late(double u, void* user) { (void)user; return u * u * u; }
@@ -14,9 +14,9 @@
 //
 //     cc -shared -fPIC -o late.so late.c
 //
-// All that a plug-in registers must be pure (the same input gives the same result) and may be called from several
-// threads at once. Unlike Lua, it is not stopped if it never ends. A plug-in stays loaded until the program ends.
-// Strings that your function receives are valid until it returns; strings that it gives back are copied at once.
+// Every function that a plug-in registers must be pure (the same input gives the same result), and several threads may
+// call it at once. Unlike Lua code, it is not stopped if it never ends. A plug-in stays loaded until the program ends.
+// Strings that your function receives are valid until it returns. Strings that it gives back are copied at once.
 //
 // Room: procedure
 #ifndef BETWIXT_PLUGIN_H
@@ -39,8 +39,8 @@ enum betwixt_kind {
   BETWIXT_BOOLEAN,    /* 0 or 1 */
   BETWIXT_ANGLES,     /* about x, y and z */
   BETWIXT_QUATERNION, /* w x y z */
-  BETWIXT_TEXT,       /* no numbers; `text` has it */
-  BETWIXT_MATRIX      /* sixteen, row by row; can be read only */
+  BETWIXT_TEXT,       /* no numbers; the value is in `text` */
+  BETWIXT_MATRIX      /* sixteen, row by row; you can read it, not return it */
 };
 
 struct betwixt_value {
@@ -54,7 +54,7 @@ struct betwixt_parameter {
   struct betwixt_value value;
 };
 
-/* Passed to a procedure. value() reads a target; it returns 0, or 1 if there is no such value (out->text says why). */
+/* Passed to a procedure. value() reads a target; it returns 0, or 1 with the reason in out->text. */
 struct betwixt_questions {
   void* state;
   double seconds;   /* the time at which the value is evaluated */
@@ -75,9 +75,9 @@ struct betwixt_commands {
   const char* (*run)(void* state, const char* line);
 };
 
-/* The functions that you register. A twerper returns the blending factor at u, which is 0 to 1 along the segment. The
- * others return 0, or 1 after they set out->text (a command: *why) to the error in plain words. `user` is the pointer
- * that you registered with the function. */
+/* The functions that you register. A twerper returns the blending factor at u, the position from 0 to 1 between two
+ * events. The others return 0. After an error they set out->text (a command sets *why) to the error in plain words and
+ * return 1. `user` is the pointer that you registered with the function. */
 typedef double (*betwixt_twerper)(double u, void* user);
 typedef int (*betwixt_filter)(const struct betwixt_input* input, const struct betwixt_parameter* parameters,
                               size_t count, struct betwixt_value* out, void* user);
@@ -108,7 +108,8 @@ struct betwixt_host {
 #define BETWIXT_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* Defines the function that registers everything; use it once. Return 0, or another number to refuse to be loaded. */
+/* Defines the function that registers everything; use it once. Return 0, or another number if the plug-in cannot be
+ * loaded. */
 #define BETWIXT_PLUGIN(host)                                                         \
   BETWIXT_EXPORT int betwixt_plugin_version(void);                                   \
   BETWIXT_EXPORT int betwixt_plugin_version(void) { return BETWIXT_PLUGIN_VERSION; } \

@@ -21,12 +21,12 @@ namespace betwixt {
 
 struct RenderOptions {
   int width = 1280, height = 720;  // pixels, 1 to 8192
-  int samples = 4;                 // samples a pixel; Style::takes tells which numbers are valid
+  int samples = 4;                 // samples a pixel; Style::takes checks whether a number is valid
   std::string style = "shaded";    // one of styles()
   // Allows pictures of linear light (LinearPicture). A background that the film makes transparent is transparent only
   // with this option; without it, it is black.
   bool linear = false;
-  bool unclamped = false;  // of linear light: keeps light above white; otherwise it is rolled off, as in other pictures
+  bool unclamped = false;  // for linear light: keeps light above white, which is otherwise rolled off
 };
 
 // Motion blur and depth of field.
@@ -55,28 +55,29 @@ class Renderer {
   // Draws the same, as linear light. Errors: range (RenderOptions::linear is false), machine.
   virtual Status render(const Frame&, LinearPicture& out) = 0;
   virtual Status render(const Evaluation&, LinearPicture& out) = 0;
-  // Draws to the surface of the graphics system (of RenderOptions::width and height), and reads nothing back. Errors:
-  // machine (there is no surface; only web pages have one).
+  // Draws to the surface of the graphics system, in the size of RenderOptions, and reads nothing back. Errors: machine
+  // (there is no surface; only web pages have one).
   virtual Status show(const Evaluation&);
-  // Draws the picture whose exposure begins at a time, with motion blur and depth of field. It is the mean, in linear
-  // light, of pictures at times spread over the shutter time, from points spread over the lens. Of an object that jumps
-  // in that time, all pictures are at times before the jump. If nothing would be blurred, draws a single picture. Moves
-  // the evaluation. Errors: range (RenderOptions::linear is false), machine.
+  // Draws a picture with motion blur and depth of field, whose exposure begins at the given time. The picture is the
+  // mean, in linear light, of pictures at times spread over the shutter time and from points spread over the lens. If
+  // an object jumps during the exposure, all these pictures show it before the jump. If nothing would be blurred, draws
+  // a single picture. Changes the time of the evaluation. Errors: range (RenderOptions::linear is false), machine.
   virtual Status render_blurred(Evaluation&, Time, const Blur&, LinearPicture& out) = 0;
 };
 
 // Returns whether any camera of the document sets a shutter or a lens opening.
 bool has_blur(const Document&);
 
-// Returns the options for a film: those given here, or else the script's, or else `otherwise`. The script's samples do
-// not apply to a style whose `least_samples` is more than 1 ("traced").
+// Returns the options for a film. Size and samples are those given here; if they are not given, the script's; if it
+// sets none, those of `otherwise`. The script's samples do not apply to a style whose `least_samples` is more than 1
+// ("traced").
 RenderOptions options_for(const Document&, RenderOptions otherwise, std::optional<std::pair<int, int>> size = {},
                           std::optional<int> samples = {});
-// Returns the blur of a film, or std::nullopt if nothing is blurred, as with one subframe. Without `shutter` (seconds)
-// the camera's holds; without `subframes` the script's, or else 16.
+// Returns the blur of a film, or std::nullopt if nothing is blurred, for example with one subframe. The default of
+// `shutter` (in seconds) is the camera's. The default of `subframes` is the script's number, or 16 if it sets none.
 std::optional<Blur> blur_for(const Document&, std::optional<double> shutter = {}, std::optional<int> subframes = {});
 
-// Checks the options. Errors: range, name, as of make_renderer.
+// Checks the options. Errors: range and name, as for make_renderer.
 Status check_options(const RenderOptions&);
 // Makes a renderer. Errors: range (options out of bounds), name (no such style), machine (no graphics available).
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions&);

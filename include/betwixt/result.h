@@ -25,7 +25,7 @@ enum class ErrorCode : std::uint8_t {
   machine,  // the machine failed: disk full, no such device, a missing program
 };
 
-// What the program may do only if a person permits it by an option.
+// Something that the program does only if a person permits it with an option.
 enum class Permission : std::uint8_t { none, read_anywhere, tex };
 
 // A place in a text. Line and column count from 1, the column in characters. Line 0: the place is unknown.
@@ -44,8 +44,8 @@ struct Error {
   Permission needs = Permission::none;  // the permission that is missing
 };
 
-// A suggestion to the author: its text and, if it is a correction of one word, the word to write instead. `needs`: the
-// permission without which the program cannot go on.
+// A suggestion to the author. `text` is its words. `instead` is the word to write if the suggestion corrects one word,
+// otherwise empty. `needs` is the permission that is missing.
 struct Hint {
   std::string text, instead;
   Permission needs = Permission::none;
@@ -60,7 +60,7 @@ enum class Severity : std::uint8_t { notice, warning, error };
 struct Diagnostic {
   Severity severity = Severity::error;
   Error what;
-  std::string line;  // the line of text at the place (a long one is cut around it)
+  std::string line;  // the line of text at the place; a long line is cut around the place
   int caret = 0;     // characters of `line` before the place
 };
 using Diagnostics = std::vector<Diagnostic>;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-//
-// A session: a film that is edited line by line. It keeps every document since its start (undo has no limit) and the
-// author's text. A journal beside the script stores each command on the disk before it is answered. A session has no
-// user interface; the shell and the server bring theirs.
+// A session: a film that is edited line by line. It keeps every version of the document since the session started, so
+// undo has no limit. It also keeps the author's text. The journal is a file beside the script: the session writes each
+// command to it, on the disk, before `enter` returns. A session has no user interface; the shell and the studio add
+// their own.
 //
 // Room: editor
 #pragma once
@@ -21,7 +21,7 @@ namespace betwixt {
 
 class Session {
  public:
-  static constexpr std::string_view called_off = "\x03";  // the answer after Ctrl-C: cancels the line
+  static constexpr std::string_view called_off = "\x03";  // what `ask` returns after Ctrl-C: cancels the line
 
   // A question to the user.
   struct Question {
@@ -29,20 +29,23 @@ class Session {
     std::string text;   // "1 command is not saved"
     std::vector<std::string> choices;
   };
-  // Callbacks into the host. Each may be empty.
+  // Functions of your program that the session calls. You may leave any of them empty; a command that needs it then
+  // gives an error.
   struct Callbacks {
     // Returns the user's choice, `called_off` to cancel, or std::nullopt if there is no one to answer.
     std::function<std::optional<std::string>(const Question&)> ask;
     // Draws a plot of a target (or of those that a pattern names) into an SVG file.
     std::function<Status(const Document&, const std::string& target, const std::string& file)> plot;
-    // Plays the frames "A..B", from "A" to the end, or all of them: "".
+    // Plays the film. `frames` is "A..B" (from A to B), "A" (from A to the end) or "" (all).
     std::function<Status(const Document&, const std::string& frames)> play;
     // Loads a plug-in, so that its words can be used.
     std::function<Status(const std::string& file)> load_plugin;
-    // Changes style, samples or size of `play` and returns a message. With an empty value, returns the current one.
+    // Changes style, samples or size of `play` and returns a message. If `value` is empty, changes nothing and returns
+    // the current setting.
     std::function<Result<std::string>(const std::string& what, const std::string& value)> set_play_option;
     std::vector<std::string> styles;  // the styles that exist, for completion
-    // Like `ask`, for questions about the meaning of a line. Leave it empty if lines come faster than a person reads.
+    // Like `ask`, for a line that may mean something else than the author thinks. If it is empty, the session carries
+    // the line out without asking. Leave it empty if lines come faster than a person reads.
     std::function<std::optional<std::string>(const Question&)> ask_about_line;
   };
   // What to do with the commands of an earlier session that ended without saving.
@@ -50,7 +53,7 @@ class Session {
   struct Answer {
     bool done = false;  // the line was carried out; if not, nothing has changed
     bool quit = false;
-    bool refused = false;  // the line is wrong (neither cancelled nor blank)
+    bool refused = false;  // the line has an error; false if it was cancelled or blank
     std::string said;      // the output, in whole lines; may be empty
     Diagnostics why = {};  // messages about the line or lines, each with its place in them
   };
@@ -61,31 +64,35 @@ class Session {
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
-  // Opens a script, a new film if the file does not exist, or no file at all: "".
+  // Opens a script. If the file does not exist, starts a new film. If `file` is "", starts a film without a file.
   Answer open(const std::string& file, Earlier = Earlier::ask);
-  // Starts from a text, for hosts that store the film themselves. `file` is the name in messages, and files are read
-  // below its folder; it need not exist. There is no journal, and other sessions may use the file.
+  // Starts from a text, for programs that store the film themselves. Messages use the name `file`, and the script may
+  // read files in its folder and below; the file need not exist. There is no journal, and other sessions may use the
+  // file.
   void begin(std::string text, const std::string& file);
-  // Carries out one logical line: a command, a row of the open sheet, or a word of the shell.
+  // Carries out one logical line. It is a command, a row of the open sheet (the list of events below a target), or a
+  // word of the shell, such as `undo`.
   Answer enter(std::string_view line);
   // Carries out several lines: all or none. One undo takes them back.
   Answer enter_together(const std::vector<std::string>& lines);
   // Returns the film as these lines would make it, without changing the session. Errors: that of the first wrong line.
   Result<Document> look_ahead(const std::vector<std::string>& lines) const;
-  // Returns the film as the text would make it with `others` in place of the lines `first` to `last`, counted from 1.
-  // With last = first - 1, `others` are inserted before line `first`.
+  // Returns the film that the text would make if `others` replaced its lines `first` to `last` (counted from 1, both
+  // included). With last = first - 1, `others` are inserted before line `first`. Does not change the session.
   Loaded look_ahead(int first, int last, std::string_view others) const;
-  // From now on edits the text in place, as an author would: a changed event changes its row, and only new lines are
-  // appended. `rewrite FIRST..LAST "…"` then changes the text itself.
+  // After this call, commands change existing lines of the text where they can, as an author would: a command that
+  // changes an event changes its row. Other commands are appended. The command `rewrite FIRST..LAST "…"` then replaces
+  // these lines of the text.
   void edit_in_place();
-  // Returns the line that replaces lines as above: `rewrite FIRST..LAST "…"`.
+  // Returns the command `rewrite FIRST..LAST "…"` that replaces the lines `first` to `last` with `others`.
   static std::string rewrite_line(int first, int last, std::string_view others);
-  // From now on what the file holds counts as saved, and the rest of the text as unsaved. Call it after another program
-  // wrote the file and you have dealt with its changes. Errors: file (there is none), machine.
+  // Reads the file again: what it holds counts as saved from then on, and the rest of the text as unsaved. Call it when
+  // another program wrote the file and you have entered its changes. Errors: file (the session has no file), machine
+  // (the file cannot be read).
   Status go_on_from_file();
   // Returns the errors and warnings of the text, each with its place.
   const Diagnostics& diagnostics() const;
-  // From now on omits the notices of how many objects a pattern named.
+  // After this call, the session no longer says how many objects a pattern matches.
   void keep_quiet();
   // Returns whether a bracket or a """ is open, so that the line continues.
   static bool needs_more(std::string_view line);
@@ -98,13 +105,14 @@ class Session {
   const std::string& file() const;  // "" if it has none
   std::size_t unsaved() const;      // how many commands are not saved
   bool may_change() const;          // false if another session has the file
-  std::string text() const;         // the text that `save` writes: the author's, byte for byte, and the commands since
+  std::string text() const;         // the text that `save` writes: the author's, then the commands
 
  private:
   std::unique_ptr<State> state_;
 };
 
-// Returns the question in one line, with the lines above it: "1 command is not saved: save, discard or stay? ".
+// Returns the text to show: the lines of `above`, then a line with the question and its choices, such as "1 command is
+// not saved: save, discard or stay? ".
 std::string to_string(const Session::Question&);
 
 }  // namespace betwixt

@@ -44,7 +44,7 @@ enum class Kind : std::uint8_t {
   sound  // not visible
 };
 
-// The style of letters besides their font. `typed` is how many are visible, blanks and ends of lines counted.
+// The style of letters besides their font. `typed` is the number of visible letters; it counts blanks and line ends.
 enum class Align : std::uint8_t { left, centre, right };
 enum class Weight : std::uint8_t { thin, extralight, light, regular, medium, semibold, bold, extrabold, black };
 struct Letters {
@@ -62,11 +62,11 @@ struct Outline;  // src/scene/outline.h
 //   box      size, about the origin                plane     size x by y, in the plane z = 0, facing +z
 //   cylinder cone   radius, height along y, about the origin (a cone's tip up)
 //   torus    radius of the ring, tube: radius of the tube; the ring is in the plane y = 0
-//   polygon  points, filled; holes: rings, one behind the other, each ending where its first point is repeated
+//   polygon  points, filled; holes: rings, one after the other; each ends where its first point is repeated
 //   polyline points, width (0: a hairline)         line      from the origin to `size`, width
 //   points   points, each drawn as a ball of diameter `width`
 //   text     text, font, letters, size.y = height of one line (em) in metres, depth along z; the first baseline is
-//            y = 0, and `align` says what x = 0 is. If `formula` is set, it is drawn in place of the text
+//            y = 0; x = 0 is the left end, centre or right end (`align`). If `formula` is set, it replaces the text
 //   mesh     mesh
 // Flat shapes are in the plane z = 0, face +z and have their centre at the origin; `depth` is along z.
 //   rectangle size x by y, corner: radius of its corners
@@ -76,9 +76,9 @@ struct Outline;  // src/scene/outline.h
 //   arrow    from the origin to `size`, width
 //   trace    points, width: the line that a point has drawn
 //   curve    through its points, smooth (Catmull-Rom) or straight, closed or not; width as for polyline
-// Flat shapes and texts may be filled, and may have a stroke centred on their contours. Its corners and ends are
-// pointed or round. `trim_from` and `trim_to` say which part of a stroke, a line or an arc is drawn, as shares of the
-// length of each contour. That part has dashes of `dash` metres with gaps of `gap` metres.
+// Flat shapes and texts may be filled, and may have a stroke centred on their contours. The corners and ends of the
+// stroke are pointed or round. Of a stroke, a line or an arc, only the part from `trim_from` to `trim_to` is drawn;
+// these are shares of the length of each contour. This part has dashes of `dash` metres with gaps of `gap` metres.
 struct Shape {
   Kind kind = Kind::group;
   Vec3 size{1, 1, 1};
@@ -86,16 +86,16 @@ struct Shape {
   double inner = 0, corner = 0, from = 0, to = 0, sides = 0, module = 0;
   bool smooth = true, closed = false;
   double stroke_width = 0, dash = 0, gap = 0, trim_from = 0, trim_to = 1;
-  Vec3 stroke{-1, -1, -1};  // linear light; all below 0: no colour of its own
+  Vec3 stroke{-1, -1, -1};  // its colour in linear light; all below 0: that of the object
   bool filled = true, stroke_round = false;
   Points points, holes;
   Text text, font;
   Letters letters;
   std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const Outline> formula;  // as TeX sets it, at 1 m an em; shared by all shapes with the same text
+  std::shared_ptr<const Outline> formula;  // set by TeX, with an em of 1 m; shared by all shapes with the same text
   friend bool operator==(const Shape&, const Shape&) = default;
 };
-// The measures besides the size. They blend between shapes, and meshes are built from them.
+// The measures besides the size. Shapes blend them in a morph, and meshes depend on them.
 inline constexpr double Shape::*shape_measures[] = {&Shape::radius, &Shape::height, &Shape::tube,   &Shape::width,
                                                     &Shape::depth,  &Shape::inner,  &Shape::corner, &Shape::from,
                                                     &Shape::to,     &Shape::sides,  &Shape::module};

@@ -17,11 +17,13 @@ inline constexpr int sound_rate = 48'000;  // stereo samples a second, whatever 
 struct Sound {
   std::string path;  // the path to open
   double seconds = 0;
-  std::vector<double>
-      energy;  // the integral of the squares (mean of left and right) up to each millisecond, in seconds
+  // At each millisecond: the integral over time, in seconds, of the squared samples (mean of left and right) until
+  // then.
+  std::vector<double> energy;
   std::vector<double> onsets;  // the times at which a note or beat begins, ascending
 
-  // Returns the root mean square over 50 ms around a time; outside the file there is silence. A full sine has 0.7071.
+  // Returns the root mean square over 50 ms around a time. Outside the file there is silence. A sine at full volume
+  // gives 0.7071.
   double loudness(double at) const;
   std::size_t onsets_between(double from, double to) const;  // counts from <= onset <= to
 };

@@ -20,7 +20,7 @@ namespace betwixt {
 struct Symbol {
   enum class Kind : std::uint8_t {
     cosine,  // c: cosine of the angle at t
-    sine,    // s: sine of the same
+    sine,    // s: sine of the angle at t
     growth,  // g, h, k: the factor at t along x, y and z; a single letter if they are equal
     axis,    // l, m, n: the unit direction
     way,     // u, v, w: the displacement at t
@@ -50,7 +50,8 @@ struct Symbols {
 inline constexpr std::size_t most_terms = 64;
 Result<Symbols> in_symbols(const Motion&);
 
-// Return the value of each letter at t, and the value of a sum from these.
+// values_of returns the value of each letter at t. value_of returns the value of a sum, given the values of the
+// letters.
 std::vector<double> values_of(const Symbols&, const Motion&, double t);
 double value_of(const std::vector<Term>&, std::span<const double> letters);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Time is an exact whole number of flicks of 1/705,600,000 s. All common frame rates, and 30 ticks a second, have a
-// whole number of flicks a frame.
+// Time is an exact whole number of flicks; a flick is 1/705,600,000 s. A frame at any common frame rate is a whole
+// number of flicks, and so is a tick of 1/30 s.
 //
 // Room: base
 #pragma once

@@ -18,8 +18,8 @@
 
 namespace betwixt {
 
-// The id of an object in a document, numbered in order of creation. Numbers are never reused, so an id that outlives
-// its object finds nothing.
+// The id of an object in a document, numbered in order of creation. Numbers are never reused, so the id of a removed
+// object finds nothing.
 struct ObjectId {
   static constexpr std::uint32_t nothing = 0xffffffff;
   std::uint32_t index = nothing;
@@ -59,30 +59,30 @@ using Text = Shared<std::string>;
 using Points = Shared<std::vector<Vec3>>;
 using Names = Shared<std::vector<std::string>>;
 using Matrix = Shared<Mat4>;   // affine
-using Moves = Shared<Motion>;  // from this event to the next one
+using Moves = Shared<Motion>;  // the motion from this event to the next
 
 // The parent of an object, and how much of the parent's matrix it inherits (docs/guide/attachment.md).
 //   hang    the parent's matrix moves its position, and no more
 //   attach  the parent also turns it; the parent's scale moves its position only
 //   couple  the parent's whole matrix
 //   detach  no parent: its tracks are in world space
-//   letgo   no parent, but it keeps the parent's matrix of that moment
+//   letgo   no parent; the object keeps the matrix that the parent has at the time of this event
 enum class AttachmentKind : std::uint8_t { detach, letgo, hang, attach, couple };
 struct Attachment {
   AttachmentKind kind = AttachmentKind::detach;
   ObjectId parent;          // of hang, attach and couple
-  bool keep_world = false;  // its matrix in the world does not jump at that moment
+  bool keep_world = false;  // the object's matrix in world space does not jump at this event
   friend constexpr bool operator==(const Attachment&, const Attachment&) = default;
 };
 
-// A value that the author's code computes, anew for each time. Equal if code and language are equal.
+// A value that the author's code computes anew for each time. Two are equal if their code and language are equal.
 class Routine;  // src/track/procedure.h
 struct Procedure {
   std::shared_ptr<const Routine> code;
   friend bool operator==(const Procedure&, const Procedure&);
 };
 
-// The types of values. A display function has one type, and so have all its events.
+// The types of values. A display function has one type; all its events have values of this type.
 enum class Type : std::uint8_t {
   scalar,       // double
   angle,        // double, radians
@@ -92,7 +92,7 @@ enum class Type : std::uint8_t {
   boolean,      // bool
   rotation,     // Angles or Quat
   orientation,  // Quat
-  shape,        // ObjectId: the geometry of that object; without one, its own
+  shape,        // ObjectId: the geometry of that object; empty: the object's own
   aim,          // Vec3, a point in the world, or ObjectId
   text,         // Text
   points,       // Points
@@ -102,7 +102,7 @@ enum class Type : std::uint8_t {
   motion,       // Moves
 };
 std::string_view to_string(Type);  // in the author's words: "a number", "a vector", …
-bool has_velocity(Type);           // whether values of the type have a rate of change
+bool has_velocity(Type);           // whether the type has velocities (rates of change)
 
 using Value = std::variant<double, Vec3, Color, bool, Angles, Quat, ObjectId, Text, Points, Names, Attachment,
                            Procedure, Matrix, Moves>;

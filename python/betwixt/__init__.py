@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Betwixt makes animated films from scripts: a script gives values at times.
+"""Betwixt makes animated films from scripts. A script gives values at times.
 
     import betwixt
     film = betwixt.load("bounce.bx")
@@ -58,4 +58,4 @@ def loads(text: str, name: str = "", *, read_anywhere: bool = False, tex: bool =
 
 for _ in [globals()[name] for name in __all__]:
     if isinstance(_, type):
-        _.__module__ = __name__  # where users find them
+        _.__module__ = __name__  # so that help and errors show betwixt.Film instead of betwixt._core.Film

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Errors and warnings, with their places and suggestions."""
+"""Errors and warnings of scripts, with their places and suggestions."""
 
 from __future__ import annotations
 
@@ -35,5 +35,5 @@ class Error(Exception):
         return "\n".join(str(d) for d in self.diagnostics)
 
 
-class Warning(UserWarning):  # noqa: A001 — betwixt.Warning, beside betwixt.Error
+class Warning(UserWarning):  # noqa: A001 — the name is betwixt.Warning, like betwixt.Error
     """A problem with which the film can still be made."""

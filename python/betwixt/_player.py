@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""The player that a notebook shows for a film: pictures and a slider, in a page that needs nothing else."""
+"""The player that a notebook shows for a film: pictures, a button and a slider. It needs no other files."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _PAGE = """<div id="{id}" class="betwixt-player" style="display:inline-block">
 
 
 class Player:
-    """Frames of a film as pictures, at most `most` of them, evenly spread. A notebook plays them."""
+    """Pictures of a film for a notebook, which can play them: at most `most` pictures at equal steps of time."""
 
     def __init__(self, film: Film, first: Time | None = None, last: Time | None = None, *,
                  size: tuple[int, int] = (480, 270), style: str = "shaded", most: int = 60) -> None:

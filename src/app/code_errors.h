@@ -23,7 +23,7 @@ Findings look_through(const Program&, const std::string& file, Time first, Time 
 void add_findings(Findings&, const Frame&, const std::string& file);
 
 inline Parameter keep_going_flag(bool& into) {
-  return flag("--keep-going", "if code of the script fails, use the tracks' values without it", into);
+  return flag("--keep-going", "if code of the script fails, uses the tracks' values without the code", into);
 }
 // Prints the errors. Returns true if there are any and --keep-going is not set.
 bool stopped_by(const Findings&, bool keep_going);

@@ -48,7 +48,8 @@ const Enlisted enlisted_contacts(contacts, [](ContactsCall& call) -> Subcommand 
                     flag("--swept", "finds contacts between two ticks, too", call.sweep),
                     flag("--related", "finds contacts between the parts of one body, too", call.options.related)},
           .example = "betwixt contacts examples/bounce.bx --frames 1f..24f",
-          .manual = "A line of JSON for each."};
+          .manual =
+              "It prints a line of JSON when a contact begins or ends, and when an object enters or leaves the view."};
 });
 
 }  // namespace

@@ -87,16 +87,18 @@ const Enlisted enlisted_eval(eval, [](EvalCall& call) -> Subcommand {
       .name = "eval",
       .sentence = "prints values at times",
       .takes = {script_parameter(call.file),
-                targets_parameter(call.targets, "ball.position, wheel*.color, ball; all by default"),
+                targets_parameter(call.targets, "the targets: ball.position, wheel*.color, ball; by default all"),
                 {.name = "--at",
                  .value = "T[,T…]",
-                 .sentence = "the times: 24f, 2.5s, …; usually the film's first frame",
+                 .sentence = "the times: 24f, 2.5s, …; by default the film's first frame",
                  .into = &call.times,
                  .separated = true},
                 flag("--json", "one JSON object", call.json),
                 flag("--stats", "prints the times of the parts of a frame, and the memory of the film", call.stats)},
       .example = "betwixt eval examples/bounce.bx --at 12f,24f ball.position --json",
-      .manual = "In JSON numbers are the shortest that read back the same; a world is 16 numbers, row by row."};
+      .manual =
+          "In JSON, each number has as few digits as possible, but reads back as exactly the same number. A world is "
+          "16 numbers, row by row."};
 });
 
 }  // namespace

@@ -115,7 +115,7 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
       .name = "export",
       .sentence = "writes a film's motion for other programs",
       .takes = {script_parameter(call.file),
-                targets_parameter(call.targets, "the objects to write; all by default"),
+                targets_parameter(call.targets, "the objects to write; by default all"),
                 output_parameter(call.out, "FILE",
                                  "the file; its ending chooses the format: " + endings() + "; -.glb: standard output"),
                 frames_parameter(call.frames),
@@ -147,8 +147,8 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
       .example = "betwixt export examples/bounce.bx -o bounce.glb",
       .manual =
           "Objects keep their names and parents. Motion becomes as many keys as the tolerance needs. Lottie and SVG "
-          "take flat films: outlines that change, lines that are drawn by trim, cameras that move. The command names "
-          "and leaves out what the format cannot hold."};
+          "files hold flat films, with outlines that change, lines that are drawn by trim, and cameras that move. "
+          "The command leaves out what the format cannot hold, and prints a notice for each loss."};
 });
 
 }  // namespace

@@ -201,7 +201,7 @@ const Enlisted enlisted_join(join, [](JoinCall& call) -> Subcommand {
                 flag("--alpha", "gives the film an alpha channel, even if the first picture is opaque", call.alpha),
                 flag("--no-overwrite", "keeps an existing file", call.keep_old)},
       .example = "betwixt join frame-%04d.png -o film.mp4 --rate 25",
-      .manual = "If a picture is missing or broken, no film is made, and these pictures are listed."};
+      .manual = "If pictures are missing or broken, join makes no film and lists them."};
 });
 
 }  // namespace

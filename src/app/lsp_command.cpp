@@ -81,16 +81,16 @@ int lsp(const LspCall&) {
 const Enlisted enlisted_lsp(lsp, [](LspCall& call) -> Subcommand {
   return {.rank = 105,
           .name = "lsp",
-          .sentence = "the language server for editors; it uses standard input and output",
+          .sentence = "runs the language server for editors, on standard input and output",
           .takes = {{.name = "--stdio",
                      .sentence = "has no effect; some editors pass it",
                      .into = &call.stdio,
                      .hidden = true}},
           .example = "betwixt lsp",
           .manual =
-              "An editor starts it. It speaks the Language Server Protocol: errors and warnings while you type, "
-              "completion, help, definitions, references, renaming, colours, folding and tidying. It runs no "
-              "other programs, and reads only the files that the scripts may read."};
+              "An editor starts the server and talks to it by the Language Server Protocol. The server offers errors "
+              "and warnings while you type, completion, help, definitions, references, renaming, colours, folding "
+              "and tidying. It runs no other programs, and reads only the files that the scripts may read."};
 });
 
 }  // namespace

@@ -379,7 +379,7 @@ std::vector<Parameter> live_parameters(PlayCall& call) {
            .sentence = "controls the targets of the script's dials by OSC sent to this port, and by MIDI. Only this "
                        "machine can send, unless you name another address of it",
            .into = &call.listen},
-          file_option("--record", "OUT.bx", "writes the input as a script at the end", &call.record),
+          file_option("--record", "OUT.bx", "at the end, writes a script with the recorded input", &call.record),
           flag("--overwrite", "lets --record replace a file", call.overwrite)};
 }
 
@@ -396,13 +396,14 @@ const Enlisted enlisted_play(play, [](PlayCall& call) -> Subcommand {
                   {flag("--loop", "repeats the film", call.loop), flag("--mute", "plays without sound", call.mute)},
                   live_parameters(call)}),
       .note =
-          "Keys: space pauses and continues, left and right step a frame, up and down a second, home and end, s and a "
-          "change style and samples (anti-aliasing), + and - the size, m mutes, q quits.",
+          "Keys: space pauses and continues; left and right go a frame back and forward, up and down a second; home "
+          "and end go to the first and the last frame; s changes the style, a the samples (anti-aliasing), + and - "
+          "the size; m mutes; q quits.",
       .example = "betwixt play examples/bounce.bx --terminal --loop",
       .manual =
           "The window is the studio's, without its panels. It opens if there is a display and the studio is built, "
-          "unless you use an option of the terminal (--terminal, --listen, --frames). Late frames are dropped: "
-          "nothing slows down."};
+          "unless you use an option of the terminal (--terminal, --listen, --frames). If frames come too late, some "
+          "are left out, so the film keeps its speed."};
 });
 
 }  // namespace

@@ -176,12 +176,12 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
             flag("--stats", "prints the times of the parts of a frame, and the memory of the film", call.stats)}}),
       .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
       .manual =
-          "Everything but pictures needs the program ffmpeg. With \"background transparent\", .webm, .mov (ProRes "
-          "4444), .apng and .png have straight alpha, .exr has premultiplied alpha, and .gif has transparent and "
-          "opaque pixels only. .mov has more than 8 bits a channel, and so has .png with --bits 16. .exr has linear "
-          "light in half floats. A terminal shows a progress bar with frames per second and the time left. If you stop "
-          "a film or it fails, no file gets the film's name. With --missing each picture gets its name once it is "
-          "complete, so the next call continues from there."};
+          "All formats except numbered pictures need the program ffmpeg. With \"background transparent\", .webm, "
+          ".mov (ProRes 4444), .apng and .png have straight alpha, .exr has premultiplied alpha, and .gif has "
+          "transparent and opaque pixels only. .mov has more than 8 bits a channel, and so has .png with --bits 16. "
+          ".exr has linear light in half floats. A terminal shows a progress bar with frames per second and the time "
+          "left. If you stop a film, or if it fails, there is no file with the film's name. With --missing each "
+          "picture gets its name when it is complete, so the next call continues with the missing ones."};
 });
 
 }  // namespace

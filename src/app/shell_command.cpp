@@ -363,9 +363,10 @@ const Enlisted enlisted_shell(shell, [](ShellCall& call) -> Subcommand {
                     flag("-q,--quiet", "does not print how many objects a pattern matched", call.quiet)},
           .example = "betwixt shell examples/bounce.bx",
           .manual =
-              "The shell reads from a terminal, or from standard input. help lists all words. undo has no limit. save "
-              "keeps your text and writes your commands below it. Each command is in a journal beside the script "
-              "(.FILE.journal) before the answer. After a crash the next start offers to recover it."};
+              "The shell reads from a terminal, or from standard input. help lists all words. undo has no limit. "
+              "save keeps your text and writes your commands below it. The shell writes each command to a journal in "
+              "the folder of the script (.FILE.journal) before it answers. After a crash the next start offers to "
+              "recover the commands."};
 });
 
 }  // namespace

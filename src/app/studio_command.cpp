@@ -92,9 +92,9 @@ const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
       .note = "The first ./betwixt studio builds it.",
       .example = "betwixt studio examples/bounce.bx",
       .manual =
-          "Every edit appears in the console as a line of the language. You can undo without limit. Each edit is in "
-          "a journal beside the script (.FILE.journal), and changes the script where an author would write it. "
-          "Without a file the studio begins with an example."};
+          "Every edit appears in the console as a line of the language. You can undo without limit. The studio writes "
+          "each edit to a journal in the folder of the script (.FILE.journal), and changes the script where an author "
+          "would change it. Without a file the studio begins with an example."};
 });
 
 }  // namespace

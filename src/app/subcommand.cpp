@@ -127,8 +127,10 @@ std::string output_or(const std::string& out, const std::string& script, const s
 }
 
 Parameter frames_parameter(std::string& frames, const std::string& examples) {
-  return {
-      .name = "--frames", .value = "A..B", .sentence = "only these, both ends included: " + examples, .into = &frames};
+  return {.name = "--frames",
+          .value = "A..B",
+          .sentence = "only these frames, both ends included: " + examples,
+          .into = &frames};
 }
 
 Parameter option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
@@ -219,7 +221,7 @@ Parameter bits_parameter(int& bits) {
 Parameter quality_parameter(int& quality, const std::string& of) {
   return {.name = "--quality",
           .value = "N",
-          .sentence = "1, the worst, to 100, " + of,
+          .sentence = "from 1 (the worst) to 100: " + of,
           .into = &quality,
           .range = {{1, 100}}};
 }

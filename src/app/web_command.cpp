@@ -123,16 +123,17 @@ const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
                 option("--title", "TEXT", "the title; by default the film's name", &call.title),
                 size_parameter(call.size, "the size of the pictures; by default the width of the page"),
                 flag("--no-edit", "shows the films without their scripts", call.no_edit),
-                flag("--link", "puts the player (betwixt-player.js, betwixt-page.css) beside the page, for many pages",
+                flag("--link",
+                     "writes the player (betwixt-player.js, betwixt-page.css) into the page's folder, for many pages",
                      call.link),
                 flag("--no-overwrite", "keeps an existing file", call.keep_old)},
       .note = "The first ./betwixt web builds the player.",
       .example = "betwixt web examples/bounce.bx -o bounce.html",
       .manual =
-          "The page is one file and needs no other. It plays offline, also from a folder. It contains the script "
-          "as text, and the files that the script uses. The film follows when you edit the text. The command "
-          "prints a line for each thing that a page cannot show: sound, motion blur, depth of field, live input. "
-          "If a server's policy forbids inline scripts and styles, --link makes a page without them."};
+          "The page is one file and needs no other. It plays offline, also from a folder. It contains the script as "
+          "text, and the files that the script uses. The film changes while you edit the text. The command prints a "
+          "line for each thing that a page cannot show: sound, motion blur, depth of field, live input. If a "
+          "server's policy forbids inline scripts and styles, --link makes a page without them."};
 });
 
 }  // namespace

@@ -343,11 +343,12 @@ constexpr Verb arranging_rows[] = {
      "is a share of the picture.",
      "frame {ball,hand}", Verb::timed, frame},
     {"arrange", "arrange A in row|column|grid|circle [columns=N] [gap=METRES] [radius=METRES] [centre=(X Y Z)]",
-     "Arranges objects in a row, a column, a grid or a circle, by their sizes.", "arrange wheel* in row gap=0.5",
-     Verb::timed, arrange, "OBJECT; in; row column grid circle; gap= centre= columns= radius=…"},
+     "Places objects in a row, a column, a grid or a circle, so that they do not overlap.",
+     "arrange wheel* in row gap=0.5", Verb::timed, arrange,
+     "OBJECT; in; row column grid circle; gap= centre= columns= radius=…"},
     {"place", "place A next-to B [side=left|right|top|bottom|front|back] [gap=METRES] [align=top|…]",
-     "Places objects beside another one, by their sizes.", "place ball next-to hand side=top gap=0", Verb::timed, place,
-     "OBJECT; next-to; OBJECT; side= gap= align=…"},
+     "Places objects beside another one, so that they do not overlap.", "place ball next-to hand side=top gap=0",
+     Verb::timed, place, "OBJECT; next-to; OBJECT; side= gap= align=…"},
 };
 
 }  // namespace

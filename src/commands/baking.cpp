@@ -183,8 +183,8 @@ bool bake(Command& k) {
 constexpr Verb baking_rows[] = {
     {"bake", "bake TARGETS A..B [every LENGTH] [within TOLERANCE]",
      "Writes the values of code, filters, velocities and `reach` as plain events, one a frame or every LENGTH. They "
-     "replace all events of the track, also those outside A..B. With TOLERANCE, writes only as many as are needed for "
-     "no value to be off by more; it is in the units of the value, for rotations radians.",
+     "replace all events of the track, also those outside A..B. With TOLERANCE, writes as few events as possible, and "
+     "no value is off by more than TOLERANCE. Its unit is that of the value; for rotations, radians.",
      "bake ball.position 1f..24f within 0.01", 0, bake, "TARGET; NUMBER; every within; NUMBER; within"},
 };
 

@@ -156,13 +156,11 @@ bool to_environments(Command& k) {
 constexpr Verb environments_rows[] = {
     {"animate",
      "animate ENV every LENGTH by TRANSFORM [slower|faster LENGTH per LENGTH] [limit LENGTH] [from LENGTH] [until "
-     "LENGTH] "
-     "[keep-phase]",
-     "An environment: applies a transform again and again to all objects in it. `from` and `until` count from the time "
-     "of "
-     "the command. `slower 1t per 30t` makes the interval 1t longer every 30t, up to `limit` (30t unless set); "
-     "`faster` makes it shorter, down to 1t. With `keep-phase` the first step comes when the old transform would have "
-     "had its next one.",
+     "LENGTH] [keep-phase]",
+     "An environment: applies a transform again at every step to all objects in it. `from` and `until` count from the "
+     "time of the command. `slower 1t per 30t` makes the interval 1t longer every 30t, up to `limit` (30t unless set); "
+     "`faster` makes it shorter, down to 1t. If you animate an environment anew, `keep-phase` makes the first new step "
+     "when the next old one would have come.",
      "animate spin every 1t by rotate(6deg, z)\nset ball.environments (spin)",
      Verb::timed | Verb::stamped | Verb::makes_thing | Verb::quick, animate, "NEW"},
     {"halt", "at TIME halt ENV", "Stops an environment where it is; `animate` continues from there.",

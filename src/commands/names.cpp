@@ -173,7 +173,8 @@ bool define(Command& k) {
 }
 
 constexpr Verb names_rows[] = {
-    {"alias", "alias NAME = ELEMENT …", "A name for many objects; patterns inside are read at each use.",
+    {"alias", "alias NAME = ELEMENT …",
+     "Gives several objects one name. Patterns in it are matched again each time you use the alias.",
      "alias toys = ball wheel*", Verb::makes_thing, alias, "NEW; =; OBJECT…"},
     {"let", "let NAME = FORMULA, or let NAME = (VALUE …), or let again NAME = …",
      "Names a number, time, length, angle, vector, color or text, or a list of these, for the formulas below. `let "

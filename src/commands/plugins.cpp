@@ -51,7 +51,7 @@ std::string_view taken_by(std::string_view name, Role role) {
   if (find_verb(name)) return "a command";
   if (name == name_of(Twerper::unset) || find_twerper(name)) return "a twerper";
   if (find_filter(name)) return "a filter";
-  if (role == Role::value && known_to_lua(name)) return "a Lua keyword";
+  if (role == Role::value && known_to_lua(name)) return "a word of Lua code";
   const auto shell = reserved_words();
   if (role == Role::command && std::find(shell.begin(), shell.end(), name) != shell.end()) return "a shell command";
   return {};

@@ -322,21 +322,21 @@ LspAnswer code_actions(State& s, const Json& params) {
 constexpr LspRequest requests[] = {
     {"initialize", [](State& s, const Json& p) { return LspAnswer(start(s, p)); }},
     {"shutdown", [](State& s, const Json& p) { return LspAnswer(shut_down(s, p)); }},
-    {"textDocument/completion", completion},
-    {"textDocument/hover", hover},
-    {"textDocument/signatureHelp", signature_help},
-    {"textDocument/definition", definition},
-    {"textDocument/references", references},
-    {"textDocument/documentHighlight", highlights},
+    {"textDocument/completion", completion, "completionProvider", R"({"triggerCharacters": [".", "="]})"},
+    {"textDocument/hover", hover, "hoverProvider"},
+    {"textDocument/signatureHelp", signature_help, "signatureHelpProvider", R"({"triggerCharacters": [" "]})"},
+    {"textDocument/definition", definition, "definitionProvider"},
+    {"textDocument/references", references, "referencesProvider"},
+    {"textDocument/documentHighlight", highlights, "documentHighlightProvider"},
     {"textDocument/prepareRename", prepare_rename},
-    {"textDocument/rename", rename_it},
-    {"textDocument/documentSymbol", document_symbols},
-    {"textDocument/foldingRange", folding},
-    {"textDocument/documentColor", document_colors},
+    {"textDocument/rename", rename_it, "renameProvider", R"({"prepareProvider": true})"},
+    {"textDocument/documentSymbol", document_symbols, "documentSymbolProvider"},
+    {"textDocument/foldingRange", folding, "foldingRangeProvider"},
+    {"textDocument/documentColor", document_colors, "colorProvider"},
     {"textDocument/colorPresentation", color_presentations},
-    {"textDocument/formatting", format},
-    {"textDocument/rangeFormatting", format_range},
-    {"textDocument/codeAction", code_actions},
+    {"textDocument/formatting", format, "documentFormattingProvider"},
+    {"textDocument/rangeFormatting", format_range, "documentRangeFormattingProvider"},
+    {"textDocument/codeAction", code_actions, "codeActionProvider", R"({"codeActionKinds": ["quickfix"]})"},
 };
 
 }  // namespace
@@ -345,21 +345,11 @@ std::span<const LspRequest> lsp_requests() { return requests; }
 
 Json lsp_capabilities() {
   constexpr int incremental = 2;
-  return {{"positionEncoding", "utf-16"},
-          {"textDocumentSync", {{"openClose", true}, {"change", incremental}, {"save", true}}},
-          {"completionProvider", {{"triggerCharacters", {".", "="}}}},
-          {"hoverProvider", true},
-          {"signatureHelpProvider", {{"triggerCharacters", {" "}}}},
-          {"definitionProvider", true},
-          {"referencesProvider", true},
-          {"documentHighlightProvider", true},
-          {"renameProvider", {{"prepareProvider", true}}},
-          {"documentSymbolProvider", true},
-          {"foldingRangeProvider", true},
-          {"colorProvider", true},
-          {"documentFormattingProvider", true},
-          {"documentRangeFormattingProvider", true},
-          {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}}};
+  Json all{{"positionEncoding", "utf-16"},
+           {"textDocumentSync", {{"openClose", true}, {"change", incremental}, {"save", true}}}};
+  for (const LspRequest& row : requests)
+    if (!row.capability.empty()) all[std::string(row.capability)] = Json::parse(row.value);
+  return all;
 }
 
 }  // namespace betwixt

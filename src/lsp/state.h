@@ -97,10 +97,12 @@ struct LanguageServer::State {
   void publish(const std::string& uri);
 };
 
-// A kind of request, and the function that answers it.
+// A kind of request, the function that answers it, and what the server tells the editor about it.
 struct LspRequest {
   std::string_view method;
   LspAnswer (*answer)(LanguageServer::State&, const Json& params);
+  std::string_view capability = {};  // the member of ServerCapabilities, if the request has one
+  std::string_view value = "true";   // JSON
 };
 std::span<const LspRequest> lsp_requests();
 Json lsp_capabilities();

@@ -178,6 +178,7 @@ constexpr KindRow kind_rows[] = {
      .mesh = stroke_mesh},
     {.kind = Kind::points,
      .name = "points",
+     .article = "a cloud of",
      .sentence = "A cloud of points.",
      .written = "points=((x y z) …) size=0.05",
      .example = "create stars points points=((0 0 0) (1 2 3)) size=0.1",

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lists of CSS transforms where all browsers have agreed to show them: css_platform.txt.
+// Compares lists of CSS transforms with css_platform.txt, values on which all browsers have agreed.
 #include <gtest/gtest.h>
 
 #include <fstream>

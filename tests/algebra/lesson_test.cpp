@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the page that teaches motions is answered.
+// Tests the answers to the page that teaches motions.
 #include "algebra/lesson.h"
 
 #include <gtest/gtest.h>

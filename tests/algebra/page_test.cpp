@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The tables of docs/algebra.md are those of the counter. BETWIXT_WRITE_TABLES=1 writes them into the page.
+// The tables of docs/algebra.md must be those of the operation counter. BETWIXT_WRITE_TABLES=1 writes them into the
+// page.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

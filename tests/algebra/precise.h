@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motions in quadruple precision: points go through the factors one after the other, with sines, logarithms and
-// exponentials from their series. It shares nothing with the library but what a factor is.
+// Computes motions in quadruple precision: applies the factors to points one by one, with sines, logarithms and
+// exponentials from their series. It shares only the definition of a factor with the library.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace betwixt::precise {
 
 __extension__ using Real = __float128;
 
-// Each the sum of three doubles.
+// Constants, each as the sum of three doubles.
 inline constexpr Real pi = Real(3.141592653589793) + Real(1.2246467991473532e-16) + Real(-2.9947698097183397e-33);
 inline constexpr Real ln2 = Real(0.6931471805599453) + Real(2.3190468138462996e-17) + Real(5.707708438416212e-34);
 
@@ -24,7 +24,7 @@ inline Real sine(Real x) {
   Real turns = x / (2 * pi);
   const auto whole = static_cast<long long>(turns);
   x -= static_cast<Real>(whole) * 2 * pi;
-  x /= 16;  // and doubled again four times below, through the cosine's versine
+  x /= 16;  // the angle is doubled again four times below, by way of 1 - cos
   // sin and 1 - cos of a small angle
   Real s = 0, v = 0, term = 1;
   for (int n = 1; n < 40; ++n) {
@@ -65,7 +65,7 @@ inline Real logarithm(Real x) {
 
 struct Point {
   Real c[3];
-  double largest = 1;  // the largest number on the way, in parts of the result: rounding grows with it
+  double largest = 1;  // the largest intermediate number, relative to the result: the rounding error grows with it
   double at(int i) const { return static_cast<double>(c[i]); }
 };
 
@@ -107,13 +107,13 @@ inline Point moved(const Motion& motion, long long k, long long steps, Vec3 from
 
 namespace betwixt {
 
-// Of every kind of factor, tame enough that numbers stay below some millions.
+// Returns random factors of every kind. They are small enough that numbers stay below some millions.
 inline Motion random_motion(std::mt19937& random, int length, bool space) {
   const auto between = [&](double a, double b) {
     return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
   };
   const auto place = [&] { return Vec3{between(-5, 5), between(-5, 5), space ? between(-5, 5) : 0}; };
-  // Half of the time what falls together: ones, inverses, quarters of a turn, centres that are the same.
+  // Half of the time makes special cases: unit factors, inverses, quarter turns, equal centres.
   const auto special = [&] { return random() % 2 == 0; };
   const auto factor = [&] {
     constexpr double few[] = {1, 1, 0.5, 2};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How far points on the unit circle get from where they are when rounding gathers. bench/algebra.cpp goes on to 1e7
+// Measures how far rounding moves points of the unit circle from their true places. bench/algebra.cpp runs up to 1e7
 // steps.
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motions whose frames were worked out with sixty digits, rounded to f64.
+// Motions with expected frames, which were computed with sixty digits and rounded to f64.
 #pragma once
 
 #include "betwixt/algebra.h"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What aim_host.c says, said in Python, call by call: both must leave the same history behind."""
+"""Makes the calls of aim_host.c in Python, in the same order. Both must give the same history."""
 import sys
 
 from betwixt_client import Host, Refused, rotate_z, translate

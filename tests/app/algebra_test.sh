@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# betwixt algebra from outside: frames against figures worked out by hand, counts, what it refuses and how it says so.
+# Tests `betwixt algebra`: frames against numbers computed by hand, counts of operations, and its errors.
 #   algebra_test.sh PROGRAM
 . "$(dirname -- "$0")/support.sh" || exit 3
 
@@ -13,7 +13,7 @@ refused() { # NAME CODE TEXT ARGUMENT…
   algebra "$@"
   verdict "$name" "$([ $code = "$wanted" ] && [[ $err == *"$text"* ]] && [ -z "$out" ] && echo yes)" "exit code $code, said: $err$out"
 }
-# Whether each number of $out is that of the list, within 1e-12.
+# Checks that each number of $out equals that of the list, within 1e-12.
 same() { # NAME NUMBER…
   local name=$1 got
   shift
@@ -24,7 +24,7 @@ same() { # NAME NUMBER…
     exit !ok }' && echo yes)" "$got is not $*"
 }
 
-# A rolling wheel: the rim's lowest point goes along a cycloid, and comes down again half a turn later.
+# A rolling wheel: the lowest point of the rim moves along a cycloid, and comes down again half a turn later.
 algebra 'T(8 0) R(-1turn @ 0 1)' --steps 4 --points '0,0 0,2'
 is 'a wheel' $code 0
 same 'its frames' 0 0 0 0 2  1 1 1 3 1  2 4 2 4 0  3 7 1 5 1  4 8 0 8 2
@@ -54,7 +54,7 @@ for method in matrix geometric best; do
 done
 algebra 'S(2 3 linear) R(180deg)' --steps 2 --method geometric --points 1,0
 has 'right at the end only' "$err" 'this method is exact only at the end of the motion'
-# By (g - 1) k/N times the chord from where the turn has a point to where it takes it, worked out by complex numbers.
+# (g - 1) k/N times the chord between the positions of a point before and after the rotation, by complex numbers.
 algebra 'S(-3 2 @ 5 -5 linear) R(0.9turn)' --steps 240 --method geometric --at 240 --points -9.93,1.17
 has 'how far beside' "$err" 'in between the error is up to 42.9206366272655'
 algebra 'R(24turn) T(24 0)' --method differences --at 7 --points 1,0
@@ -66,7 +66,7 @@ same 'a fraction of many turns' 1 0.7139596077037439 0.7001868883144814
 algebra 'R(1e15turn @ 3 4)' --steps 8 --points 1,2 --at 3,8
 same 'very many turns' 3 1 2  8 1 2
 
-# What a browser shows between two lists, and what is no motion.
+# The in-betweens of a browser between two lists, and lists that are no motion.
 algebra --css 'translateX(10px) rotate(0deg)' --to 'translateX(30px) rotate(720deg)' --steps 4 --at 1 --points 1,0
 same 'two lists' 1 14 0
 algebra --css 'rotate(720deg)' --to 'scale(3)' --steps 2 --at 1 --points 1,0
@@ -90,7 +90,7 @@ same 'accumulated' 0 3 0  1 4 0
 algebra --css 'scale(1)' --to 'scale(3)' --origin 10,0 --steps 1 --at 1 --points 11,0 --json
 is 'as JSON' "$out" '{"steps":1,"frames":[{"k":1,"points":[[13,0]],"matrix":[3,0,0,0,0,3,0,0,0,0,1,0,-20,0,0,1]}]}'
 
-# The matrix in letters, by hand.
+# The symbolic matrix, derived by hand.
 algebra 'T(5 3) R(1rad @ 1 4)' --symbols
 is 'in letters' "$out" '  c2  -s2  u1 + (1 - c2) x2 + s2 y2
   s2  c2   v1 - s2 x2 + (1 - c2) y2

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What is clear and how bright light is, read from files by ffmpeg and by a reader of OpenEXR of this test's own; each
-# command prints one line. With assertions as messages.
+# Measures transparency and brightness in files, read by ffmpeg and by its own reader of OpenEXR. Each command prints
+# one line. A failed assertion is its message.
 #   alpha.py COMMAND FILE…
 import math
 import struct
@@ -12,7 +12,7 @@ import zlib
 
 
 def pixels(path, layout="rgba", picture=0):
-    """One picture of a film as ffmpeg decodes it: numbers, four a pixel (floats in planes where the layout says so)."""
+    """Returns a picture of a film as ffmpeg decodes it: four numbers a pixel, or planes of floats for such layouts."""
     words = ["ffmpeg", "-v", "error"] + (["-c:v", "libvpx-vp9"] if path.endswith(".webm") else [])
     words += ["-i", path, "-vf", f"select=eq(n\\,{picture})", "-frames:v", "1", "-f", "rawvideo", "-pix_fmt", layout, "-"]
     raw = subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout
@@ -29,7 +29,8 @@ def text(data, at):
 
 
 def exr(path):
-    """Attributes, and the pixels as (r, g, b, a), of an OpenEXR file of half floats, by its definition."""
+    """Reads an OpenEXR file of half floats by its specification. Returns its attributes, and the pixels as (r, g, b,
+    a)."""
     data = open(path, "rb").read()
     assert struct.unpack_from("<II", data) == (20000630, 2), "magic and version"
     at, head = 8, {}
@@ -75,8 +76,9 @@ def encoded(c):
 
 
 def compare(reference, path, over, alpha, brim):
-    """Straight: laid over black and over white they are the same, on average within `over`; and so is the opacity,
-    within `alpha` at most, and the colour of what is seen half through, within `brim`, black where it was multiplied in."""
+    """Compares two pictures with straight opacity. Over black and over white their average difference is at most
+    `over`. The opacity differs by at most `alpha`, and the colour of half transparent pixels by at most `brim`. A
+    colour that was multiplied by its opacity is too dark there."""
     a, b = pixels(reference), pixels(path)
     assert len(a) == len(b), f"{len(a)} and {len(b)} bytes"
     most = max(abs(a[i] - b[i]) for i in range(3, len(a), 4))
@@ -95,7 +97,7 @@ def compare(reference, path, over, alpha, brim):
 
 
 def clear(path):
-    """What the film of the test has in its eight bits: nothing at the corners, and everything between nothing and all."""
+    """The 8-bit film of the test is transparent at the corners and has every opacity between none and full."""
     p = pixels(path)
     assert p[0:4] == bytes(4) and p[-4:] == bytes(4), "the corners are clear"
     opacities = set(p[3::4])
@@ -104,7 +106,7 @@ def clear(path):
 
 
 def one_color(path, *wanted):
-    """However much of it is seen, what is there has this colour."""
+    """All pixels that are not fully transparent have this colour."""
     p = pixels(path)
     seen = [p[i:i + 4] for i in range(0, len(p), 4) if p[i + 3] > 20]
     assert len({q[3] for q in seen}) > 20, "much of it is half clear"
@@ -125,7 +127,7 @@ def sixteen(eight, path):
 
 
 def light(shown, path):
-    """Linear, with the opacity multiplied in: shown by the sRGB standard it is the picture of 16 bits."""
+    """A linear picture with premultiplied opacity. Converted by the sRGB standard it equals the picture of 16 bits."""
     head, width, height, p = exr(path)
     primaries = struct.unpack("<8f", head["chromaticities"])
     bt709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
@@ -137,14 +139,14 @@ def light(shown, path):
         for c, value in enumerate((r, g, b)):
             straight = encoded(value / a) if a > 0 else 0
             assert abs(65535 * straight - q[4 * i + c]) <= 2, f"{value} through {a} and {q[4 * i + c]}"
-    planes = pixels(path, "gbrapf32le")  # by another reader
+    planes = pixels(path, "gbrapf32le")  # ffmpeg reads the same file
     n = width * height
     for i, (r, g, b, a) in enumerate(p):
         assert (planes[2 * n + i], planes[i], planes[n + i], planes[3 * n + i]) == (r, g, b, a), "as ffmpeg reads it"
 
 
 def bright(path):
-    """The most light there is, to a tenth."""
+    """Prints the largest value of the picture, to a tenth."""
     return f"{max(max(p[:3]) for p in exr(path)[3]):.1f}"
 
 

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What is clear, and light, in every kind of file, as other programs read it: ffprobe, ffmpeg, and alpha.py.
+# Tests transparency and linear light in every kind of file, as other programs read it: ffprobe, ffmpeg and alpha.py.
 #   alpha_test.sh PROGRAM
 tests=$(realpath -- "$(dirname -- "$0")")
 . "$tests/support.sh" || exit 3
@@ -16,7 +16,7 @@ same_pictures() { # NAME A B: to the bit, as they are decoded
   is "$1" "$(ffmpeg -v error $by -i "$2" -f md5 -)" "$(ffmpeg -v error $by -i "$3" -f md5 -)"
 }
 
-# What shines by itself, in colours that are exact; borders, and glass over nothing and over something.
+# Glowing objects with exact colours, their borders, and glass over the background and over another object.
 cat >clear.bx <<'BX'
 rate 24
 range 1f 4f
@@ -39,7 +39,8 @@ for o in c-%d.png c-%d.exr c.webm c.mov c.gif c.apng; do check "render $o" 0 '4 
 check 'render 16 bits' 0 '4 frames' render clear.bx -o d-%d.png --bits 16
 is 'pictures' "$(ls c-*.png c-*.exr d-*.png | xargs)" 'c-1.exr c-1.png c-2.exr c-2.png c-3.exr c-3.png c-4.exr c-4.png d-1.png d-2.png d-3.png d-4.png'
 
-# As others read it. The figures: on average over black and white, of the opacity at most, of what is half seen through.
+# Compares as other programs read the files. The limits: the average over black and white, the largest difference of
+# opacity, and that of the colour of half transparent pixels.
 has 'PNG: nothing, all and between' "$(python3 "$tests/alpha.py" clear c-1.png)" ''
 is 'PNG: something between' "$(($(python3 "$tests/alpha.py" clear c-1.png) > 4))" 1
 reads 'PNG of 16 bits' sixteen c-1.png d-1.png
@@ -56,24 +57,24 @@ is 'tags of PNG' "$(probe d-1.png codec_name,pix_fmt,color_range)" 'png rgba64be
 is 'PNG says that it is sRGB' "$(grep -c sRGB d-1.png)" 1
 is 'tags of OpenEXR' "$(probe c-1.exr codec_name,pix_fmt,width,height)" 'exr 96 64 gbrapf32le'
 
-# One picture is the same as that of a film.
+# A single picture equals that picture of a film.
 check 'frame 8' 0 '' frame clear.bx --at 2f -o f.png
 check 'frame 16' 0 '' frame clear.bx --at 2f -o f16.png --bits 16
 check 'frame exr' 0 '' frame clear.bx --at 2f -o f.EXR
 verdict 'frames are those of films' "$(cmp f.png c-2.png && cmp f16.png d-2.png && cmp f.EXR c-2.exr && echo yes)" 'they differ'
 
-# What is blurred goes over into nothing, not into black.
+# Blurred edges fade to transparent, not to black.
 sed -n '/^rate/,/^background/p' clear.bx >blurred.bx
 printf 'create ball sphere color=#ff8000 material=glow\ncreate eye camera position=(0 0 14) shutter=180deg\nball.position\n  1f (-3 0 0)\n  4f (3 0 0) linear\n' >>blurred.bx
 check 'blurred' 0 '' frame blurred.bx --at 2f -o blurred.png
 reads 'blurred' one-colour blurred.png 255 128 0
 
-# Light above white is kept, and what is shown of it ends at white.
+# Light above white is kept in the file, and is shown as white.
 printf 'range 1f 1f\nsize 64x48\ncreate w rectangle size=(9 9) color=white material=matte\ncreate l light position=(0 0 4) range=8 intensity=5\ncreate e camera position=(0 0 9) height=6\nambient off\n' >bright.bx
 check 'bright' 0 '' frame bright.bx --at 1f -o bright.exr
 is 'light of a lamp at half its range' "$(python3 "$tests/alpha.py" bright bright.exr)" 2.2 # 0.8 * 5 * (1 - 1/4)²
 
-# Where nothing can be clear it is black, which is said; and opaque films are so everywhere.
+# In formats without transparency the background is black, with a warning. Opaque films are opaque in every format.
 check 'mp4' 0 'notice: c.mp4 has no transparency, so transparent parts are black; .webm, .mov and pictures have it' render clear.bx -o c.mp4
 is 'mp4 is black' "$(ffmpeg -v error -i c.mp4 -frames:v 1 -vf crop=4:2:0:0 -f rawvideo -pix_fmt gray - | od -An -tu1 | xargs)" '0 0 0 0 0 0 0 0'
 for o in o.mov o.webm o.mp4 o-%d.png; do
@@ -83,7 +84,7 @@ done
 is 'opaque ProRes' "$(probe o.mov pix_fmt)" yuv444p12le
 is 'opaque WebM' "$(ffprobe -v error -show_entries stream_tags=alpha_mode -of csv=p=0 o.webm)" ''
 
-# Joined they are what is rendered.
+# Joined pictures give the same film as `render`.
 check 'join png' 0 '' join o-%d.png -o oj.mp4
 verdict 'of PNG: the very bytes' "$(cmp oj.mp4 o.mp4 && echo yes)" 'they differ'
 check 'join 16 bits' 0 '' join d-%d.png -o dj.mov
@@ -100,14 +101,14 @@ for f in ej cj; do
   psnr=$(ffmpeg -i $f.mp4 -i c.mp4 -lavfi psnr -f null - 2>&1 | grep -o 'average:[0-9.inf]*' | cut -d: -f2)
   is "$f.mp4 over black is what is rendered" "$(awk -v x="$psnr" 'BEGIN {print (x == "inf" || x > 44)}')" 1
 done
-# An opacity that begins later: --alpha says so.
+# The first picture decides whether the joined film is transparent, unless --alpha is given.
 mkdir later && cp o-1.png later/f-1.png && cp c-2.png later/f-2.png
 check 'join, later clear' 0 '' join later/f-%d.png -o later.mov
 is 'the first picture says whether there is an opacity' "$(probe later.mov pix_fmt)" yuv444p12le
 check 'join --alpha' 0 '' join later/f-%d.png --alpha -o later2.mov
 is 'or --alpha' "$(probe later2.mov pix_fmt)" yuva444p12le
 
-# Only what is missing, cut or something else.
+# --missing makes only pictures that are missing, cut off or of another kind.
 cp c-3.exr before.exr
 rm c-2.exr && truncate -s -1 c-3.exr && cp d-1.png c-4.exr
 check 'render --missing' 0 '3 frames' render clear.bx -o c-%d.exr --missing
@@ -116,7 +117,7 @@ truncate -s -1 c-3.exr
 check 'join, one cut' 1 'c-%d.exr' join c-%d.exr -o broken.mov
 verdict 'nothing is made then' "$([ ! -e broken.mov ] && echo yes)" "$(ls)"
 
-# Words that are wrong.
+# Wrong options.
 printf 'background transparant\n' >wrong.bx
 check 'transparant' 1 "did you mean 'transparent'?" check wrong.bx
 printf 'background transparent to red\n' >wrong.bx

@@ -2,12 +2,14 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Everything that can be wrong with what the program is given: a clear message, the right exit code, nothing half-written.
+# Tests wrong input of every kind. The program must print a clear message, end with the right exit code, and leave no
+# incomplete file.
 #   bad_input_test.sh PROGRAM
 . "$(dirname -- "$0")/support.sh" || exit 3
 out=$work.out err=$work.err
 
-# call NAME EXIT-CODE TEXT ARGUMENT…: TEXT must be among what is said on stderr, and stdout stays empty unless the code is 0.
+# call NAME EXIT-CODE TEXT ARGUMENT…: runs the program. Stderr must contain TEXT, and stdout is empty unless the code is
+# 0.
 call() {
   local name=$1 code=$2 text=$3 got
   shift 3
@@ -16,13 +18,13 @@ call() {
   verdict "$name" "$([ $got = "$code" ] && { [ -z "$text" ] || grep -qF -- "$text" "$err"; } && { [ "$code" = 0 ] || [ ! -s "$out" ]; } && echo yes)" \
     "exit code $got (not $code?), said: $(head -c 600 "$err"), answered: $(head -c 300 "$out")"
 }
-# bad NAME TEXT: the file NAME.bx is refused by every command that reads scripts, with TEXT.
+# bad NAME TEXT: checks that every command that reads scripts refuses NAME.bx with a message that contains TEXT.
 bad() {
   call "check $1" 1 "$2" check "$1.bx"
   call "eval $1" 1 "$2" eval "$1.bx" --at 1f --json
   call "tidy $1" 1 "$2" tidy "$1.bx"
 }
-# line TEXT SCRIPT-LINE: a script with that line is wrong, and TEXT is said.
+# line TEXT SCRIPT-LINE: checks that a script with that line is refused with a message that contains TEXT.
 line() {
   printf 'create ball sphere\ncreate eye camera\n%s\nset ball.radius 2\n' "$2" >line.bx
   call "line '$2'" 1 "$1" check line.bx
@@ -100,12 +102,12 @@ for m in broken.obj broken.glb broken.ply empty.obj none.stl .; do
   call "mesh $m" 1 'mesh.bx:1:20: error: ' check mesh.bx
   call "eval with mesh $m" 1 'mesh.bx:1:20: error: ' eval mesh.bx --at 1f --json
 done
-# One that ends what reads it: an error like any other.
+# A mesh that crashes the process that reads it is an ordinary error.
 { printf '; FBX 7.4.0 project file\n' && printf 'A: {%.0s' {1..50000}; } >deep.fbx
 printf 'create m mesh file="deep.fbx"\n' >deep.bx
 call 'a mesh that is too deep' 1 'deep.fbx is damaged: the program that reads it crashed' check deep.bx
 
-# What is no script is not quoted.
+# Files that are no scripts are not quoted in messages.
 printf 'password = hunter2\n' >secret
 printf 'use secret\n' >uses.bx
 call 'use of something else' 1 "'secret' is not a script: its line 1 is not a command" check uses.bx
@@ -144,14 +146,14 @@ printf 'rate 24\n' >secret.bx && chmod 000 secret.bx
 if ! cat secret.bx >/dev/null 2>&1; then
   bad secret 'cannot be read'
 elif command -v setpriv >/dev/null && cp "$program" prog 2>/dev/null && chmod 755 . prog; then
-  # root reads everything: ask as nobody
+  # root can read every file, so run this as the user nobody
   setpriv --reuid 65534 --regid 65534 --clear-groups ./prog check secret.bx >"$out" 2>"$err" </dev/null
   is 'an unreadable file' "$?" 1
   verdict 'an unreadable file, in words' "$(grep -q 'cannot be read: Permission denied' "$err" && echo yes)" "$(cat "$err")"
 fi
 chmod 644 secret.bx
 
-# Unusual, but right.
+# Unusual, but valid.
 : >empty.bx
 printf '\n\n   \n# nothing' >blank.bx
 printf '\357\273\277create ball sphere\r\nball.radius\r\n  1f 1\r\n  9f 2' >dos.bx
@@ -168,7 +170,7 @@ is 'eval of dos' "$("$program" eval dos.bx --at 9f ball.radius --json)" \
 is 'a pipe is a file too' "$(printf 'create b sphere\n' | "$program" eval /dev/stdin --at 1f b.radius --json)" \
   '{"times":[{"at":"1f","seconds":0,"values":{"b.radius":1}}]}'
 
-# use: itself, in a circle, outside, through a link.
+# `use` of the script itself, in a circle, of a file outside the folder, through a link.
 mkdir -p film/parts
 printf 'use main.bx\n' >film/main.bx
 call 'use of itself' 1 "film/main.bx:1:5: error: 'main.bx' includes itself" check film/main.bx
@@ -185,7 +187,7 @@ done
 printf 'create m mesh file="../broken.obj"\n' >film/main.bx
 call 'a mesh outside' 1 "is outside the script's folder" check film/main.bx
 
-# The answer of eval, and nothing else on stdout.
+# Stdout has only the answer of eval.
 cat >bounce.bx <<'BX'
 rate 24
 range 1f 72f
@@ -227,7 +229,7 @@ call 'tidy with one word more' 2 "'more'" tidy bounce.bx more
 is 'a pattern that names nothing is a notice' "$("$program" eval bounce.bx --at 1f 'zz*.color' --json 2>/dev/null)" \
   '{"times":[{"at":"1f","seconds":0,"values":{}}]}'
 
-# tidy: writes in place, keeps rights and links, leaves broken scripts alone.
+# tidy writes in place, keeps permissions and links, and does not change scripts with errors.
 printf 'rate   25\ncreate  b sphere  # gold\n' >loose.bx && chmod 640 loose.bx && ln -s loose.bx alias.bx
 call 'tidy prints' 0 '' tidy loose.bx
 is 'tidy' "$(cat "$out")" $'rate 25\ncreate b sphere  # gold'
@@ -242,7 +244,7 @@ call 'tidy leaves errors alone' 1 'error' tidy all.bx --write
 verdict 'nothing is changed' "$(cmp -s all.bx before.bx && echo yes)" 'all.bx has changed'
 call 'tidy of a pipe' 2 'only a file' tidy /dev/stdin --write
 
-# Output that cannot be written, a full disk, a missing program: nothing half-written stays.
+# Output that cannot be written, a full disk, a missing program: no incomplete file is left.
 small='--size 64x48 --samples 1'
 printf 'create ball sphere\nrange 1f 4f\nat 1f ball.radius 1\n' >film.bx
 call 'render into no folder' 2 'there is no folder' render film.bx -o nowhere/a.mp4 $small

@@ -2,12 +2,12 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# render, frame, plot and play from outside: exit codes, messages, and what lies in the folder afterwards.
+# Tests the commands render, frame, plot and play: exit codes, messages, and the files that they leave.
 #   cli_test.sh PROGRAM
 # shows: G8 G13 G36 G56 G89 G91
 . "$(dirname -- "$0")/support.sh" || exit 3
 
-# check NAME EXIT-CODE TEXT ARGUMENT…: runs the program; TEXT (a fixed string) must be among what it says.
+# check NAME EXIT-CODE TEXT ARGUMENT…: runs the program. Its output must contain TEXT, a fixed string.
 check() {
   local name=$1 code=$2 text=$3
   shift 3
@@ -37,7 +37,7 @@ printf 'create ball spere\nbell.colour\n  1f gold\n' >wrong.bx
 head -c 4096 /dev/urandom >binary.bx
 small="--size 64x48 --samples 1"
 
-# The call.
+# Options and arguments.
 printf 'create s{1..12} box\ncreate ball sphere\nset s*.color red\n' >many.bx
 printf 'create b box\nuse part.bx\n' >whole.bx
 printf '# a part\nset b.position.x = """\n  local a = 1\n  return nobody.x\n"""\n' >part.bx
@@ -87,7 +87,7 @@ check 'whose ending has to be said' 2 'betwixt: error: the format is missing' ex
 is 'nothing else is left' "$(ls -A | grep -c '^-')" 0
 rm there.png
 
-# How films and pictures are coded.
+# The encoding of films and pictures.
 "$program" frame bounce.bx --at 6f -o fine.jpg --quality 100 $small && "$program" frame bounce.bx --at 6f -o poor.jpg --quality 5 $small
 is 'a JPEG' "$(head -c 3 fine.jpg | od -An -tx1)" ' ff d8 ff'
 verdict 'of more bytes where more is kept' "$([ "$(stat -c %s fine.jpg)" -gt "$(stat -c %s poor.jpg)" ] && echo yes)" "$(ls -l *.jpg)"
@@ -150,7 +150,7 @@ has 'all its errors' "$said" wrong.bx:2:
 check 'binary script' 1 'binary.bx' render binary.bx -o a.mp4
 is 'nothing was made of these' "$(ls -A | tr '\n' ' ')" 'binary.bx bounce.bx empty.bx many.bx part.bx whole.bx wrong.bx '
 
-# What only frames tell, said by check.
+# Errors that appear only in frames: `check` reports them too.
 cat >procs.bx <<'BX'
 range 1f 200f
 create a sphere
@@ -218,7 +218,7 @@ check 'part by bare numbers' 0 '5 frames in' render bounce.bx -o part.mp4 $small
 check 'part by seconds' 0 '7 frames in' render bounce.bx -o part.mp4 $small --frames 0s..0.25s
 check 'one frame' 0 '1 frame in' render bounce.bx -o part.gif $small --frames 3f..3f
 check 'samples of light that is followed' 0 '' frame bounce.bx --at 6f -o traced.png --size 64x48 --samples 3 --style traced
-# The script's size and samples, unless the command line says others.
+# The script's size and samples, unless the command line has others.
 printf 'size 48x32\nsamples 1\n%s\n' "$(cat bounce.bx)" > sized.bx
 pixels() { od -An -t u1 -j 16 -N 8 "$1" | awk '{ print $4 + 256 * $3 "x" $8 + 256 * $7 }'; }
 check "the script's size" 0 '' frame sized.bx --at 10f -o sized.png
@@ -236,7 +236,7 @@ check 'no overwriting' 2 'film.mp4 already exists' render bounce.bx -o film.mp4 
 check 'no overwriting a picture' 2 'one.png already exists' frame bounce.bx --at 1f -o one.png $small --no-overwrite
 check 'an empty script is a film' 0 'frames in' render empty.bx -o empty.gif $small
 
-# What would be made.
+# The plan of a film.
 plan() { "$program" render "$@" --plan 2>&1; }
 is 'a plan' "$(plan bounce.bx -o plan.mp4)" '{"first":1,"frames":12,"rate":"24","width":1280,"height":720,"bits":8,"alpha":false,"sound":false}'
 is 'a plan of a part' "$(plan bounce.bx -o plan-%d.png --size 64x48 --frames 0.125s..)" '{"first":4,"frames":9,"rate":"24","width":64,"height":48,"bits":8,"alpha":false,"sound":false}'
@@ -251,7 +251,7 @@ check 'a plan of samples' 2 '7 samples per pixel cannot be drawn' render bounce.
 check 'a plan for nowhere' 2 'nowhere' render bounce.bx -o nowhere/plan.mp4 --plan
 verdict 'plans make nothing' "$(compgen -G '*plan*' >/dev/null || echo yes)" 'something'
 
-# What is missing, and pictures put together.
+# Missing pictures, and joined pictures.
 check 'all pictures' 0 '12 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
 sha256sum m-*.png >whole.sums
 check 'nothing is missing' 0 '0 frames in' render bounce.bx -o m-%02d.png $small --frames 1..12 --missing
@@ -311,7 +311,7 @@ ffmpeg -v error -y -f lavfi -i "aevalsrc='0.8*sin(3000*t)*lt(mod(t,0.25),0.01)':
 printf 'rate 24\nrange 1f 48f\ncreate s sound file="ticks.wav" at=13f\ncreate b box\nset b.size.x = "1 + value(\x27s.onsets\x27)"\n' >sound.bx
 check 'a film with sound' 0 '48 frames in' render sound.bx -o sound.mp4 $small
 is 'it has both' "$(ffprobe -v error -show_entries stream=codec_name,duration -of csv=p=0 sound.mp4)" $'h264,2.000000\naac,2.000000'
-# When there is something to be heard, in milliseconds: a tick each quarter of a second from half a second on.
+# The times of sounds in milliseconds: a tick every quarter of a second, beginning at half a second.
 heard() {
   ffmpeg -v error -i "$1" -f s16le -ac 1 -ar 8000 - | od -An -v -td2 -w2 |
     awk '{ if (($1 > 4000 || $1 < -4000) && NR - last > 400) { printf "%s%d", sep, NR / 8; sep = " "; last = NR } }'
@@ -348,7 +348,7 @@ printf 'create s sound\n' >noise.bx
 check 'no file' 1 'a sound needs its file' check noise.bx
 rm -rf below sound.* part.mp4 silent.gif ticks.wav noise.*
 
-# The machine.
+# Failures of the machine.
 ln -s "$(command -v true)" ./true
 said=$(PATH=$work "$program" render bounce.bx -o gone.mp4 $small 2>&1)
 is 'without ffmpeg' "$?" 3
@@ -357,7 +357,7 @@ mkdir bin && printf '#!/bin/sh\nhead -c 9000 >/dev/null\nkill -9 $$\n' >bin/ffmp
 said=$(PATH=$work/bin:$PATH "$program" render bounce.bx -o gone.mp4 $small 2>&1)
 is 'ffmpeg is killed' "$?" 3
 has 'ffmpeg is killed, in words' "$said" 'signal 9'
-# Formulas, by programs that stand in for latex and dvisvgm.
+# TeX formulas, with fake programs latex and dvisvgm.
 printf 'create f text tex="x^2"\n' >formula.bx
 printf '#!/bin/sh\n: >formula.dvi\n' >bin/latex && chmod +x bin/latex
 cat >bin/dvisvgm <<'END'
@@ -419,7 +419,7 @@ printf 'create a sphere position=(1 2 3)\nat 1f..25f a.motion T(8 0)\n' >moved.b
 check 'where a motion has put something' 0 'a.world.x  5' eval moved.bx --at 13f a.world.x
 check 'where it goes' 0 '' plot moved.bx a.world.x -o moved.svg
 has 'a plot of where it goes' "$(cat moved.svg 2>&1)" 'a.world.x'
-# ---- the studio, where there is none, and no display
+# ---- the studio, if it is not built, or without a display
 is 'a window without a display' "$(env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$program" studio 2>&1; echo $?)" \
   "betwixt: error: a window needs a display
   set DISPLAY, or save a picture of the window: --screenshot OUT.png

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What shells complete and what the manual page says: that the shells can read it, and that it knows what --help knows.
+# Tests the completions for shells and the manual page: the shells can read them, and they have all options of --help.
 #   completion_test.sh PROGRAM
 . "$(dirname -- "$0")/support.sh" || exit 3
 
@@ -10,13 +10,13 @@ for what in bash zsh fish manual; do "$program" help --print $what >$what || fai
 is 'only these can be printed' "$("$program" help --print ksh >/dev/null 2>&1; echo $?)" 2
 is 'help does not speak of it' "$("$program" help --help | grep -c -e --print)" 0
 
-# Shells that are here read what is theirs.
+# Each installed shell reads its completions.
 for call in 'bash -n' 'zsh -n' 'fish --no-execute'; do
   command -v "${call%% *}" >/dev/null && is "$call" "$($call ./"${call%% *}" 2>&1; echo $?)" 0
 done
 command -v groff >/dev/null && is 'the manual page' "$(groff -man -ww -z manual 2>&1)" ''
 
-# What --help names, all know.
+# All of them know the options of --help.
 commands=$("$program" help | sed -nE '/^Commands/,/^$/s/^  ([a-z]+) .*/\1/p')
 is 'commands' "$(wc -w <<<"$commands")" 17
 for command in $commands; do
@@ -28,7 +28,7 @@ for command in $commands; do
   done
 done
 
-# completes WORDS WANTED…: what bash offers for the last of the words.
+# completes WORDS WANTED…: checks what bash offers for the last word.
 completes() {
   local words wanted=${*:2} COMP_WORDS COMP_CWORD COMPREPLY=()
   read -ra words <<<"$1"

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What editors have of their own: the words that their files know are those of the program, and Neovim shows what the
-# language server says, and colours what the files say.
+# Tests the files for editors: their words are those of the program. Neovim shows the results of the language server,
+# and the colours of the syntax file.
 #   editors_test.sh PROGRAM
 here=$(cd -- "$(dirname -- "$0")" && pwd) clients=$(cd -- "$(dirname -- "$0")/../../clients" && pwd)
 . "$here/support.sh" || exit 3

@@ -2,13 +2,13 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# betwixt export as it is called: what it says, and what it refuses. What other programs make of its files: tests/peers.
+# Tests the command `betwixt export`: its messages and errors. tests/peers checks its files with other programs.
 #   export_test.sh PROGRAM
 tests=$(realpath -- "$(dirname -- "$0")")
 . "$tests/support.sh" || exit 3
 export LC_ALL=C.UTF-8
 
-# What a file of JSON has: nodes, channels, and the like.
+# Prints counts of a JSON file: nodes, channels, and the like.
 ask() { python3 -c 'import json, sys; f = json.load(open(sys.argv[1])); print(eval(sys.argv[2]))' "$1" "$2"; }
 
 cat >film.bx <<'BX'
@@ -63,7 +63,7 @@ cat >flat.bx <<'BX'
 film flat
 create s rectangle
 BX
-# One plain sentence each, and none of what is not there.
+# One sentence for each loss, and none for features that the film does not use.
 for file in around.glb around.usda; do
   "$program" export around.bx -o $file 2>said.txt
   for what in 'the background is' 'fog is' 'the sky and its light are' 'the ground is' 'the film has no lights; Betwixt' 'ambient light is' \

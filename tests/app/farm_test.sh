@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What betwixt-farm keeps of a film is data. Slurm is played here by three scripts: tests/farm has the real one.
+# Tests that betwixt-farm treats the stored settings of a film as data. Three scripts play Slurm here; tests/farm uses
+# the real one.
 farm=$(realpath -- "$(dirname -- "$0")/../../clients/slurm/betwixt-farm")
 . "$(dirname -- "$0")/support.sh"
 export HOME=$work/home BETWIXT=$program PATH=$work/slurm:$PATH
@@ -10,7 +11,7 @@ unset XDG_STATE_HOME
 mkdir slurm home
 echo 'echo "MaxArraySize = 1001"' >slurm/scontrol
 echo 'exit 0' >slurm/squeue
-# Takes jobs, and remembers what they are.
+# Accepts jobs and records them.
 cat >slurm/sbatch <<'END'
 printf '%s\n' "$@" >>"$WORK/sent"
 echo "$RANDOM"
@@ -36,7 +37,7 @@ is 'what was kept here goes on' $code 0
 has 'with what was said before' "$(cat sent)" '--comment=$(touch ran) `touch ran` two words '
 cp -r 'a film.mp4.farm' kept
 
-# A stranger's folder: another program, arithmetic that runs one, lines that are no settings.
+# The folder of another user: settings with another program, with arithmetic that runs a program, with invalid lines.
 echo 'touch ran' >evil && chmod +x evil
 for line in "s|^program .*|program $work/evil|" 's|^first .*|first a[$(touch ran)]|' 's|^rate .*|$(touch ran)|' 's|^chunk .*|PATH x|' \
   's|^chunk .*|chunk 3; touch ran|' 's|^tasks .*|tasks|'; do
@@ -61,7 +62,7 @@ rm "$settings" && mkfifo "$settings"
 resumed '' 'a film.mp4'
 is 'nothing waits for a pipe' $code 1
 is 'nothing was run' "$([ -e ran ] && echo yes)" ''
-# Before Slurm has done anything the log is there, so that it can be followed.
+# The log exists before Slurm has started a job, so that you can follow it.
 echo 'ls -- "$WORK"/*.farm/log >>"$WORK/seen" 2>&1' >>slurm/sbatch
 printf 'rate 24\nrange 1f 48f\nsize 64x36\ncreate ball sphere\n' >ball.bx
 rm -rf ./*.farm

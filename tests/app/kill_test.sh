@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Sessions that are killed (SIGKILL) at random points: what was acknowledged must be there after recovery.
+# Kills sessions (SIGKILL) at random points. All acknowledged lines must be there after recovery.
 #   kill_test.sh PROGRAM [SESSIONS] [SEED]
-# A small library that is loaded before the program's own counts its calls to the system that change files, and kills
-# the process at the chosen one: before it, half through it (a write), or behind it, before the answer can be given.
-# Some sessions are killed from outside instead, at any time. What must be there is found by sessions nobody kills.
+# A small preloaded library counts the system calls that change files, and kills the process at the chosen call: before
+# it, in the middle of it (a write), or after it, before the session can answer. Some sessions are killed from outside
+# at any time instead. Sessions that are not killed give the expected result.
 # shows: G22
 . "$(dirname -- "$0")/support.sh" || exit 3
 sessions=${2:-60} seed=${3:-1}
@@ -52,7 +52,7 @@ ssize_t write(int f, const void* bytes, size_t n) {
 C
 "${CC:-cc}" -shared -fPIC -O1 -o shim.so shim.c -ldl || exit 3
 
-# script: lines for one session in the array `lines`, and in `answered` whether each is acknowledged.
+# script: puts lines for one session into the array `lines`, and whether each will be acknowledged into `answered`.
 script() {
   lines=() answered=()
   local n=$((8 + RANDOM % 20)) depth=1 undone=0 i
@@ -76,7 +76,7 @@ $((1 + RANDOM % 9)) 1)" 1 && depth=$((depth + 1)) undone=0 ;;
   done
 }
 
-# play FOLDER COUNT: a session with the first lines, in a copy of the author's script, that nobody kills.
+# play FOLDER COUNT: runs a session with the first COUNT lines in a copy of the author's script, without a kill.
 play() {
   mkdir -p "$1"
   printf '# by hand\nrate 24\ncreate eye camera\n' >"$1/film.bx"
@@ -103,7 +103,7 @@ for ((session = 1; session <= sessions; session++)); do
   fi 2>/dev/null
   [ -e run/.film.bx.journal ] && killed=$((killed + 1))
   oks=$(grep -cx ok out)
-  # How many lines were dealt with: up to the one behind the last acknowledged.
+  # The number of lines that took effect: the acknowledged ones, and perhaps the next one.
   at=0 seen=0
   while [ $seen -lt "$oks" ]; do
     seen=$((seen + answered[at])) at=$((at + 1))

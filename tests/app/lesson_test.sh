@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Lessons as files: whole, by themselves, with the string; what none can be made of. How they look and work, in a
-# browser: tests/web/lesson_test.py. Here a word stands for the engine.
+# Tests the files of lessons: they are complete, need no other files, and have the string of the motion. Also tests
+# strings of which no lesson can be made. tests/web/lesson_test.py tests lessons in a browser. Here one word takes the
+# place of the engine.
 #   lesson_test.sh PROGRAM
 . "$(dirname -- "$0")/support.sh" || exit 3
 
@@ -26,7 +27,7 @@ has 'the string as it is written' "$page" '"text":"T(5 3) R(1rad @ 1 4)","steps"
 has 'the string in its field' "$page" '>T(5 3) R(1rad @ 1 4)</textarea>'
 is 'the engine, once' "$(count 'the engine";')" 1
 
-# Needs nothing else, and is whole.
+# The file is complete and needs no others.
 for word in 'http:' 'https:' 'src=' ' href=' 'url(' '@import' '{{' '}}</'; do is "no $word" "$(count "$word")" 0; done
 for tag in html head body main section table thead tbody figure figcaption header style h1 h2 h3 p ol ul div textarea; do
   is "every <$tag> ends" "$(grep -oE "<$tag[ >]" page.html | wc -l)" "$(count "</$tag>")"
@@ -40,7 +41,7 @@ is 'in space' $code 0
 lesson ''
 is 'no factors' $code 0
 has 'no factors, said' "$page" '<title>no factors'
-# A lesson of before is replaced.
+# An older lesson is replaced.
 lesson 'R(90deg)' && has 'written anew' "$page" '<title>R(90deg)'
 is 'nothing is left beside it' "$(find . -type f | sort)" "./page.html
 ./web/player.js"

@@ -2,18 +2,18 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Live input from outside: films that play in a terminal while OSC comes in, and what is recorded of it.
+# Tests live input: films that play in a terminal while OSC messages arrive, and the recording of these.
 #   live_test.sh PROGRAM
-# The controls are the shell's own: it writes packets of OSC to /dev/udp.
+# The shell itself sends OSC packets, by way of /dev/udp.
 # shows: G57
 . "$(dirname -- "$0")/support.sh" || exit 3
 
-# A port that nobody has.
+# A free port.
 for ((port = 20000 + RANDOM % 20000; ; ++port)); do
   grep -qi ":$(printf %04X "$port") " /proc/net/udp || break
 done
 local_line() { grep -i ":$(printf %04X "$port") " /proc/net/udp; }
-# The film plays in a terminal of its own until a q is typed; what is shown goes to shown.
+# Plays the film in a terminal until a q is typed. The terminal's output goes to the file `shown`.
 begin() {
   mkfifo keys
   TERM=xterm COLUMNS=80 LINES=24 script -qec "$program play $* --terminal --size 64x36 --listen $port" shown <keys >/dev/null 2>&1 &
@@ -25,7 +25,7 @@ begin() {
   done
 }
 end() {
-  # Again and again: what is typed before the program has taken over the terminal, the terminal throws away.
+  # Types again and again, because the terminal drops input that comes before the program has taken control of it.
   while kill -0 "$playing" 2>/dev/null; do
     (printf q >&7) 2>/dev/null
     sleep 0.1
@@ -76,7 +76,7 @@ is 'the number that was sent' "$(grep -A1 '^ball.radius$' out.bx | tail -n 1 | s
 is 'the number in the bundle' "$(grep -A1 '^ball.transparency$' out.bx | tail -n 1 | sed -E 's/^  [0-9]+f //')" '0 cut 0.5 linear'
 is "the author's text stands before it" "$(head -n "$(wc -l <author.bx)" out.bx)" "$(cat author.bx)"
 
-# Never over what is there, unless told; seen before anybody plays.
+# An existing file is not overwritten without the option. The error comes before the film plays.
 "$program" play film.bx --terminal --listen "$port" --record out.bx >said 2>&1
 is 'not over a recording' "$?" 2
 has 'says so' "$(cat said)" 'out.bx already exists'
@@ -89,7 +89,8 @@ for wrong in 0 65536 x 12x :9000; do
     "betwixt: error: --listen: \"$wrong\" is not a port"
 done
 
-# Without recording nothing is written; errors are said; garbage is counted; a flood does no harm.
+# Without --record nothing is written. Errors are shown, invalid packets are counted, and a flood of packets does no
+# harm.
 begin film.bx --loop
 is 'a port that is taken' "$("$program" play film.bx --listen "$port" 2>&1 | head -n 1)" \
   "betwixt: error: --listen: cannot listen on $port: Address already in use"
@@ -121,7 +122,7 @@ has 'the flood is over' "$shown" '/r 0.25'
 verdict 'no sequence from outside reaches the terminal' "$(grep -qaF $'\x1b]0;x' shown || echo yes)" 'an escape'
 is 'nothing is written' "$(ls)" "$(printf 'author.bx\ncheck\nfilm.bx\nout.bx\nsaid\nshown')"
 
-# A script that records says so itself.
+# A script with `record` needs no option.
 echo 'record on' >>film.bx
 begin film.bx --loop
 radius '\x3f\x40\0\0'

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Servers and shells that are killed, and their journals cut: tools/kills.py, a short form of it.
+# Kills servers and shells, and cuts their journals: a short run of tools/kills.py.
 #   log_test.sh PROGRAM [ROUNDS] [SEED]
 # shows: G22
 root=$(cd -- "$(dirname -- "$0")/../.." && pwd)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What `betwixt lsp` answers: lsp_cases.py PROGRAM FOLDER. Each case is a line: its name, yes or no, why."""
+"""Tests the answers of `betwixt lsp`: lsp_cases.py PROGRAM FOLDER. Prints a line for each case: its name, yes or no,
+the reason."""
 import os
 import subprocess
 import sys
@@ -44,7 +45,7 @@ case("places are in UTF-16", capabilities["positionEncoding"], "utf-16")
 client.open(film, FILM)
 case("a film without errors", client.diagnostics(film, 1), [])
 
-# Diagnostics: exactly where it is wrong, with the way out that the program knows.
+# Diagnostics: the exact place of an error, with the suggestion of the program.
 client.change(film, 2, {"range": {"start": {"line": 4, "character": 5}, "end": {"line": 4, "character": 13}},
                         "text": "positon"})
 broken = client.diagnostics(film, 2)
@@ -138,7 +139,7 @@ put("part.bx", "create lamp light\n")
 client.notify("workspace/didChangeWatchedFiles", changes=[])
 case("a file that was changed", client.diagnostics(uri_of(os.path.join(folder, "part.bx"))), [])
 
-# Nonsense, and the end
+# Invalid messages, and the end
 case("an unknown request", client.ask("textDocument/dance")["error"]["code"], -32601)
 client.send_bytes(b"Content-Length: 3\r\n\r\n{]}")
 case("no JSON", client.wait(None)["error"]["code"], -32700)

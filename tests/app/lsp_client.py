@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""A small client of the Language Server Protocol: it starts a server, asks, and waits for answers."""
+"""A small client of the Language Server Protocol. It starts a server, sends requests and waits for the answers."""
 import json
 import subprocess
 import urllib.parse
@@ -11,7 +11,7 @@ class Client:
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=cwd)
         self.last = 0
         self.answers = {}
-        self.said = []  # notifications that nobody has taken yet
+        self.said = []  # notifications that no test has read yet
 
     def send_bytes(self, data):
         self.process.stdin.write(data)
@@ -40,7 +40,7 @@ class Client:
         return message
 
     def ask(self, method, **params):
-        """The whole answer, with `result` or `error`."""
+        """Returns the whole answer, with `result` or `error`."""
         self.last += 1
         self.send({"id": self.last, "method": method, "params": params})
         return self.wait(self.last)
@@ -72,7 +72,7 @@ class Client:
                     contentChanges=list(changes))
 
     def diagnostics(self, uri, version=None):
-        """What is said of a text next, or of this version of it."""
+        """Returns the next diagnostics of a text, or those of this version of it."""
         while True:
             for i, m in enumerate(self.said):
                 if m["method"] == "textDocument/publishDiagnostics" and m["params"]["uri"] == uri and \
@@ -89,7 +89,7 @@ class Client:
         return self.result("textDocument/" + method, textDocument={"uri": uri}, **more)
 
     def end(self):
-        """The exit code."""
+        """Ends the server and returns its exit code."""
         self.ask("shutdown")
         self.notify("exit")
         self.process.stdin.close()
@@ -105,7 +105,7 @@ def units(text):
 
 
 def place_of(text, position):
-    """The character of a text that a position is at."""
+    """Returns the index in a text of a position of the protocol."""
     lines = text.split("\n")
     if position["line"] >= len(lines):
         return len(text)

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# `betwixt lsp` as an editor meets it.
+# Tests `betwixt lsp` through its pipes, as an editor uses it.
 #   lsp_test.sh PROGRAM
 here=$(cd -- "$(dirname -- "$0")" && pwd)
 . "$here/support.sh" || exit 3

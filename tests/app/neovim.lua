@@ -1,7 +1,7 @@
 -- SPDX-FileCopyrightText: 2026 The Betwixt authors
 -- SPDX-License-Identifier: Apache-2.0
 --
--- What a person sees in Neovim, a line each in the file SAID, with BETWIXT for the program: see editors_test.sh.
+-- Writes what Neovim shows to the file SAID, a line for each check. BETWIXT is the program. editors_test.sh calls this.
 local out = assert(io.open(vim.env.SAID, 'w'))
 local function say(name, value)
   out:write(name, '\t', type(value) == 'string' and value or vim.inspect(value, { newline = '', indent = '' }), '\n')
@@ -33,7 +33,7 @@ wait(function() return #vim.diagnostic.get(0) > 0 end)
 for _, d in ipairs(vim.diagnostic.get(0)) do
   say('diagnostic', string.format('%d:%d-%d %d %s', d.lnum, d.col, d.end_col, d.severity, d.message:gsub('\n', ' / ')))
 end
--- Mended by typing.
+-- The error is corrected by typing.
 vim.api.nvim_buf_set_text(0, 4, 5, 4, 12, { 'position' })
 say('mended', wait(function() return #vim.diagnostic.get(0) == 0 end))
 
@@ -53,7 +53,7 @@ say('renamed', text())
 vim.lsp.buf.formatting_sync(nil, 20000)
 say('formatted', text())
 
--- Colours of words, by what the syntax file says.
+-- The syntax groups of words.
 local function group(line, word)
   local column = vim.fn.getline(line):find(word, 1, true)
   return vim.fn.synIDattr(vim.fn.synID(line, column, 1), 'name'):gsub('betwixt', '')
@@ -64,7 +64,7 @@ for _, w in ipairs({ { 1, '# a' }, { 2, 'rate' }, { 2, '24' }, { 3, 'create' }, 
   say('syntax', w[2] .. ' ' .. group(w[1], w[2]))
 end
 
--- A row stands below its sheet.
+-- An event row is indented below its target.
 vim.cmd('normal! Goorb.radius')
 vim.api.nvim_feedkeys(vim.api.nvim_replace_termcodes('o1f 2<CR>3f 4<Esc>', true, false, true), 'tx', false)
 say('indented', table.concat(vim.api.nvim_buf_get_lines(0, -4, -1, false), '|'))

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What goes out as glTF and comes in again is where it was, and goes out as it did: no key more, no number another.
+# Exports films as glTF and imports them again. The motion must be the same, and a second export must give the same keys
+# and numbers.
 #   out_in_test.sh PROGRAM
 tests=$(realpath -- "$(dirname -- "$0")")
 . "$tests/support.sh" || exit 3
@@ -10,14 +11,14 @@ export LC_ALL=C.UTF-8
 
 keys() { "$program" export "$1" -o "$2" --keys cubic 2>&1 | sed -nE 's/.*, ([0-9]+) keys.*/\1/p'; } # FILE OUT
 numbers() { "$program" eval "$1" --at 0.3s,0.71s,1.234s,1.9s,2.5s "$2" 2>/dev/null | grep -oE 'matrix\(.*' | tr -c '0-9.e\n-' ' '; }
-# apart BOUND A B: whether any number is farther off than the bound.
+# apart BOUND A B: succeeds if any two numbers differ by more than BOUND.
 apart() {
   paste -d '\n' <(tr -s ' ' '\n' <<<"$2") <(tr -s ' ' '\n' <<<"$3") | awk -v most="$1" '
     NR % 2 { a = $1 } NR % 2 == 0 && $1 != "" { n++; d = a - $1; if (d > most || -d > most) far = 1 }
     END { print n < 80 || far ? "apart" : "well" }'
 }
 
-# there_and_back EXAMPLE OBJECT
+# there_and_back EXAMPLE OBJECT: exports an example, imports it, and compares the motion of the object.
 there_and_back() {
   local first second third
   first=$(keys "$tests/../../examples/$1.bx" one.glb)

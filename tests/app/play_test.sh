@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What is heard while a film plays, from outside.
+# Tests the sound during playback.
 #   play_test.sh PROGRAM
-# The device is ALSA's own that writes down what it plays, and takes no time for it.
+# The sound device is ALSA's file plug-in: it writes the samples to a file, faster than real time.
 . "$(dirname -- "$0")/support.sh" || exit 3
 command -v script >/dev/null || { summary; exit; }
 
@@ -12,7 +12,7 @@ cat >device.conf <<'CONF'
 pcm.null { type null }
 pcm.!default { type file slave.pcm "null" file "played.raw" format "raw" }
 CONF
-# 2 s in which no two stretches are alike.
+# 2 s of sound in which no two parts are equal.
 cat >sounds.py <<'PY'
 import array, math, struct, sys
 
@@ -32,8 +32,8 @@ if sys.argv[1] == "silent":
     print("silent" if pairs > 4800 and not any(played) else f"{pairs} pairs, not silent")
     sys.exit()
 
-# The film below, by its own words: half as loud, from its seventh frame on, faded in for 0.2 s; how long it is, whether
-# it begins again.
+# The expected sound of the film below: half as loud, from frame 7 on, with a fade-in of 0.2 s. The arguments are its
+# length and whether it repeats.
 length, loops = int(sys.argv[2]), sys.argv[3:] == ["again"]
 def film(k):
     if loops: k %= length
@@ -63,8 +63,8 @@ plays() { # FILE OPTIONS…
   code=$?
 }
 
-# A machine that has much else to do may stop the program for longer than a tenth of a second, and a moment is missing
-# then, as it should be; not each time.
+# On a busy machine the program may stop for more than 0.1 s. Then a part of the sound is missing, as it should be. So
+# the test may try again.
 for try in {1..10}; do
   plays film.bx
   heard=$(python3 sounds.py film 48000 2>&1)
@@ -79,7 +79,7 @@ verdict 'it says so' "$(grep -qa ' muted' shown && echo yes)" "$(tail -c 300 sho
 plays still.bx
 verdict 'without sounds no device is opened' "$([ -e played.raw ] || echo yes)" 'it wrote something'
 
-# Again and again, until somebody presses q; m mutes.
+# Repeats until q is pressed. m mutes.
 for try in {1..10}; do
   rm -f played.raw shown keys
   mkfifo keys
@@ -110,7 +110,7 @@ done
 is 'a film that plays again and again' "$code" 0
 is 'goes on from its start, to the sample' "$heard" 'in step'
 
-# Where there is no device the status line says so, and nothing else does.
+# Without a sound device only the status line tells it.
 echo 'pcm.!default { type hw card 31 }' >device.conf
 plays film.bx
 is 'it plays without a device' "$code" 0

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The imaging server over real sockets: hosts by the Python client and by bare bytes, abuse, kills, and what is left.
+# Tests the imaging server over real sockets: hosts that use the Python client or plain bytes, abuse, kills, and the
+# state after them.
 #   serve_test.sh PROGRAM
 # shows: C3 C4 C12 C13 C14 C15 C16 C97 C99 C100 C101 C103 C114 C129 C133
 clients=$(realpath -- "$(dirname -- "$0")/../../clients/python")
@@ -10,7 +11,7 @@ clients=$(realpath -- "$(dirname -- "$0")/../../clients/python")
 export PYTHONPATH=$clients PYTHONDONTWRITEBYTECODE=1
 socket=$work/s.sock
 
-# Python with a server `s` at the socket; its output.
+# Runs Python code with a client `s` of the server, and prints its output.
 host() {
   timeout 60 python3 -c "
 import json, os, socket, sys, time
@@ -26,7 +27,7 @@ create ball sphere
 create eye camera position=(0 0 10)
 BX
 
-# ---- a host, and what it may say
+# ---- a host and its commands
 { printf '; FBX 7.4.0 project file\n' && printf 'A: {%.0s' {1..50000}; } >deep.fbx
 begin show.bx --socket "$socket" --save live.bx
 is 'the socket is its owner'"'"'s' "$(stat -c %a "$socket")" 600
@@ -88,7 +89,7 @@ rm -f "$socket"
 DISPLAY= "$program" serve --socket "$socket" --to window 2>err
 is 'no window where there is no display' "$?-$(head -n 1 err)" '3-betwixt: error: a window needs a display'
 
-# ---- commands that cannot be done again are set aside
+# ---- commands that cannot be repeated after a restart are set aside
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >m.obj
 printf 'hide ball\n' >killer.bx
 begin show.bx --socket "$socket" --save kept.bx
@@ -104,7 +105,7 @@ s.do("create last sphere")'
 kill -KILL $server
 wait $server 2>/dev/null
 rm m.obj
-# A program that opens this file dies. The first start does; the second one lets a copy of itself die.
+# A process that opens this file dies. The first start of the server dies; the second lets a copy of itself die.
 cat >ends.c <<'C'
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -198,7 +199,7 @@ the server already has 3 hosts
 137'
 end
 
-# ---- nobody reads what it says
+# ---- nothing reads its stderr
 "$program" serve show.bx --socket "$socket" --save said.bx 2>&- &
 server=$!
 for _ in {1..200}; do [ -S "$socket" ] && break; sleep 0.05; done
@@ -237,14 +238,14 @@ end
 is 'told to end, it ends' "$code" 0
 verdict 'within a second' "$([ $(($(date +%s%N) - begun)) -lt 1000000000 ] && echo yes)" "$(($(date +%s%N) - begun)) ns"
 
-# ---- without a script nothing is read
+# ---- without a script no files are read
 begin --socket "$socket"
 out=$(host 'try: s.do("use show.bx")
 except Refused as e: print(e)')
 is 'no files without a script' "$out" "'show.bx' is outside the script's folder (this server has no script, so it reads no files)"
 end
 
-# ---- slow values, their figures, and the history, which has the exact ones
+# ---- slow values, their statistics, and the history, which has the exact values
 slow='local x = 0 for i = 1, 100000 do x = x + i % 7 end'
 cat >lines <<BX
 procedure late twerper lua "$slow return u * u"
@@ -281,7 +282,7 @@ done
 verdict 'the history of a server has the exact frames' "$(cmp slow-1f.png wanted-1f.png && cmp slow-31f.png wanted-31f.png && echo yes)" 'they differ'
 verdict 'which differ from each other' "$(cmp -s slow-1f.png slow-31f.png || echo yes)" 'nothing moves'
 
-# ---- time, frames, and nothing where nothing is due
+# ---- time and frames, and no work if no frame is due
 begin show.bx --socket "$socket" --wait --rate 120 --class ordinary
 has 'says its class' "$(cat log)" 'frames at 120 a second, class ordinary'
 out=$(host '
@@ -306,7 +307,7 @@ True True
 0'
 end
 
-# ---- lines that take long, of two hosts, while a third one changes the document and a fourth one asks
+# ---- long lines of two hosts, while a third host changes the document and a fourth asks
 begin show.bx --socket "$socket" --save busy.bx
 out=$(host '
 import threading
@@ -333,7 +334,7 @@ for t in threads: t.join()
 print(made[1:], slowest < 30, len(set(s.eval("o1.radius", "o300.radius").values())) == 1, s.eval("ball.radius")["ball.radius"] == made[0])
 ')
 is 'whoever is always interrupted gets there, and so does everybody else' "$out" '[3, 3] True True True'
-# Twelve who ask much at once: what one of them said is often taken in hand while the next one is heard.
+# Twelve hosts ask much at once. The server often begins with the line of one host while it reads the next.
 out=$(host '
 import threading
 until, cut = time.monotonic() + 5, []
@@ -348,7 +349,7 @@ for t in threads: t.join()
 print(cut)
 ')
 is 'nobody is cut off for what others ask' "$out" '[]'
-# An answer that is larger than what may wait, read slowly; what is asked behind it is answered then.
+# An answer larger than the output buffer, read slowly. The next question is answered after it.
 out=$(host '
 import socket
 for i in range(12):
@@ -408,7 +409,7 @@ if mount -t tmpfs -o size=4k tmpfs disk 2>/dev/null; then # only root can make a
   umount disk
 fi
 
-# ---- abuse: whatever others do, this host is served
+# ---- abuse: this host is served whatever other hosts do
 begin show.bx --socket "$socket" --hosts 300 --rate 120
 cat >abuse.py <<'PY'
 import os, random, signal, socket, sys, time
@@ -452,7 +453,7 @@ for _ in range(10):
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)
     slowest = max(slowest, fine())
-# A line of 64 MB, and what comes after it.
+# A line of 64 MB, and the line after it.
 c = raw()
 for _ in range(64):
     c.sendall(b"x" * 2**20)
@@ -462,7 +463,7 @@ answers = c.makefile()
 print("at most 1048576 bytes" in answers.readline(), '"line":2,"ok":true' in answers.readline())
 answers.close()
 c.close()
-# More hosts than there is room for.
+# More hosts than are allowed.
 many = []
 refused = 0
 for _ in range(310):
@@ -470,7 +471,7 @@ for _ in range(310):
 for m in many:
     try:
         m.sendall(b"time\n")
-    except BrokenPipeError:  # it has been told already
+    except BrokenPipeError:  # the server has already refused this host
         pass
 for m in many:
     refused += b"already has" in m.recv(1000)
@@ -478,7 +479,7 @@ print(refused)
 slowest = max(slowest, fine())
 for m in many:
     m.close()
-# One that never reads.
+# A host that never reads.
 c = raw()
 c.settimeout(0.2)
 cut = False
@@ -506,7 +507,7 @@ served: True
 whole: True'
 end
 is 'ends well after it' "$code" 0
-# A journal that vanishes: nothing is answered that is not kept.
+# A journal that vanishes: the server acknowledges no command that is not stored.
 mkdir vanish
 begin --socket vanish/s --save vanish/f.bx
 said=$(python3 - vanish <<'END'

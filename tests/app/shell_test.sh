@@ -2,14 +2,14 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The shell from outside: piped sessions, wrong words, its questions, recovery, two shells on one file, a terminal.
+# Tests the shell: piped sessions, wrong lines, its questions, recovery, two shells on one file, a terminal.
 #   shell_test.sh PROGRAM
 # shows: G7 G14 G19 G22 G59 G60
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$(dirname -- "$0")/support.sh" || exit 3
 export XDG_STATE_HOME=$work/state
 
-# session NAME EXIT-CODE TEXT ARGUMENTS LINES…: TEXT must be among what is said.
+# session NAME EXIT-CODE TEXT ARGUMENTS LINES…: runs a session. Its output must contain TEXT.
 session() {
   local name=$1 code=$2 text=$3 arguments=$4 got
   shift 4
@@ -34,7 +34,7 @@ ball.position
 is 'what was saved' "$("$program" eval film.bx --at 5f ball.position.x)" "$(printf 'ball.position.x  0.5')"
 is 'no journal stays' "$(ls -A | grep -c journal)" 0
 
-# Wrong things.
+# Wrong lines.
 session 'near miss of a word' 1 "did you mean 'undo'?" '' 'udno' 'quit'
 session 'near miss of a verb' 1 "did you mean 'create'?" '' 'crate b box'
 session 'nothing to undo' 1 'nothing to undo' '' undo
@@ -114,7 +114,7 @@ exec 9>&-
 wait $first
 is 'the first goes on' "$(tail -n 1 film.bx)" 'rate 25'
 
-# Code that is loaded while it runs.
+# Plug-ins that are loaded while the shell runs.
 author
 "${CC:-cc}" -shared -fPIC -I"$root/include" -o all.so "$root/tests/procedure/plugins/all.c" || exit 3
 session 'a word that nobody has brought' 1 'power' film.bx 'ball.radius' '  1f 1 power' quit discard
@@ -140,7 +140,7 @@ if command -v tmux >/dev/null; then
   screen send-keys C-c
   shown 'dropped' '> set ball.radius
 film.bx>'
-  # What is typed before Ctrl-C is read is dropped by the terminal itself: wait for each.
+  # Ctrl-C makes the terminal drop earlier input that is not yet read, so wait for each answer.
   screen send-keys 'nonsense'
   shown 'what is typed' '> nonsense'
   screen send-keys C-c
@@ -165,7 +165,7 @@ film.bx*>'
   screen send-keys 'ignore' Enter
   shown 'ignored' 'ignored
 film.bx*>'
-  # The picture, a change, and the picture again. What is typed before the prompt is there may be dropped.
+  # The picture, a change, and the picture again. Input before the prompt may be dropped.
   prompted() { for _ in $(seq 50); do [[ "$(screen capture-pane -p)" == *"$1"$'\nfilm.bx*>' ]] && return; sleep 0.1; done; }
   picture() { # in its colours
     screen send-keys 'play 1f..1f' Enter
@@ -206,7 +206,7 @@ film.bx*>'
   verdict 'history' "$(grep -q 'radius' "$work/state/betwixt/history" && echo yes)" "$(ls -R "$work/state")"
   screen kill-server 2>/dev/null
 fi
-# A journal that vanishes: what it cannot keep is refused, and `save` begins a new one.
+# A journal that vanishes: the shell refuses commands that it cannot store, and `save` begins a new journal.
 mkdir vanish
 said=$(cd vanish && python3 - "$program" <<'END'
 import os, subprocess, sys

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What the tests of the program from outside have in common, sourced by each with its own arguments: $program is the
-# first of them; the test goes on in an empty folder, $work, that goes away with all beside it that is named $work.…
-# A test ends with `summary`.
+# Helpers of the tests of the command line. Each test sources this file with its own arguments; $program is the first of
+# them. The test then runs in an empty folder, $work. It is removed at the end, with all files next to it whose names
+# begin with its name and a dot. A test ends with `summary`.
 set -u
 program=$(realpath -- "${1:?which program?}") || exit 3
 [ -x "$program" ] || { echo "there is no program $program" >&2; exit 3; }
@@ -24,7 +24,7 @@ verdict() { # NAME yes|… EXPLANATION
 }
 is() { verdict "$1" "$([ "$2" = "$3" ] && echo yes)" "'$2' is not '$3'"; }                       # NAME VALUE WANTED
 has() { verdict "$1" "$([[ $2 == *"$3"* ]] && echo yes)" "'$3' is not in: $(tail -c 600 <<<"$2")"; } # NAME TEXT PART
-# What the program says, and its exit code.
+# Runs the program, and keeps its output and its exit code.
 check() { # NAME EXIT-CODE TEXT ARGUMENT…
   local name=$1 code=$2 text=$3
   shift 3
@@ -48,7 +48,7 @@ end() { # [SIGNAL]
   wait $server
   code=$?
 }
-# The line that ./test counts, and the exit code: whether all has passed.
+# Prints the line that ./test reads, and fails if a check has failed.
 summary() {
   printf '%d passed, %d failed\n' "$passed" "$failed"
   [ "$failed" = 0 ]

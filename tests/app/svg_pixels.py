@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Whether two pictures (bytes of rgb) are the same but for 1 in 100 pixels. Where edges are, each program has its own
-# way to share a pixel (ours in linear light): what lies between the darkest and the brightest of the other's
-# neighbouring pixels is an edge's.
+# Compares two pictures (bytes of rgb). At most 1 in 100 pixels may differ. At edges each program blends pixels in its
+# own way (Betwixt in linear light). So a pixel counts as equal if it lies between the darkest and the brightest
+# neighbour of the same pixel in the other picture.
 #   svg_pixels.py OURS THEIRS WIDTH
 import sys
 
-near = 8  # of 255
+near = 8  # tolerance, of 255
 
 ours, theirs = (open(name, "rb").read() for name in sys.argv[1:3])
 width = int(sys.argv[3])

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Drawings that come in look as rsvg-convert draws them.
+# Compares imported SVG drawings with pictures of rsvg-convert.
 #   svg_test.sh PROGRAM
 tests=$(realpath -- "$(dirname -- "$0")")
 . "$tests/support.sh" || exit 3
@@ -10,7 +10,7 @@ export LC_ALL=C.UTF-8
 
 pixels() { ffmpeg -v error -i "$1" -f rawvideo -pix_fmt rgb24 - >"$2"; } # PICTURE FILE
 
-# same NAME FILE WIDTHxHEIGHT: at most 1 in 100 pixels are others.
+# same NAME FILE WIDTHxHEIGHT: checks that at most 1 in 100 pixels differs.
 same() {
   cp "$2" drawing.svg
   printf '%s\n' "size $3" 'film flat' 'background white' 'samples 16' 'create d scene file="drawing.svg"' \

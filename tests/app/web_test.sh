@@ -2,14 +2,14 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# betwixt web as it is called: what stands in a page, and what it refuses. What pages do: tests/web.
+# Tests the command `betwixt web`: the content of pages, and its errors. tests/web tests pages in a browser.
 #   web_test.sh PROGRAM
 tests=$(realpath -- "$(dirname -- "$0")")
 . "$tests/support.sh" || exit 3
 export LC_ALL=C.UTF-8 BETWIXT_PLAYER=$PWD/player.js
 printf '%s\n' '// Betwixt 9.9, a player' 'globalThis.played = "by this";' >player.js
 
-# What of a page? text NAME: a script; files: the names of its files; file NAME: one of them.
+# Prints a part of a page. text NAME: a script; files: the names of its files; file NAME: one of them.
 cat >ask.py <<'PY'
 import base64, html.parser, json, re, sys
 class Page(html.parser.HTMLParser):
@@ -48,7 +48,7 @@ is 'there is none' "$(grep -c 'betwixt-editor>' alone.html)" 0
 has 'a title of its own' "$(cat alone.html)" '<h1>&lt;b&gt; &amp; &quot;c&quot;</h1>'
 has 'a size of its own' "$(cat alone.html)" '.fixed { width: 640px; height: 360px; }'
 
-# What would end a script's place in a page does not, and comes back as it was.
+# Text that would end the script element is escaped, and is read back unchanged.
 printf '%s\n' '# </script> <\/script> <!-- <script> <\\!-- </SCRIPT > — ümläut 🎈' 'create ball sphere' '' '' >odd.bx
 check 'a text with ends of scripts' 0 '' web odd.bx -o odd.html
 ask odd.html text odd.bx >back.bx
@@ -87,7 +87,7 @@ echo 'create a text text="שלום"' >more.bx
 check 'and others' 0 '1 film, 1 file,' web more.bx -o more.html
 is 'come with their font' "$(ask more.html files)" fonts/DejaVuSans.ttf
 
-# Many pages, one player.
+# Many films in one page, with one player script.
 check 'what plays may lie beside' 0 '' web ball.bx -o linked.html --link
 has 'the page refers to it' "$(cat linked.html)" '<script src="betwixt-player.js"></script>'
 is 'and there it is' "$(cmp player.js betwixt-player.js && echo same)" same
@@ -105,7 +105,7 @@ rm betwixt-player.js && mkfifo betwixt-player.js
 check 'nothing waits for a pipe' 2 'is not a file of Betwixt' web ball.bx -o linked.html --link
 rm betwixt-player.js
 
-# A line names each loss, and there are no other lines.
+# One line names each loss, and there are no other lines.
 lost() { "$program" web "$1" -o lost.html 2>&1 | sed -n 's/^betwixt: notice: //p'; }
 is 'a film that loses nothing' "$(lost ball.bx)" ''
 ffmpeg -v error -f lavfi -i sine=duration=1 beep.wav
@@ -132,7 +132,7 @@ is 'a page to standard output' "$(cmp stream.html stream2.html && echo same)" sa
 has 'and what it is' "$(cat said)" 'standard output'
 check 'beside which nothing lies' 2 'leave out --link' web - --link
 
-# What is refused.
+# Errors.
 check 'no page' 2 'a page must be a .html file, not "ball.mp4"' web ball.bx -o ball.mp4
 check 'a page of the usual name' 0 'ball.html' web ball.bx
 check 'no film' 2 'FILE' web -o x.html

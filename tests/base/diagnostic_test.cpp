@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a terminal shows of an error.
+// Tests how errors are printed on a terminal.
 #include "base/diagnostic.h"
 
 #include <gtest/gtest.h>

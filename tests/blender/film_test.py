@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Films in Blender: where things are, what they look like, and when."""
+"""Compares films in Blender with Betwixt: positions and looks of objects over time."""
 
 import math
 import os
@@ -124,7 +124,7 @@ class Places(Case):
                 seen = bpy.context.evaluated_depsgraph_get()
                 for thing, place in ((t, poses.names.index(n)) for n, t in objects.items()):
                     if thing.evaluated_get(seen).hide_viewport:
-                        continue  # where it is nobody works out
+                        continue  # its position is not defined
                     there = np.array(thing.evaluated_get(seen).matrix_world)
                     should = UP @ poses.world[k, place]
                     worst = max(worst, np.abs(there - should).max() / max(1, np.abs(should).max()))
@@ -280,7 +280,7 @@ class Live(Case):
             write("create b bxo")
             self.assertFalse(live.look())
             self.assertIn("no kind 'bxo'", live.said)
-            self.assertEqual(list(live.objects), ["b", "c"])  # the last good one stays
+            self.assertEqual(list(live.objects), ["b", "c"])  # the last film without errors stays
             for k in range(3):
                 write(f"range 1f 9f\ncreate b box position=({k} 0 0)\n")
                 self.assertTrue(live.look())
@@ -323,7 +323,7 @@ class AddOn(Case):
 class Python(Case):
     def test_another_python_on_the_path_is_not_blenders(self):
         with tempfile.TemporaryDirectory() as folder:
-            # As pyenv lays it out: the standard library beside bin, and no numpy.
+            # The layout of pyenv: the standard library next to bin, and no numpy.
             for name in ("bin", "lib"):
                 os.mkdir(os.path.join(folder, name))
             version = "python%d.%d" % sys.version_info[:2]
@@ -355,7 +355,7 @@ class Cycles(Case):
             np.testing.assert_allclose(pixels[18, 32], (1, 128 / 255, 0, 1), atol=0.01)
             np.testing.assert_allclose(pixels[2, 2], (0, 0, 1, 1), atol=0.01)
             ours = betwixt.load(script).picture(5).pixels[::-1] / 255
-            self.assertLess(np.abs(pixels - ours).mean(), 0.02)  # but for the edges
+            self.assertLess(np.abs(pixels - ours).mean(), 0.02)  # edges may differ
             said = self.cycles(script, "-o", film, "--samples", "1", "--size", "32x18")
             self.assertEqual(said.returncode, 0, said)
             self.assertGreater(os.path.getsize(film), 500)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the tests here within Blender, and says how many passed."""
+"""Runs the tests of this folder within Blender, and prints how many passed."""
 
 import os
 import sys

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# run.sh BUILD [NAME…]: brings films into Blender, without a window, and looks whether all is where Betwixt has it.
+# run.sh BUILD [NAME…]: imports films into Blender without a window, and compares them with Betwixt.
 build=$(cd -- "$1" && pwd) || exit 3
 shift
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)

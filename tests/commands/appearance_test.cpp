@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is said of how a film looks.
+// Tests the commands for the look of a film.
 #include "support/loaded_film.h"
 
 namespace betwixt {

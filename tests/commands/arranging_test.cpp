@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where things go by what they measure, worked out by hand.
+// Tests `place`, `arrange` and the like by the sizes of objects. The results are computed by hand.
 #include <cmath>
 
 #include "support/loaded_film.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Attachment as a track, against a model of its own: row vectors and 3×3 arrays, as the rules R-H1 to R-H6 are written.
+// Compares attachment tracks with a separate model. It uses row vectors and 3×3 arrays, as the rules R-H1 to R-H6 are
+// written.
 #include <algorithm>
 #include <array>
 #include <cmath>

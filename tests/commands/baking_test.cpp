@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What was computed, filtered or driven by velocities, baked: the same numbers, by plain events.
+// Tests `bake`: plain events must give the same numbers as formulas, filters and velocities.
 #include "betwixt/track.h"
 #include "support/loaded_film.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A segment of a track once more.
+// Tests copies of segments of tracks.
 #include "commands/tracks.h"
 
 namespace betwixt {

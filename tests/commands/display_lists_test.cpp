@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Display lists in the language: what their rows draw, and where, at any time.
+// Tests display lists in the language: what their rows draw, and where, at any time.
 #include <random>
 
 #include "commands/reader.h"
@@ -11,7 +11,7 @@
 namespace betwixt {
 namespace {
 
-// ---- An interpreter of the source's: a stack of matrices for row vectors, and nothing else.
+// ---- An interpreter of display lists as in the source: only a stack of matrices, for row vectors.
 
 using Rows = std::array<std::array<double, 4>, 4>;
 using Point = std::array<double, 4>;
@@ -31,7 +31,7 @@ Point times(const Point& p, const Rows& m) {
     for (std::size_t n = 0; n < 4; ++n) r[k] += p[n] * m[n][k];
   return r;
 }
-// The source's A.1 to A.5.
+// The matrices of the source's appendix, A.1 to A.5.
 Rows moved(double x, double y, double z) { return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {x, y, z, 1}}}; }
 Rows scaled(double x, double y, double z) { return {{{x, 0, 0, 0}, {0, y, 0, 0}, {0, 0, z, 0}, {0, 0, 0, 1}}}; }
 Rows turned(char axis, double angle) {
@@ -137,7 +137,7 @@ struct RandomFilm {
     return out + fmt::format("start list{}\n", lists.size() - 1);
   }
 
-  // Where all points that the list draws are after so many ticks.
+  // Returns the positions of all points of the list after so many ticks.
   void draw(std::size_t list, std::vector<Rows> stack, int tick, std::vector<Point>& out) const {
     for (const Row& row : lists[list]) {
       switch (row.what) {
@@ -168,7 +168,7 @@ struct RandomFilm {
   }
 };
 
-// What the document shows, in the order of the rows.
+// Returns the positions that the document shows, in the order of the rows.
 std::vector<Vec3> drawn_points(const Program& program, Time t) {
   std::vector<Vec3> out;
   const Scene& s = program.document().scene();
@@ -273,7 +273,7 @@ start all
                      {"all/plain-1/polygon-1.color", "1f", {0, 0, 1}},
                      {"all/red-1/polygon-1.world", "1f", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1}},
                      {"all/polygon-2.world", "1f", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
-  // The stack is of matrices: what has been said of colours goes on.
+  // The stack has only matrices, so `pop` does not restore colours.
   expect_numbers(s, "all/point-1.color", "1f", {0, 128.0 / 255, 0}, 1e-9);
 }
 
@@ -298,7 +298,7 @@ start all
   const LoadedFilm o("make all\n  orthographic 7\n  view from (0 0 4) to (9 0 4)\nstart all\n");
   EXPECT_TRUE(o.frame("1f").camera.orthographic);
   EXPECT_EQ(o.frame("1f").camera.height, 7);
-  // An author's cut goes before.
+  // A cut of the author takes precedence.
   const LoadedFilm cut(
       "create eye camera position=(0 0 9)\nmake all\n  view from (1 1 1) to (0 0 0)\nstart all\n"
       "look through eye\n");
@@ -431,7 +431,7 @@ TEST(DisplayList, Only_its_rows_say_what_it_draws) {
   }
   const auto refused = all_told(read(std::string(stars) + "set sky/vector-1.color red\n"));
   EXPECT_EQ(refused, std::vector<std::string>{"type 15:5 sky/vector-1.color"});
-  // Patterns name what can be changed, and all that can be asked for.
+  // Patterns name everything that can be changed, and in questions also everything that can be read.
   const LoadedFilm s(std::string(stars) +
                      "create sky2 group\nset sky*.color red\ncreate copy like sky/vector-1\n"
                      "set copy.color blue\n");
@@ -447,13 +447,13 @@ TEST(DisplayList, Others_hang_on_what_it_draws) {
   const LoadedFilm s(text);
   expect_numbers(s, "moon.world", "14t", {0, -1, 0, 3, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1});
   EXPECT_TRUE(read(write(s.loaded.document)).document == s.loaded.document) << write(s.loaded.document);
-  // Where it is no more, what hung on it stands free.
+  // When the parent no longer exists, its children have no parent.
   const LoadedFilm gone(text + "edit sky\n  tag x\n  replace x\ndelete star\nmake star\n  point (0 0)\n");
   expect_numbers(gone, "moon.world", "14t", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
 }
 
-// Rows that come by themselves stand below lines that open the list again where it was, whatever others do meanwhile;
-// all that has been said makes the same document as one text.
+// Rows that arrive one by one are written below a line that opens the list again, whatever other hosts do in between.
+// The text of all lines makes the same document.
 TEST(DisplayList, Hosts_write_display_lists_side_by_side) {
   Document document;
   ReaderState progress;
@@ -500,7 +500,7 @@ TEST(DisplayList, Hosts_write_display_lists_side_by_side) {
   EXPECT_TRUE(again.document == document) << history;
 }
 
-// An edit touches what has changed: all other objects are the very same.
+// An edit changes only the objects concerned; all others are shared with the old document.
 TEST(DisplayList, What_stays_is_not_touched) {
   const Loaded before = read(stars);
   const Loaded after = read(std::string(stars) + "edit sky\n  vector (0 0) (2 2)\n");
@@ -511,7 +511,7 @@ TEST(DisplayList, What_stays_is_not_touched) {
 
 // shows: C77 C79
 TEST(DisplayList, A_begin_of_a_live_host_means_the_environment_of_that_time) {
-  // Killed at tick 10, made again at 20: an author's begin means the first one, one since then the second.
+  // The environment is killed at tick 10 and made again at 20. `begin` means the first one, `begin … since` the second.
   const LoadedFilm s(R"(at 0t animate e every 1t by translate(1 0 0)
 at 10t kill e
 at 20t animate e every 1t by translate(0 1 0)
@@ -545,7 +545,7 @@ TEST(DisplayList, Too_much_is_refused_in_words) {
   for (int i = 1; i < 60; ++i) text += fmt::format("make l{}\n  call l{}\n  call l{}\n", i, i - 1, i - 1);
   EXPECT_EQ(all_told(read(text + "start l59\n")), std::vector<std::string>{"range 180:7 l59"});
   EXPECT_TRUE(all_told(read(text + "start l9\n")).empty());
-  // What is shown stays as it was.
+  // The picture does not change.
   const auto grown = read(text + "make all\n  call l9\nstart all\nedit all\n  call l58\n");
   EXPECT_EQ(all_told(grown), std::vector<std::string>{"range 183:6 all"});
   EXPECT_TRUE(mentions(grown, "'all' would make more than 100000 objects"));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// create NAME scene file="logo.svg": what a drawing becomes in a film.
+// Tests create NAME scene file="logo.svg": the objects that an SVG drawing becomes.
 #include "support/folder.h"
 #include "support/loaded_film.h"
 

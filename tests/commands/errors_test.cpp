@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every error: its code, its place, its subject, its suggestion; that the command it is about has changed nothing; and,
-// here only, the words of each message once.
+// Tests every error: its code, place, subject and suggestion, and that the wrong command has changed nothing. Only this
+// file compares the wording of messages, each once.
 #include "support/loaded_film.h"
 
 namespace betwixt {
@@ -593,7 +593,7 @@ TEST(Errors, WordsOfWhatNeedsAFilmOfItsOwn) {
             "weight must be thin, extralight, light, regular, medium, semibold, bold, extrabold or black"},
            {"create {a,b} box\nplace a next-to b side=centre",
             "the side must be left, right, bottom, top, back, front"},
-           {"procedure value lua \"1\"", "'value' is already a Lua keyword"}})
+           {"procedure value lua \"1\"", "'value' is already a word of Lua code"}})
     expect_words("", film, message);
 }
 

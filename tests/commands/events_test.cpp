@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stands behind a row's time: a value, and how to go on from there.
+// Tests the parts of an event row after its time: a value, and how the track continues from it.
 #include "commands/tracks.h"
 #include "track/turns.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Falls, against closed forms.
+// Compares falls with closed forms.
 #include "support/loaded_film.h"
 
 namespace betwixt {
@@ -43,9 +43,9 @@ TEST(Fall, IsHalfATSquaredAfterItsDelay) {
   EXPECT_EQ(write(s.loaded.document).find("= \""), std::string::npos);
 }
 
-// At its track's last event it walks on air as well, as fast as it came, and falls on with that speed. However its
-// track says so: in one or in parts, straight or in a curve, by values or by a velocity that is released there, and
-// where it was to wait. shows: G4 G52
+// At the last event of its track an object also continues with its speed for a while, and then falls with that speed.
+// That holds for every kind of track: whole or by components, linear or curved, by values or by a velocity that is
+// released there, and with a hold. shows: G4 G52
 TEST(Fall, GoesOnAsItCameWhereItsTrackEnds) {
   struct Case {
     std::string rows;
@@ -76,14 +76,14 @@ TEST(Fall, GoesOnAsItCameWhereItsTrackEnds) {
         const double y = delay > 0 ? (d > 0 ? -5 * d * d : 0) : c.speed.y * t - 5 * t * t;
         expect_place(s, "b", fmt::format("{}s", 2 + t), c.end + Vec3{t * c.speed.x, y, t * c.speed.z}, 1e-6);
       }
-      // Before it nothing is another.
+      // Nothing changes before the fall.
       const LoadedFilm before("rate 24\ncreate b sphere\n" + c.rows);
       for (const char* time : {"1f", "9f", "30f", "48f"})
         expect_numbers(s, "b.position", time, before.numbers("b.position", time), 1e-9);
     }
 }
 
-// A fall that falls again goes on; what lies does not.
+// A second fall continues the first one if the object still falls, but an object at rest does not fall again.
 TEST(Fall, FallsOnWhereAnotherOneEnds) {
   const std::string film = "rate 24\ncreate b sphere position=(0 30 0)\nat 1f b.position.velocity (3 0 0)\n";
   const LoadedFilm once(film + "at 1f fall b gravity=10 for 2s\n"),
@@ -131,7 +131,7 @@ TEST(Fall, AfterLetgoIsThrownThroughTheWorldWhateverHeldIt) {
       "create ball sphere\nset ball.position (1 0 0)\ncouple ball to hand\n"
       "at 25f letgo ball\nat 25f fall ball gravity=10\n");
   ASSERT_TRUE(s.loaded.diagnostics.empty()) << to_string(s.loaded.diagnostics[0]);
-  // The pin is 2 above the hand, which goes 3 a second.
+  // The pin is 2 m above the hand, which moves at 3 m/s.
   for (const double t : {0.0, 0.25, 0.5, 1.0, 1.25}) {
     const Value r = s.read("ball.world", fmt::format("{}s", 1 + t));
     const Vec3 at = translation_of(*std::get<Matrix>(r));
@@ -162,7 +162,7 @@ TEST(Fall, EndsWhereSomethingTakesHoldOfItLater) {
       "rate 24\ncreate hand group\ncreate ball sphere position=(0 10 0)\nat 1f ball.position.velocity (3 0 0)\n"
       "at 1f fall ball delay=0.25s bounce=0.5 for 6s\n";
   const std::string hold = "attach ball to hand keep-world\n";
-  // In every piece of it: on air, in the first fall, in a hop, and at the very events.
+  // The cases are in every part of a fall: before it, in the first fall, in a bounce, and exactly at the events.
   for (const double frame : {1.0, 4.0, 7.0, 13.0, 37.0, 48.0, 61.0, 90.0}) {
     const std::string at = fmt::format("at {}f ", frame);
     const LoadedFilm late(fall + at + hold), free(fall);
@@ -175,11 +175,11 @@ TEST(Fall, EndsWhereSomethingTakesHoldOfItLater) {
       expect_numbers(late, "ball.position", fmt::format("{}f", t), want, 1e-6);
     }
   }
-  // When it lies, and before it falls, there is nothing to end; nor where it is let go.
+  // At rest, before the fall, and at the moment of release there is no fall to end.
   for (const char* fine : {"at 400f attach ball to hand\n", "at 0f attach ball to hand\n",
                            "at 0f attach ball to hand\nat 13f letgo ball\n"})
     EXPECT_TRUE(read(fall + fine).diagnostics.empty()) << fine;
-  // Curves of the author's own stay.
+  // The author's own curves are not changed.
   const std::string own =
       "create hand group\ncreate b sphere\nb.position\n  1f (0 0 0) hermite tangent-out=(0 4 0)\n"
       "  25f (0 1 0) hermite tangent-in=(0 9 0)\n";
@@ -188,7 +188,7 @@ TEST(Fall, EndsWhereSomethingTakesHoldOfItLater) {
 
 TEST(Fall, LeavesWhatFiltersAndLayersAddToThem) {
   const std::string film = "rate 24\ncreate b sphere position=(0 10 0)\n", fall = "at 7f fall b gravity=10 for 1s\n";
-  // A sine of one a second: at 7f, a quarter of a second on, it adds 1.
+  // A sine with a period of 1 s. At 7f, a quarter of a second later, it adds 1.
   const LoadedFilm wobbly(film + "filter b.position wobble amount=(0 1 0)\n" + fall);
   expect_numbers(wobbly, "b.position.y", "7f", {11}, 1e-9);
   expect_numbers(wobbly, "b.position.y", "13f", {10 - 5 * 0.0625 + std::sin(pi)}, 1e-9);
@@ -196,7 +196,7 @@ TEST(Fall, LeavesWhatFiltersAndLayersAddToThem) {
   expect_numbers(layered, "b.position.y", "6f", {15}, 1e-9);
   expect_numbers(layered, "b.position.y", "7f", {15}, 1e-9);
   expect_numbers(layered, "b.position.y", "13f", {15 - 5 * 0.0625}, 1e-9);
-  // What goes along at 24 a second goes on so, and comes 6 frames late as before.
+  // An object that moves at 24 m/s keeps this speed, and is still 6 frames late.
   const LoadedFilm late(film + "b.position.x\n  1f 0 linear\n  49f 48\nfilter b.position delay by=6f\n" +
                         "at 25f fall b gravity=10 for 1s\n");
   for (const double frame : {20.0, 25.0, 28.0, 31.0, 40.0})
@@ -223,7 +223,7 @@ TEST(Fall, LeavesTheMotionBeforeItAlone) {
   const std::string fall = "at 31f fall b gravity=10 for 0.5s\n";
   const LoadedFilm film(rows + fall);
   expect_numbers(film, "b.position.y", "13f", {12.5}, 1e-9);  // from the chord's 4 to the parabola's 0
-  // A quarter of the way down: h00 = 27/32, h01 = 5/32, h11 = -3/64 of a second at -4; the speed there is -3.25.
+  // After a quarter of the time: h00 = 27/32, h01 = 5/32, h11 = -3/64 s at -4 m/s. The speed there is -3.25 m/s.
   expect_numbers(film, "b.position.y", "31f", {14 * 27 / 32.0 + 10 * 5 / 32.0 + 4 * 3 / 64.0}, 1e-9);
   expect_numbers(film, "b.position.y", "43f", {13.5625 - 3.25 / 2 - 10 / 8.0}, 1e-9);
   for (const char* twerper :
@@ -259,7 +259,7 @@ TEST(Fall, SaysWhereALineBelowTurnsWhatItFellFrom) {
   };
   EXPECT_TRUE(warned(grab + letgo + fall + turn));
   EXPECT_TRUE(read(grab + turn + letgo + fall).diagnostics.empty());
-  // What becomes of the fall itself is the author's.
+  // The author may change the events of the fall.
   EXPECT_TRUE(read(grab + letgo + fall + "scale ball.position 60f..72f (1 0.5 1)\n").diagnostics.empty());
 }
 

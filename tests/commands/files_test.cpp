@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Scripts that read other files: from where, how deep, and what is said when one is missing.
+// Tests scripts that read other files: from which folders, how deep, and the error if one is missing.
 #include <sys/stat.h>
 
 #include <atomic>

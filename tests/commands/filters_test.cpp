@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Filters over tracks, against closed forms.
+// Compares filters of tracks with closed forms.
 #include <cmath>
 
 #include "support/loaded_film.h"

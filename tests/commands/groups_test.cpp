@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands that work on many objects at once.
+// Tests commands that work on many objects at once.
 #include "betwixt/track.h"
 #include "commands/tracks.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Long scripts: lines find whom they concern without looking at everybody, with the same outcome; and a row of many
-// takes little memory.
+// Tests long scripts. A line must find its objects without a search through all objects, with the same result. A row
+// for many objects must take little memory.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

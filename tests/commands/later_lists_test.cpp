@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Display lists that are edited at a time: before it a film shows the old list, from it on the new one.
+// Tests edits of display lists at a time. Before this time a film shows the old list, and from this time on the new
+// one.
 #include <algorithm>
 #include <random>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Layers with weights that move, against closed forms.
+// Compares layers with changing weights with closed forms.
 #include <cmath>
 
 #include "support/loaded_film.h"

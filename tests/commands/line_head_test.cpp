@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What tools know of a line without running it.
+// Tests what tools can tell about a line without running it.
 #include "commands/line_head.h"
 
 #include <gtest/gtest.h>

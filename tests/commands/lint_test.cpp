@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a film says and nobody will see is said when it has been read.
+// Tests the warnings after loading, about parts of a film that will never be visible.
 #include <fmt/format.h>
 
 #include "support/loaded_film.h"

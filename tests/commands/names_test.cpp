@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names of the author's own, and patterns in them.
+// Tests names that the author defines, and patterns in them.
 #include "support/loaded_film.h"
 
 namespace betwixt {

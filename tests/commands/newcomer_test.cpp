@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a newcomer is told who has environments and display lists by the wrong end: what, where, and what to write.
+// Tests the help for newcomers who use environments and display lists in a wrong way: the error, its place, and the
+// line to write instead.
 #include "support/loaded_film.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Notes, and their track.
+// Tests notes and their track.
 #include "scene/document.h"
 #include "support/loaded_film.h"
 

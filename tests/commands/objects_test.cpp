@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Objects are made, copied and renamed.
+// Tests how objects are created, copied and renamed.
 #include "betwixt/object.h"
 #include "support/loaded_film.h"
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names one for one with a pattern, lists, and numbers as texts: each film is the one whose lines are written out.
+// Tests patterns on both sides of a command, lists, and numbers in texts. Each film must equal the film of the lines
+// written one by one.
 #include <fmt/format.h>
 
 #include "support/loaded_film.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Plug-ins as the language sees them: their words beside the built-in ones.
+// Tests plug-ins in the language: their words work like the built-in ones.
 #include <filesystem>
 
 #include "support/loaded_film.h"

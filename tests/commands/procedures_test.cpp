@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Procedures through the whole program, against closed forms.
+// Compares procedures with closed forms, through the whole program.
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// reach HAND to GOAL: where hands are, from when until when, and whatever else is done with what reaches.
+// Tests reach HAND to GOAL: where hands are, from when to when, and together with other commands.
 #include <algorithm>
 #include <cstring>
 #include <random>

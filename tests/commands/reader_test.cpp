@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a script is read, line by line: sheets and their rows, where errors are said to be, texts that are none.
+// Tests how a script is read line by line: sheets and their rows, the places of errors, and texts that are no scripts.
 #include <ctime>
 
 #include "support/loaded_film.h"

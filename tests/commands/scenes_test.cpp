@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Scenes from files: what is read is where three.js has it, and is the film's like all else. The files are made by
-// tests/peers/scenes.py, the figures of three.js by tests/peers/scenes.mjs.
+// Tests scenes from files. Their objects must be where three.js has them, and must be ordinary objects of the film.
+// tests/peers/scenes.py makes the files, and tests/peers/scenes.mjs the numbers of three.js.
 #include <fstream>
 #include <map>
 #include <sstream>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Operations on segments of tracks, by values worked out by hand.
+// Tests operations on segments of tracks. The values are computed by hand.
 #include <array>
 #include <functional>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is said of the whole document.
+// Tests the settings of the whole document.
 #include "support/loaded_film.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is seen when, and through which camera.
+// Tests what is visible at which time, and through which camera.
 #include "support/loaded_film.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Texts that are formulas.
+// Tests texts that are TeX formulas.
 #include "exchange/geometry.h"
 #include "exchange/shapes.h"
 #include "support/fake_programs.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Texts: how they are aligned, letters that are typed, and texts that become their parts.
+// Tests texts: their alignment, typed letters, and texts that are split into parts.
 #include <algorithm>
 
 #include "exchange/geometry.h"

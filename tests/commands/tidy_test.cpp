@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Scripts put in order.
+// Tests the formatter of scripts, `betwixt tidy`.
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What tests of commands about tracks ask: values frame by frame, and a track that goes up and down again.
+// Helpers for tests of track commands: values at each frame, and a track that goes up and down again.
 #pragma once
 
 #include "support/loaded_film.h"
 
 namespace betwixt {
 
-// Values of x at whole frames from `first` on.
+// Checks the values of a target at whole frames, beginning at `first`.
 inline void expect_track(const LoadedFilm& s, const char* target, int first, const std::vector<double>& wanted) {
   for (std::size_t i = 0; i < wanted.size(); ++i)
     expect_numbers(s, target, fmt::format("{}f", first + static_cast<int>(i)), {wanted[i]}, 1e-9);

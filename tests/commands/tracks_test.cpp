@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values that are set, events with their time, and how a whole track goes on.
+// Tests values that are set, events with their times, and extrapolation of a track.
 #include "commands/tracks.h"
 
 #include "support/loaded_film.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Twerpers with more than a name: stops of linear, handles of fcurve.
+// Tests twerpers (interpolations) with arguments: the stops of `linear`, the handles of `fcurve`.
 #include <random>
 
 #include "betwixt/track.h"

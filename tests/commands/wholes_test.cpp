@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An object with all below it by name is copied, renamed and removed as one: the film is the one in which all of it was
-// written by hand under the other name.
+// Tests copies, renaming and removal of an object with all objects below it by name. The film must equal the film in
+// which all of it was written by hand.
 #include <algorithm>
 
 #include "betwixt/object.h"

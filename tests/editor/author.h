@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tests of sessions need: somebody who answers, and what an author has written.
+// Helpers for tests of sessions: prepared answers to questions, and a script of an author.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ inline Session::Callbacks answering(std::vector<std::string> answers, std::strin
   return callbacks;
 }
 
-// A session on film.bx of the folder; that holds the text, where one is given.
+// Opens a session on film.bx of the folder. Writes the text to this file first, if one is given.
 inline Session opened(const Folder& folder, const char* text = nullptr, Session::Callbacks callbacks = {}) {
   if (text) folder.put("film.bx", text);
   Session s(std::move(callbacks));

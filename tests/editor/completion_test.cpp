@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Words that are begun are completed where they stand.
+// Tests the completion of words.
 #include "editor/completion.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Live input: what controls say turns what their dials name, now and for all times, or recorded as events.
+// Tests live input: a control changes the values to which its dials lead, for all times or recorded as events.
 #include "editor/controls.h"
 
 #include <array>

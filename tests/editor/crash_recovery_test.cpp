@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which command ends the process, found in copies of it.
+// Tests how copies of the process find the command that ends it.
 #include "editor/crash_recovery.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is shown of a film, and asked of it, in words.
+// Tests the texts that describe a film, and questions about it.
 #include "editor/describe.h"
 
 #include "editor/author.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film of one text or several, and the names in them; and films by chance, that speak of their things in many ways.
+// Films of one or several texts, with the names in them, and random films that refer to objects in many ways.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 
 namespace betwixt {
 
-// The first text is film.bx and uses the others by their names: "0.bx", "1.bx" …
+// The texts of a film. The first text is film.bx, and uses the others by their names: "0.bx", "1.bx" …
 class FilmTexts {
  public:
   explicit FilmTexts(std::vector<std::string> texts) {
@@ -38,11 +38,11 @@ class FilmTexts {
   const std::vector<FilmText>& texts() const { return texts_; }
   TextNames names() const { return TextNames(texts_, film_.document); }
   std::string part(const TextSpan& s) const { return texts_[s.text].lines.text().substr(s.span.at, s.span.size); }
-  // Where some words first stand in a text, or the place `behind` so many characters of them.
+  // Returns the first position of some words in a text, plus `behind` characters.
   std::size_t place(std::string_view words, std::size_t text = 0, std::size_t behind = 0) const {
     return texts_[text].lines.text().find(words) + behind;
   }
-  // What comes of renaming what stands at a place; what is said where it cannot be.
+  // Renames the name at a position. Returns the new texts, or the error as the only text.
   std::vector<std::string> renamed(std::size_t text, std::size_t place, const std::string& to) const {
     const TextNames all = names();
     const auto name = to_rename(all, text, place);
@@ -64,7 +64,7 @@ class FilmTexts {
   Loaded film_;
 };
 
-// A film without errors, of things with names of every sort.
+// Returns a random film without errors, of objects with names of every kind.
 inline std::string film_by_chance(std::mt19937& random) {
   const auto up_to = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const std::vector<std::string> things = {"ball", "ball2", "ball-2", "a", "man", "man/arm", "man/arm/hand", "gear_x"};

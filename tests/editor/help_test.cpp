@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every word has help that holds.
+// Every word must have help, and its examples must work.
 #include "editor/help.h"
 
 #include <algorithm>

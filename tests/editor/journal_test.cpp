@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The journal is whole up to the last record that was written, whatever happens to the file.
+// The journal must be complete up to the last written record, whatever happens to the file.
 #include "editor/journal.h"
 
 #include <algorithm>

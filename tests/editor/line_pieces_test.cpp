@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What words of a line are, and which lines speak of what.
+// Tests what the words of a line are, and which lines name which objects.
 #include "editor/line_pieces.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What makes a value.
+// Tests the search for the lines that make a value.
 #include "editor/made_by.h"
 
 #include <gtest/gtest.h>

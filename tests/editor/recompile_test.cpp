@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A program that shares what an edit did not touch is the program that is compiled from nothing.
+// A program that shares all parts that an edit did not change must equal a program compiled from nothing.
 #include <rapidcheck.h>
 
 #include "betwixt/language.h"

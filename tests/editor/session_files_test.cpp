@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a session keeps: nothing is overwritten, lost or left without being asked.
+// Tests how a session keeps files: it overwrites, loses or leaves nothing without asking.
 #include "betwixt/language.h"
 #include "betwixt/session.h"
 #include "editor/author.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an earlier session did and did not save is done again.
+// A session must redo the commands that an earlier session did not save.
 #include <rapidcheck.h>
 
 #include <filesystem>

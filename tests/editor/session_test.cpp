@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sessions: lines are carried out one by one, and can be taken back.
+// Tests sessions: they carry out lines one by one, and can undo them.
 #include "betwixt/session.h"
 
 #include <rapidcheck.h>
@@ -67,7 +67,7 @@ TEST(Session, WithoutAJournalItBeginsWithATextAndSaysWhereALineIsWrong) {
   EXPECT_EQ(one.why[0].what.place.line, 1);
   EXPECT_EQ(one.why[0].caret, 9);
   EXPECT_EQ(to_string(one.why[0]).substr(0, 13), "1:10: error: ");
-  // Of several lines, which; those before it may be of more than one line of text.
+  // The error has the number of its line. Lines before it may have several lines of text.
   const auto several = s.enter_together({"set ball.position (1 2\n3)", "set bal.radius 2"});
   ASSERT_EQ(several.why.size(), 1u);
   EXPECT_EQ(several.why[0].what.place.line, 3);
@@ -82,14 +82,14 @@ TEST(Session, WithoutAJournalItBeginsWithATextAndSaysWhereALineIsWrong) {
 TEST(Session, NoCommandSwitchesAContext) {
   const Folder folder;
   Session s = opened(folder);
-  // Names say what is meant: other commands and words of the shell may stand between any two lines.
+  // Each line names its objects, so other lines of any kind may come between two lines.
   for (const char* line : {"create a sphere", "create b box", "set a.radius 2", "list", "set b.size (1 2 3)",
                            "help set", "at 5f a.position (1 0 0)", "describe b", "at 5f b.position (0 1 0)"})
     expect_done(s, line);
   EXPECT_EQ(s.text(),
             "create a sphere\ncreate b box\nset a.radius 2\nset b.size (1 2 3)\nat 5f a.position (1 0 0)\n"
             "at 5f b.position (0 1 0)\n");
-  // Neither does looking, between the rows of a sheet.
+  // Questions between the rows of a sheet do not end it either.
   std::string wanted = s.text() + "a.color\n";
   expect_done(s, "a.color");
   for (const char* look : {"list", "describe b", "help set", "help", "notes", "list a*"}) {
@@ -139,7 +139,7 @@ TEST(Session, LayersAreListedWithWhatIsOnThem) {
   EXPECT_NE(s.enter("describe sway").said.find("  on ball.position 2 events\n"), std::string::npos);
   EXPECT_EQ(s.enter("describe ball.radius").said, "ball.radius  1\n");
   EXPECT_EQ(s.enter("describe sway.weight").said, "sway.weight\n  1f       0.25\n");
-  // Rows below a refused sheet of a layer have nowhere to go.
+  // Rows below a refused sheet of a layer are refused.
   EXPECT_TRUE(s.enter("on swey ball.position").refused);
   EXPECT_EQ(s.enter("  1f (0 0 0)").said,
             "error: this row has no sheet, because the line that should open it has an error\n");
@@ -222,7 +222,7 @@ TEST(Session, PolicyAskAsks) {
   EXPECT_TRUE(s.text().ends_with("ball.color\n  3f rgb(0.25 0.25 0.25) linear\n")) << s.text();
   const auto off = s.enter("  5f 1");
   EXPECT_FALSE(off.done || off.refused);
-  // Nothing is asked where no translation helps, or where another policy is said.
+  // There is no question if no translation helps, or if the script has another policy.
   asked.clear();
   EXPECT_TRUE(s.enter("set ball.radius 2kg").refused);
   expect_done(s, "policy translate");
@@ -230,12 +230,12 @@ TEST(Session, PolicyAskAsks) {
   EXPECT_TRUE(s.text().ends_with("\nset ball.radius (3 4 0)\n"));
   EXPECT_EQ(asked, "");
   EXPECT_FALSE(has_errors(load_text(s.text(), "film.bx").diagnostics));
-  // Nobody is there: a batch.
+  // A batch session, in which no person answers.
   Session batch = opened(folder, author, answering({"translate"}));
   EXPECT_TRUE(batch.enter("set ball.radius (3 4 0)").refused);
 }
 
-// Code that errs is told at once, with the line that says it; and once.
+// An error in code is reported at once, with its line, and only once.
 TEST(Session, CodeIsTriedAsItIsSaid) {
   const Folder folder;
   Session s = opened(folder, author);
@@ -250,7 +250,7 @@ TEST(Session, CodeIsTriedAsItIsSaid) {
   expect_done(s, "procedure worse filter lua \"input() + nix\"");
   EXPECT_TRUE(s.enter("filter ball.position.y worse").said.starts_with("line:5:1: warning: ")) << s.enter("list").said;
   EXPECT_EQ(s.enter("set ball.shininess = \"0.5\"").said, "");
-  // The same of many is said once.
+  // The same error of many objects is reported once.
   expect_done(s, "create b{1..17} sphere");
   const std::string many = s.enter("set b*.radius = \"nix.y\"").said;
   EXPECT_NE(many.find("likewise 16 others: b2.radius"), std::string::npos) << many;
@@ -333,7 +333,7 @@ TEST(DisplayList, A_host_that_edits_again_and_again_makes_nothing_grow) {
   EXPECT_EQ(translation_of(*std::get<Matrix>(
                 Program::compile(session.document()).read({session.document().find("moon"), Query::world}, {}))),
             (Vec3{199, 0, 0}));
-  // One who shows what is not complete is told.
+  // A line that shows an incomplete object gives a message.
   enter("make open");
   enter("  push");
   enter("  tag x");
@@ -380,7 +380,7 @@ TEST(LaterLists, A_session_writes_edits_row_by_row_and_takes_them_back) {
   enter("undo");
   enter("undo");
   EXPECT_TRUE(session.document().scene().later_lists->empty());
-  // Rows below a line that was refused have nowhere to go.
+  // Rows below a refused line are refused.
   EXPECT_TRUE(session.enter("at 12f edit b").refused);
   EXPECT_TRUE(session.enter("  point (0 0)").refused);
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an editor shows beside a text: help, completions, what there is in it, colours, folds, and the part that is
-// tidied.
+// Tests what an editor shows for a text: help, completions, symbols, colours, folds, and formatting of a part.
 #include "editor/text_features.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where names are made and spoken of, and what comes of giving them others.
+// Tests where names are defined and used, and what renaming does.
 #include "editor/text_names.h"
 
 #include <gtest/gtest.h>

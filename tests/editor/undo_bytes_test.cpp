@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What undo is thought to keep, beside what the allocator gets back when it is forgotten.
+// Compares the estimated memory of undo with the memory that the allocator gets back when undo is dropped.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <malloc.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files of every test, in a folder of its own.
+// A temporary folder with the files of a test.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Items of frames as triangles.
+// Tests the triangles of the items of frames.
 #include <gtest/gtest.h>
 
 #include "betwixt/geometry.h"

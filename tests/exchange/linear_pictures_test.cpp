@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Light in files: OpenEXR and PNG of 16 bits, written and read back, and what is broken.
+// Tests files of linear light: OpenEXR and PNG of 16 bits, written and read back, and damaged files.
 #include <gtest/gtest.h>
 
 #include <bit>

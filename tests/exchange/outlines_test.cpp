@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Strokes and holes as triangles: areas and volumes in closed form, and point by point against distances.
+// Tests the triangles of strokes and holes: areas and volumes in closed form, and point by point with distances.
 #include "exchange/outlines.h"
 
 #include <random>

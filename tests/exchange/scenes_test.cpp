@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Scenes that lie: cut off, in circles, beyond all bounds. Each is refused in words, or is sound.
+// Tests hostile scene files: cut off, in circles, out of all bounds. Each is refused with a message, or the result is
+// valid.
 #include <fmt/format.h>
 #include <sys/mman.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shapes in one line, and what is measured of them.
+// Short functions that make shapes and measure them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ inline Shape text(std::string words, double depth = 0) {
   return s;
 }
 
-// Area towards +z.
+// Returns the area of the triangles, counted as seen from +z.
 inline double front(const Mesh& m) {
   double sum = 0;
   for (std::size_t i = 0; i < m.triangles.size(); i += 3) {
@@ -43,7 +43,7 @@ inline double front(const Mesh& m) {
   return sum;
 }
 
-// The contours of one letter of a text.
+// Returns the contours of one letter of a text.
 inline std::vector<Contour> letter(const std::string& words, std::size_t i) {
   const Outline o = text_outline(words, "DejaVu Sans");
   const auto at = [&](std::size_t n) { return o.contours.begin() + static_cast<std::ptrdiff_t>(n); };

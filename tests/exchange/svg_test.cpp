@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// SVG by closed forms, and files that mean no good. What pictures look like beside those of rsvg-convert asks
-// tests/app/svg_test.sh.
+// Tests SVG with closed forms, and hostile files. tests/app/svg_test.sh compares pictures with those of rsvg-convert.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 

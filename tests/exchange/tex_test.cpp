@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Formulas: what is read of dvisvgm's drawings, and how the programs are called.
+// Tests formulas: how the drawings of dvisvgm are read, and how the programs are called.
 #include "exchange/tex.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A .glb, read back as the specification of glTF 2.0 says, is where the film is. What three.js, Blender and the
-// validator make of such files is asked in tests/peers.
+// A .glb, read back by the specification of glTF 2.0, must have the motion of the film. tests/peers checks the files
+// with three.js, Blender and the validator.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motion in the plane as curves of pages, beside the film itself; and what drawings refuse. What browsers, rlottie and
-// readers of USD make of the files is asked in tests/peers.
+// Compares exported motion in the plane (CSS, SVG and Lottie) with the film, and tests what these formats refuse.
+// tests/peers checks the files with browsers, rlottie and readers of USD.
 #include "export/planar.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a .usda says once, and what it says of joints and lights. What readers of USD make of it is asked in
-// tests/peers.
+// Tests the content of .usda files: constant and changing values, joints and lights. tests/peers checks the files with
+// readers of USD.
 #include <gtest/gtest.h>
 
 #include <string>

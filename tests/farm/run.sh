@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Films on a farm: Slurm is started as docs/farm.md says, on this machine alone, tasks are killed at random, a node
-# vanishes, and the film is the local one to the byte.
-#   tests/farm/run.sh PROGRAM [KILLS] [SEED]    four minutes; where Slurm is not installed it says so, and is content
+# Makes films with a Slurm that is started as docs/farm.md describes, on this machine alone. Kills tasks at random and
+# makes a node vanish. The film must equal the locally rendered one byte by byte.
+#   tests/farm/run.sh PROGRAM [KILLS] [SEED]    takes four minutes; without Slurm it prints a message and succeeds
 root=$(cd -P -- "$(dirname -- "$0")/../.." && pwd)
 for server in munged slurmctld slurmd sbatch; do
   PATH=$PATH:/usr/sbin command -v $server >/dev/null && continue
@@ -20,13 +20,13 @@ trap 'exit 130' INT TERM HUP
 chmod 755 "$work" # munged asks for that
 unset "${!SLURM_@}" "${!SBATCH_@}"
 
-# The page's blocks: 1 configures, 2 starts, 3 ends it all.
+# The blocks of code of the page: 1 configures Slurm, 2 starts it, 3 ends it.
 block() { awk -v n="$1" '/^```bash/ { here = !--n; next } /^```/ { here = 0 } here' "$root/docs/farm.md"; }
 stop() {
   local pid
   [ -z "${farm-}" ] || for pid in $(cat "$farm"/*.pid* 2>/dev/null) $(shells "$work"); do end_tree "$pid"; done
 } 2>/dev/null
-# As on the page but for the place, the ports (others may be farming here), and how long Slurm waits for things.
+# Only the folder, the ports (another test may run on this machine) and the timeouts of Slurm differ from the page.
 configure() {
   port=$((20000 + RANDOM % 10000))
   eval "$(block 1 | sed "s|^farm=.*|farm=$work/slurm|")"
@@ -49,7 +49,7 @@ ended() { over "$1" && sleep 0.5 && over "$1"; } # and no other round has begun
 sum() { sha256sum <"$1"; }
 rounds() { printf '%d' $((1 + $(grep -c 'tasks to do' "$1.farm/log"))); }
 
-# The processes of this test's jobs: shells, and what they call. Both have the film's folder among their arguments.
+# The processes of this test's jobs: shells and the programs that they call. Both have the film's folder as an argument.
 shells() { pgrep -f "slurm_script --(${2-task|finish}) $1"; }
 programs() { pgrep -f "^$program (render|join) .*$1.*/pictures/"; }
 end_tree() { # a process and all below it, at once
@@ -82,7 +82,7 @@ small=(--size 160x90)
 is 'the local film' $? 0
 
 configure
-# Where Slurm does not answer, and calls that are wrong: nothing is sent off.
+# If Slurm does not answer or the call is wrong, nothing is submitted.
 refused() { # NAME CODE TEXT ARGUMENT…
   said=$(farm "${@:4}" 2>&1)
   is "$1" $? "$2"
@@ -102,7 +102,7 @@ refused 'between two frames' 2 'between two frames' menagerie.bx -o no.mp4 --fra
 eval "$(block 2)" >servers.log 2>&1
 wait_for 30 idle || { verdict 'the farm begins' no "$(cat servers.log "$farm"/*.log)" && summary; exit; }
 
-# Killed at random, a dozen times, while it is made: a program, the shell around it, a task by scancel, a picture.
+# Kills a dozen times at random while the film is made: a program, the shell around it, a task by scancel, a picture.
 killed=() kinds=(program shell task picture)
 said=$(farm menagerie.bx -o killed.mp4 "${small[@]}" --chunk 5 2>&1)
 is 'it is sent off' $? 0
@@ -117,7 +117,8 @@ verdict 'rounds' "$([ "$(rounds killed.mp4)" -gt 1 ] && echo yes)" 'there was on
 has 'the end is said' "$(tail -n 1 killed.mp4.farm/log)" "$work/killed.mp4 is made"
 printf 'killed: %s; rounds: %s\n' "${killed[*]}" "$(rounds killed.mp4)"
 
-# Code that errs at one frame, which a look at 60 of 120 does not find: said, and not tried again.
+# Code with an error at one frame, which the check of 60 of the 120 frames does not find. The error is reported, and the
+# frame is not tried again.
 { cat menagerie.bx && printf 'set cow.scale.x = "frame == 62 and nobody.x or 1"\n'; } >erring.bx
 farm erring.bx -o erring.mp4 "${small[@]}" --chunk 20 2>/dev/null
 is 'an erring film is sent off' $? 0
@@ -128,7 +129,8 @@ has 'why it is not' "$(<erring.mp4.farm/log)" 'trying again would not help'
 has 'which frames' "$(<erring.mp4.farm/log)" 'frames 61 to 80, exit code 1:'
 has 'what was wrong' "$(<erring.mp4.farm/log)" 'nobody'
 
-# A machine that fails always (exit code 3) is given up after five rounds; when it is well again, one goes on.
+# If a machine always fails (exit code 3), the film is given up after five rounds. When the machine works again,
+# --resume continues.
 cat >ailing <<SH
 #!/bin/bash
 [[ \$* == *--plan* || -e $work/well ]] || { echo 'no graphics to be had' >&2; exit 3; }
@@ -149,7 +151,7 @@ wait_for 60 ended ailing.mp4
 "$program" render menagerie.bx -o part.mp4 "${small[@]}" --frames 1..30 2>/dev/null
 is 'the film of a machine that was ill' "$(sum ailing.mp4)" "$(sum part.mp4)"
 
-# Stopped, changed, put back, gone on with.
+# The film is stopped, its script is changed and restored, and --resume continues.
 farm menagerie.bx -o stopped.mp4 "${small[@]}" --chunk 10 2>/dev/null
 wait_for 30 test -e stopped.mp4.farm/done/1
 xargs scancel <stopped.mp4.farm/jobs
@@ -162,7 +164,7 @@ farm --resume stopped.mp4 2>/dev/null
 wait_for 60 ended stopped.mp4
 is 'the film that was stopped' "$(sum stopped.mp4)" "$(sum local.mp4)"
 
-# 16 bits, what is clear, what is heard; and a name with what Slurm has words for.
+# 16 bits, transparency and sound; and a name with characters that are special for Slurm.
 ffmpeg -loglevel error -f lavfi -i sine=440:duration=1 tone.wav
 printf '%s\n' 'background transparent' 'create b sphere transparency=0.4' 'b.color' '  1f gold' '  12f red' \
   'create tone sound file="tone.wav" at=3f' >clear.bx
@@ -172,7 +174,7 @@ wait_for 60 ended 'a %j folder/clear.mov'
 "$program" render clear.bx -o clear.mov "${small[@]}" --frames=-1..9 2>/dev/null
 is 'a film that is clear, and heard' "$(sum 'a %j folder/clear.mov')" "$(sum clear.mov)"
 
-# A node vanishes with all that runs on it.
+# A node vanishes with all its processes.
 vanish() { # NODE PID-FILE-OF-SLURMD FILM
   local shell
   wait_for 30 some_pictures "$3"
@@ -201,7 +203,7 @@ eval "$(block 3)"
 gone() { ! ps -o stat= -p "$pids" | grep -qv '^Z'; }
 verdict 'it ends as the page says' "$(wait_for 20 gone && echo yes)" "$pids"
 
-# Two nodes, one of which never comes back: the other one makes the film.
+# Two nodes, one of which never comes back: the other makes the film.
 rm -r slurm
 configure
 sed -i -E 's/^(SlurmdPidFile|SlurmdSpoolDir|SlurmdLogFile)=.*/&.%n/; /^SlurmdPort/d

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is said when the program that encodes fails.
+// Tests the messages when the encoding program fails.
 #include "film/encoder.h"
 
 #include <sys/mount.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The smallest film that uses each feature: the example of every word, from its text to pictures.
+// Tests the smallest film that uses each feature: the example of every word, from its text to pictures.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Painters side by side, one film.
+// Several renderers in parallel must make one correct film.
 #include "betwixt/film.h"
 
 #include <atomic>

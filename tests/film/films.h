@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Films of plain pictures, in a folder of their own, and what other programs say of them.
+// Films of plain pictures in a temporary folder, and the output of other programs about them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ inline Picture plain(int width, int height, Rgb c) {
   return p;
 }
 
-// What a program prints; the arguments are the tests' own.
+// Runs a command in a shell and returns its output. The arguments must come from the tests.
 inline std::string output_of(const std::string& command) {
   std::string all;
   FILE* pipe = ::popen(command.c_str(), "r");
@@ -60,9 +60,9 @@ class Film : public testing::Test {
     o.frames = frames, o.width = 64, o.height = 48;
     return o;
   }
-  // Everything in the folder, hidden things too.
+  // Returns the names of all files in the folder, hidden ones too.
   std::vector<std::string> files() const { return own_.names(); }
-  // Puts a program of that name before all others, or alone.
+  // Puts a fake ffmpeg with this script first in PATH, or makes it the only program in PATH.
   void fake_ffmpeg(const std::string& script, bool alone = false) {
     const fs::path bin = folder_ / "bin";
     fs::create_directory(bin);

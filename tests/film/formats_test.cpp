@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What each ending becomes, as players see it.
+// Tests the file that each ending of a name gives, as players see it.
 #include "film/formats.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures that somebody looked at (tests/golden/README.md says what must be seen), compared with a tolerance: other
-// processors round differently. After a change that is meant, look at the new ones in the folder named by a failure,
-// then copy them over.
+// Compares pictures with checked ones (tests/golden/README.md lists what each must show). There is a tolerance, because
+// processors round differently. After an intended change, look at the new pictures in the folder that a failure names,
+// then copy them to tests/golden.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Films of light and of what is clear, as ffmpeg reads them.
+// Tests films of linear light and transparent films, as ffmpeg reads them.
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film's sound, sample by sample, and as other programs hear it.
+// Tests the sound of a film, sample by sample, and as other programs read it.
 #include <fmt/format.h>
 
 #include <cmath>

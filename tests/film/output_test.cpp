@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the path of a film says, and where none can be made.
+// Tests which output the path of a film selects, and paths to which no film can be written.
 #include "film/output.h"
 
 #include <unistd.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film is there when it is whole, and not before.
+// The file of a film must appear only when it is complete.
 #include "film/sink.h"
 
 #include <fcntl.h>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sound in step, on a device and a clock that are made up: each pair of the film is a number, its place.
+// Tests the synchronization of sound with a fake device and a fake clock. Each sample pair of the film is its own
+// index.
 #include "film/sound_stream.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Blocks of a film's sound are what the whole has in their places.
+// Blocks of a film's sound must equal the same parts of the whole sound.
 #include "film/soundtrack.h"
 
 #include <gtest/gtest.h>

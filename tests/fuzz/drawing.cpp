@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any text at all, as an SVG file.
+// Fuzzes the reader of SVG files with any text.
 #include "exchange/drawing.h"
 
 #include <sys/mman.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the fuzz targets share.
+// Helpers of the fuzz targets.
 #pragma once
 
 #include <time.h>
@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <string_view>
 
-// Where what is wrongly used was allocated is not kept, and little that was freed is kept from being used again: a
-// tenth of the time goes there. ASAN_OPTIONS=malloc_context_size=30 says it of what was found.
+// Sanitizer options that save a tenth of the time: no stacks of allocations, and a small quarantine of freed memory.
+// For the stacks of a found failure set ASAN_OPTIONS=malloc_context_size=30.
 extern "C" const char* __asan_default_options() {
   return "malloc_context_size=0:quarantine_size_mb=8:thread_local_quarantine_size_kb=64";
 }
@@ -25,7 +25,8 @@ inline void insist(bool holds, const char* what, std::string_view where = {}) {
   std::abort();
 }
 
-// A range to more than 999: what makes or copies so many things takes as long as ten thousand other texts.
+// Returns whether a text has a range to more than 999. To make or copy so many objects takes as long as ten thousand
+// other texts.
 inline bool makes_many(std::string_view text) {
   for (std::size_t at = text.find(".."); at != std::string_view::npos; at = text.find("..", at + 1)) {
     const std::size_t end = text.find_first_not_of("0123456789", at + 2);
@@ -34,13 +35,13 @@ inline bool makes_many(std::string_view text) {
   return false;
 }
 
-// What takes long is looked at, but nothing is made of it.
+// Measures the time of one input. An input that takes too long is tested, but not added to the corpus.
 class Slow {
  public:
   int verdict() const { return now() - begun_ > most ? -1 : 0; }
 
  private:
-  static constexpr double most = 0.03;  // seconds
+  static constexpr double most = 0.03;  // seconds of processor time
   static double now() {
     timespec t{};
     ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);

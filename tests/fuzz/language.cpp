@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any text at all, as a script: it loads, is tidied, compiles and gives frames without a crash; what tidy returns means
-// the same.
+// Fuzzes scripts with any text. The script is loaded, tidied and compiled, and frames are computed, without a crash.
+// The tidied script must mean the same.
 #include "betwixt/language.h"
 
 #include <cstdint>

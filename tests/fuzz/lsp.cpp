@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Anything at all, as what an editor sends to the language server. Up to the first line that begins with ':' it is a
-// text that is open; such a line is
+// Fuzzes the language server with messages of an editor. The input up to the first line that begins with ':' is an open
+// text. The lines after it are the actions of the editor:
 //
-//   :eN,M TEXT  M characters at N are TEXT instead, in which ~ is a new line
-//   :?N         all that can be asked of place N is asked
-//   :rN NAME    what stands there is called NAME, and then again as it was
-//   :!BYTES     comes as it stands; ~~ is the end of a head
+//   :eN,M TEXT  replaces M characters at N by TEXT, in which ~ is a new line
+//   :?N         sends all requests about position N
+//   :rN NAME    renames the name at position N to NAME, and back
+//   :!BYTES     sends these bytes unchanged; ~~ is the end of a header
 //
-// Each request has one answer. What is said of a text is what is said of it when it is opened as it is by then; a tidy
-// text is tidy; a symbol's place holds its name; who renames there and back has the text that was.
+// Checks that each request gets one answer, that the diagnostics of a changed text equal those of the same text opened
+// anew, that a formatted text does not change when it is formatted again, that the range of a symbol contains its name,
+// and that renaming there and back gives the old text.
 #include <cstdint>
 #include <map>
 

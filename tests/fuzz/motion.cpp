@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any text at all, as a motion, as a list of CSS transforms, and in the field of a lesson.
+// Fuzzes the readers of motions and of lists of CSS transforms, and the input field of a lesson, with any text.
 #include <cstdint>
 
 #include "algebra/lesson.h"

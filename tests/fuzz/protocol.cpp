@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Anything at all, as what several hosts say to an imaging server that keeps its history; it is killed and begins anew,
-// and its journal is cut and damaged. What is there then is what was answered. A line of the input is
+// Fuzzes an imaging server that keeps its history, with lines of several hosts. The server is killed and restarted, and
+// its journal is cut and damaged. After a restart its document must have the effect of all answered commands. A line of
+// the input is
 //
-//   :LETTERS  the first line only. k: checkpoints come early, u: little can be undone, c: the ceilings are low,
-//             w: the time stands at first, b: others' lines go on beside one that takes long
-//   1… 2… 3…  what host 1, 2 or 3 says; without a number it is the last one again
-//   +N        N ms go by
-//   -N        host N goes, and another one comes in its place
-//   =         a frame is shown
-//   ^         a line that is too long
-//   !  $      the server is killed, or ends, and begins anew
-//   ?N  ~N    a copy of the journal is cut at byte N, or a bit of that byte is changed, and a server begins with that
-//   <         whoever asks next for something that takes long has gone then
+//   :LETTERS  in the first line: k: checkpoints come early, u: few commands can be undone, c: the limits are low,
+//             w: the clock is stopped at first, b: lines of other hosts continue while a line takes long
+//   1… 2… 3…  a line of host 1, 2 or 3; a line without a number is of the same host as before
+//   +N        N ms pass
+//   -N        host N disconnects, and another one connects in its place
+//   =         shows a frame
+//   ^         sends a line that is too long
+//   !  $      kills the server, or ends it, and restarts it
+//   ?N  ~N    cuts a copy of the journal at byte N, or flips a bit of that byte, and starts a server with the copy
+//   <         the host that sends the next long request has disconnected before its answer
 #include <stdlib.h>
 #include <sys/stat.h>
 
@@ -36,9 +37,9 @@ namespace {
 constexpr std::size_t most_lines = 150;
 constexpr std::size_t hosts_at_once = 3, names_asked = 6;
 constexpr Nanos millisecond = 1'000'000;
-constexpr Time time_ahead{2 * flicks_per_second};  // at most, of one that was killed
+constexpr Time time_ahead{2 * flicks_per_second};  // the time of a killed server may be this far ahead at most
 
-// In memory where that can be had; gone at the end.
+// A temporary folder, in memory if possible. It is removed at the end.
 class Place {
  public:
   Place() {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any bytes at all, as a scene of glTF, and as what a process of ours has handed over: refused, or sound; and what is
-// sound is handed over as it is.
+// Fuzzes the reader of glTF scenes, and the reader of the data that our parser process hands over, with any bytes. The
+// input is refused, or the result is valid. A valid result is handed over unchanged.
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# run.sh BUILD: installs the build into an empty folder and uses what is there as a stranger would.
+# run.sh BUILD: installs the build into an empty folder and uses it as another project would.
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 folder=$(mktemp -d) passed=0 failed=0
 trap 'rm -rf "$folder"' EXIT
@@ -18,7 +18,7 @@ verdict() {
 }
 
 cmake --install "$1" --prefix "$folder/to" >"$folder/log" 2>&1 || tail -n 5 "$folder/log"
-# Moved: nothing may know where it was installed.
+# Moves the installation: no file may depend on its folder.
 mv "$folder/to" "$folder/prefix"
 for file in bin/betwixt bin/betwixt-farm libexec/betwixt/betwixt-parser include/betwixt/language.h share/man/man1/betwixt.1 share/bash-completion/completions/betwixt \
   share/zsh/site-functions/_betwixt share/fish/vendor_completions.d/betwixt.fish share/doc/betwixt/LICENSE \
@@ -34,7 +34,8 @@ ball.position
 verdict "the installed program" \
   "$("$folder/prefix/bin/betwixt" eval "$folder/prefix/share/betwixt/examples/bounce.bx" --at 12f ball.position.y --json |
     sed -E 's/.*"ball.position.y":([^}]*).*/\1/')" "1"
-# Files that end what reads them, which is found wherever the tree was moved to; without it a good one is read all the same.
+# Files that crash the parser process. It is found wherever the folder was moved. Without it, valid files are still
+# read.
 { printf '; FBX 7.4.0 project file\n' && printf 'A: {%.0s' {1..50000}; } >"$folder/deep.fbx"
 printf 'create m mesh file="deep.fbx"\n' >"$folder/deep.bx"
 verdict "a damaged mesh" "$("$folder/prefix/bin/betwixt" check "$folder/deep.bx" 2>&1 | grep -o 'is damaged.*')" \
@@ -45,7 +46,7 @@ verdict "a mesh without a parser" "$(BETWIXT_PARSER=/none "$folder/prefix/bin/be
 verdict "the installed client" "$(cd / && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$folder/prefix/share/betwixt/python \
   python3 -c 'import betwixt_client; print(betwixt_client.__file__)' 2>&1)" "$folder/prefix/share/betwixt/python/betwixt_client.py"
 verdict "the manual page" "$(groff -man -ww -z "$folder/prefix/share/man/man1/betwixt.1" 2>&1)" ""
-# What --help names, the manual page and the completions know.
+# The manual page and the completions know all options of --help.
 prefix=$folder/prefix
 for command in render play frame eval plot check tidy algebra shell; do
   for option in $("$prefix/bin/betwixt" "$command" --help | grep -oE -- '--[a-z-]+' | sort -u); do

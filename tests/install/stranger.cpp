@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Prints where a ball is at frame 13, half way up, and what its tracks say.
+// Prints the position of a ball at frame 13, half way up, and its tracks.
 #include <cstdio>
 
 #include "betwixt/language.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Formulas, against numbers worked out by hand, C's arithmetic and Lua's.
+// Compares formulas with numbers computed by hand, and with the arithmetic of C and Lua.
 #include "language/formula.h"
 
 #include <fmt/format.h>

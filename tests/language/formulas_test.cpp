@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Formulas, `let` and places in patterns, through whole films.
+// Tests formulas, `let` and positions in patterns, through whole films.
 #include <cmath>
 
 #include "betwixt/track.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Properties over random scripts: writing and tidying lose nothing, the order of rows does not matter, no text crashes.
+// Tests properties of random scripts: writing and tidying lose nothing, the order of rows does not matter, and no text
+// crashes the program.
 #include <rapidcheck.h>
 
 #include <algorithm>

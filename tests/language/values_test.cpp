@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every form of a time, a length and a value.
+// Tests every form of a time, a length and a value.
 #include "support/loaded_film.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The language server without pipes: messages, places in UTF-16, texts that change, and what comes of nonsense.
+// Tests the language server without pipes: messages, positions in UTF-16, changes of texts, and invalid messages.
 #include "lsp/language_server.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Pages of films, asked by axe-core whether everybody can use them: names, roles, contrasts, focus.
-#   accessible.py PROGRAM FOLDER     of packages
+# Checks the accessibility of pages with axe-core: names, roles, contrasts, focus.
+#   accessible.py PROGRAM FOLDER     FOLDER has the npm packages
 import os, subprocess, sys, tempfile
 
 root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -16,7 +16,7 @@ if not find_browser():
     print("left out: there is no browser (apt-get install chromium)\n0 passed, 0 failed")
     sys.exit()
 with tempfile.TemporaryDirectory() as folder:
-    # The engine is in its place: it has nothing that anybody reads or touches.
+    # A mock engine is enough, because the engine has no visible elements.
     with open(f"{folder}/player.js", "w") as out:
         for name in ("../tests/web/mock_engine.js", *player_scripts, *editor_scripts):
             out.write(open(f"{root}/web/{name}").read())
@@ -30,7 +30,7 @@ with tempfile.TemporaryDirectory() as folder:
             for dark in (False, True):
                 page = browser.page(f"file://{folder}/{name}.html", size=(1200, 800), dark=dark)
                 page.until("document.querySelector('betwixt-player').readyState === 4")
-                # A mistake, so that what is said of it is asked about too.
+                # An error, so that its message is checked too.
                 page.do("document.querySelector('betwixt-editor').text += 'broken\\n'; await new Promise((r) => setTimeout(r, 300));")
                 page.call("Runtime.evaluate", expression=axe)
                 found = page.ask("axe.run(document).then((r) => ({ good: r.passes.length, bad: r.violations.map((v) =>"

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where a glTF file has its things as assimp reads it: straight from key to key, as programs play what it hands them.
-//   assimp FILE.glb VALUES.json   the answer of `betwixt eval --json` for NAME.world of all objects
-// Prints the largest difference of an element of a matrix, and where that is.
+// Compares the motion of a glTF file, as assimp reads it, with the film. Interpolates linearly between keys, as
+// programs that use assimp do.
+//   assimp FILE.glb VALUES.json   VALUES.json is the output of `betwixt eval --json` for NAME.world of all objects
+// Prints the largest difference of an element of a matrix, and its object and time.
 #include <assimp/scene.h>
 
 #include <algorithm>

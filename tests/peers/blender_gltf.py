@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What Blender's own importer, with its defaults, makes of exported files, at the times that are asked for.
+# Imports exported files with Blender's own importer and its defaults, and compares matrices at the given times.
 #   tools/blender.sh -b --factory-startup --python blender_gltf.py -- FILE.glb VALUES.json [FILE.glb VALUES.json…]
 import json, math, sys
 import numpy
-numpy.bool = bool  # Blender 3.4's importer asks for it, numpy 1.24 has it no more
+numpy.bool = bool  # the importer of Blender 3.4 needs it, but numpy 1.24 has removed it
 import bpy
 from mathutils import Matrix
 
@@ -31,7 +31,7 @@ def worst(file, values):
                 continue
             wanted = UPRIGHT @ Matrix([world[i * 4: i * 4 + 4] for i in range(4)]) @ BACK
             compared += 1
-            # The importer turns cameras and lamps, which look another way there.
+            # The importer rotates cameras and lamps, because they look in another direction in Blender.
             columns = (3,) if thing.type in ("CAMERA", "LIGHT") else range(4)
             for r in range(3):
                 for c in columns:

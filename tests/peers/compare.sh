@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# compare.sh: makes the scenes of the tests and what three.js makes of them anew, and says what differs from the repository.
+# compare.sh: makes the scenes of the tests and the numbers of three.js again, and lists differences from the
+# repository.
 root=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 peers=$root/build/peers scenes=$root/tests/commands/data/scenes
 for program in node npm python3; do

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Flat films as Lottie, drawn by rlottie and by lottie-web, and as SVG, drawn by a browser, beside the film's own pictures, pixel by pixel.
-#   drawings.py PROGRAM FOLDER [NAME|FILM.bx…]   DRAWINGS_OUT=FOLDER keeps the pictures of all three, side by side
+# Compares flat films with their exports, pixel by pixel: Lottie drawn by rlottie and by lottie-web, SVG drawn by a
+# browser.
+#   drawings.py PROGRAM FOLDER [NAME|FILM.bx…]   the variable DRAWINGS_OUT=FOLDER keeps all pictures side by side
 import os, random, shutil, subprocess, sys, tempfile
 
 here = os.path.dirname(os.path.abspath(__file__))
@@ -10,9 +11,9 @@ root = os.environ.get("ROOT", os.path.dirname(os.path.dirname(here)))
 program, modules, wanted = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
 browser = next(filter(shutil.which, [os.environ.get("BROWSER", ""), "chromium", "chromium-browser", "google-chrome"]), None)
 width, height = 640, 360
-# Of the pixels, in per cent: neither what the film has there nor what it has beside that. Lines thinner than a pixel, which
-# the film mixes as light and players as bytes, are others along their length; rlottie draws strokes evenly where a scale
-# stretches them.
+# Limits in per cent of the pixels. A pixel counts if it is neither the film's pixel nor between its neighbours. Lines
+# thinner than a pixel differ along their length: Betwixt blends them in linear light, players as bytes. rlottie draws
+# strokes with a constant width where a scale stretches them.
 most_off = {"fourier": 0.2, "sine": 0.1}
 most_off_otherwise, most_off_in_random_by_rlottie = 0.025, 0.2
 passed = failed = 0
@@ -35,7 +36,7 @@ def pixels_of(png, rows=height):
     return np.frombuffer(raw, np.uint8).reshape(-1, width, 3)[: rows].astype(np.int16)
 
 
-# How much of a picture is neither what the other has there nor anything between what that has around there.
+# Returns the share of pixels that are neither the other picture's pixel nor between that picture's neighbouring pixels.
 def off(picture, other, slack=26):
     padded = np.pad(other, ((1, 1), (1, 1), (0, 0)), mode="edge")
     around = np.stack([padded[y : y + height, x : x + width] for y in range(3) for x in range(3)])
@@ -58,7 +59,7 @@ def lottie_pictures(film, span, frames, folder):
     return [picture[:, :, 2::-1] for picture in all]
 
 
-# All moments in one page, one below the other.
+# Renders all times in one page, one below the other.
 def shot(page, count, folder):
     open(folder + "/page.html", "w").write(page)
     run("timeout", "200", browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--force-color-profile=srgb",
@@ -95,7 +96,7 @@ def svg_pictures(film, span, frames, rate, folder):
 }});</script>""", len(frames), folder)
 
 
-# A film of a few things whose numbers are thrown.
+# Returns a film of a few objects with random numbers.
 def random_film(seed):
     r = random.Random(seed)
     at = lambda: f"({r.uniform(-6, 6):.2f} {r.uniform(-3.5, 3.5):.2f} {r.choice([-2, -1, 0, 1, 2]) + r.random() * 0.9:.2f})"
@@ -165,7 +166,7 @@ with tempfile.TemporaryDirectory() as folder:
         run("cc", "-O1", here + "/lottie_pictures.c", "-o", folder + "/lottie", "-lrlottie")
     if not browser and not os.path.exists(folder + "/lottie"):
         sys.exit(print("left out: there is neither rlottie (librlottie-dev) nor a browser\n0 passed, 0 failed"))
-    # With its last frame and its rate; of a film that asks much code only a little.
+    # With its last frame and its rate; only a part of a film with much code.
     films = {"drawings": (here + "/drawings.bx", 48, 24)}
     for name, last in {"fourier": 120, "lighthouse": 96, "race": 12, "sine": 100, "spirograph": 120, "swarm": 48}.items():
         films[name] = (f"{root}/examples/{name}.bx", last, 24)

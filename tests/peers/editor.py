@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The extension for Visual Studio Code: its types are asked of TypeScript and those of the editor, its grammar of the
-# engine that the editor has, and it is led through an editor's day.
-#   editor.py PROGRAM FOLDER     of packages
+# Tests the extension for Visual Studio Code: its types with TypeScript and the types of the editor, its grammar with
+# the editor's grammar engine, and its features with a mock editor.
+#   editor.py PROGRAM FOLDER     FOLDER has the npm packages
 import json, os, shutil, subprocess, sys, tempfile
 
 here, program, peers = os.path.dirname(os.path.abspath(__file__)), *map(os.path.abspath, sys.argv[1:])

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Exported files as others see them: Khronos' validator, and three.js' own loader and mixer.
-//   node gltf.mjs FILE.glb VALUES.json   the answer of `betwixt eval --json` for NAME.world of all objects
-// Prints errors, warnings, the largest difference of an element of a matrix, and where that is.
+// Checks exported files with Khronos' validator and with the loader and mixer of three.js.
+//   node gltf.mjs FILE.glb VALUES.json   VALUES.json: output of `betwixt eval --json` for NAME.world of all objects
+// Prints errors, warnings, the largest difference of an element of a matrix, and its object and time.
 import { readFileSync } from 'node:fs';
 import validator from 'gltf-validator';
 
@@ -12,7 +12,7 @@ const bytes = new Uint8Array(readFileSync(file));
 const report = await validator.validateBytes(bytes, { maxIssues: 20 });
 for (const m of report.issues.messages) if (m.severity < 2) console.error(m.code, m.pointer, m.message);
 
-// No pictures are needed here, only somebody who says that they are loaded.
+// A fake loader of textures: it loads nothing, but reports success.
 globalThis.self = globalThis;
 globalThis.createImageBitmap = async () => ({ width: 1, height: 1, close() {} });
 const { AnimationMixer, Matrix4, Quaternion, Vector3 } = await import('three');
@@ -36,7 +36,7 @@ for (const clip of gltf.animations) {
 let most = 0, where = '';
 const answers = JSON.parse(readFileSync(values));
 for (const { seconds, values: all } of answers.times) {
-  for (const action of actions) action.reset(); // one that has ended stays there
+  for (const action of actions) action.reset(); // an action that has ended stays at its end
   mixer.setTime(seconds - (answers.from ?? 0));
   gltf.scene.updateMatrixWorld(true);
   for (const [target, world] of Object.entries(all)) {

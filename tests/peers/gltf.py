@@ -1,19 +1,19 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Every example as glTF, as it goes out where nobody says more: asked of Khronos' validator, three.js, assimp and, where it
-# is, Blender, each with its defaults; and with --keys cubic of those that keep tangents.
-#   gltf.py PROGRAM FOLDER [EXAMPLE…]   FOLDER: with gltf.mjs and node_modules; examples that are named are told of
+# Exports every example as glTF with the defaults, and checks it with Khronos' validator, three.js, assimp and, if it is
+# installed, Blender. Files with --keys cubic are checked with the programs that keep tangents.
+#   gltf.py PROGRAM FOLDER [EXAMPLE…]   FOLDER has gltf.mjs and node_modules; named examples are reported in detail
 import json, os, random, shutil, subprocess, sys, tempfile, time
 
 here = os.path.dirname(os.path.abspath(__file__))
 root = os.path.dirname(os.path.dirname(here))
 program, modules, wanted = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
 passed = failed = 0
-MOST = {"usual": 1e-3, "cubic": 1e-4}  # what each style promises
-# Of these, which jump at odd times, some of the times between frames lie in the hundredth of a frame that a jump takes.
+MOST = {"usual": 1e-3, "cubic": 1e-4}  # the tolerance of each kind of keys
+# These films jump between frames. Some of the tested times lie in the hundredth of a frame that a jump takes.
 JUMPING = {"frisbee": 0.12, "swarm": 0.1}
-# Blender's numbers are floats, and frames are.
+# Blender's numbers and frames are 32-bit floats.
 BLENDER = 1.1e-3
 
 
@@ -36,8 +36,8 @@ def last_json(said):
         return {"most": 1e9, "where": said.stdout[-500:] + said.stderr[-500:]}
 
 
-# Whole frames, all of them in short films, and times between them. Straight keys jump within the last hundredth of a
-# frame before, and before a tick of an environment: nobody looks there.
+# The tested times: whole frames (all in short films), and times between them. With linear keys a jump takes the last
+# hundredth of a frame before its time or before a tick of an environment. These times are not tested.
 def times_of(extras, rand, keys):
     rate, first, count = extras["rate"], extras["first_frame"], extras["frames"]
     between = []
@@ -50,7 +50,7 @@ def times_of(extras, rand, keys):
 
 
 def check(film, keys, folder):
-    """The file and what it should be, for others to ask; None where it was not made."""
+    """Exports a film. Returns the file and the expected values, or None if it was not made."""
     name = os.path.basename(film)[:-3]
     path, values = f"{folder}/{name}-{keys}.glb", f"{folder}/{name}-{keys}.json"
     rand = random.Random(name + keys)
@@ -120,7 +120,7 @@ with tempfile.TemporaryDirectory() as folder:
         if wanted and name not in wanted: continue
         made = check(film, "usual", folder)
         if made and name in in_blender: others.append(made)
-        # Of long ones a second way would only take long.
+        # A second check of long films would only take time.
         if wanted or name in ("bounce", "grab", "limp", "two-stars", "funnel"): check(film, "cubic", folder)
     if shutil.which("blender"): check_in_blender(others)
     else: print("left out: there is no Blender here")

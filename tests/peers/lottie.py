@@ -1,14 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# A flat film as Lottie, drawn by rlottie: whether the middle of each thing is where the film has it, and its area.
+# Exports a flat film as Lottie, draws it with rlottie, and compares the centre and the area of each object with the
+# film.
 #   lottie.py PROGRAM
 import json, math, os, subprocess, sys, tempfile
 
 here = os.path.dirname(os.path.abspath(__file__))
 program = os.path.abspath(sys.argv[1])
 film = os.path.join(here, "flat.bx")
-scale, pixels = 4, 40  # pixels of a metre, times as many so that a pixel shared by edges weighs little
+scale, pixels = 4, 40  # pixels per metre, and a factor on top: in a large picture blended pixels at edges matter little
 areas = {"ball": math.pi * 0.4**2, "arm/bar": 3 * 0.2, "arm/tip": math.pi * 0.3**2, "bounced": math.pi * 0.3**2, "turner": 0.5}
 passed = failed = 0
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How the player is used in TypeScript. A line behind "wrong:" must be refused.
+// Uses of the player in TypeScript. The compiler must refuse each line after "wrong:".
 import { engine, BetwixtEditor, BetwixtPlayer, type Diagnostic, type Value } from "betwixt-player";
 
 const player = document.createElement("betwixt-player");

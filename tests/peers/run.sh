@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What is exported, asked of the programs that it is for. They are installed by npm into build/peers.
-#   run.sh PROGRAM [NAME…]    all, or tests/peers/NAME.py alone
-#   run.sh --install          installs them only
+# Tests exported files with the programs that read them. npm installs these programs into build/peers.
+#   run.sh PROGRAM [NAME…]    runs all tests, or only tests/peers/NAME.py
+#   run.sh --install          only installs the programs
 root=$(cd -P -- "$(dirname -- "$0")/../.." && pwd)
 . "$root/tools/setup.sh"
 program=$1 peers=$root/build/peers
@@ -18,7 +18,7 @@ if ! cmp -s "$peers/package-lock.json" "$peers/node_modules/.installed"; then
     echo "0 passed, 0 failed"
     exit 0
   }
-  # It is a module, and does not say so: older node asks.
+  # The file is a module but not marked as one, which older versions of node need.
   python3 - "$peers/node_modules/tinyusdz/package.json" <<'PY'
 import json, sys
 package = json.load(open(sys.argv[1]))

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where three.js has the nodes and the vertices of scenes at random times, for the tests of what is read from them.
+// Prints the nodes and the vertices of scenes at random times, as three.js has them. The tests of imported scenes use
+// it.
 //   node scenes.mjs FILE.glb|FILE.bvh… >OUT   lines: world TIME NODE 16 numbers, column by column; vertex TIME NODE NUMBER x y z
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Makes the small files of the tests, and the figure of the examples. Needs numpy.
+# Makes the small scene files of the tests, and the figure of the examples. Needs numpy.
 #   python3 tests/peers/scenes.py   writes tests/commands/data/scenes/* and examples/meshes/figure.glb
 import json, math, os, struct
 import numpy as np
@@ -12,7 +12,7 @@ KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 
 
 class Glb:
-    """A file in the making: numbers go into its buffer, all else into its JSON."""
+    """A glTF file that is being made: numbers go into its buffer, everything else into its JSON."""
 
     def __init__(self):
         self.bytes = b""
@@ -80,7 +80,7 @@ def turn(axis, degrees):
 
 
 def tube(around, rings, radius, low, high):
-    """A tube about y: positions, normals, triangles."""
+    """Returns a tube around the y axis: positions, normals, triangles."""
     at, out, faces = [], [], []
     for r in range(rings):
         y = low + (high - low) * r / (rings - 1)
@@ -109,7 +109,7 @@ def box(size=1.0):
 
 
 def skin(path):
-    """A tube of three joints below an armature that is moved, turned and scaled; joints turn, one moves."""
+    """A tube with three joints. Its armature is translated, rotated and scaled. The joints rotate, and one moves."""
     g = Glb()
     root = g.node("Armature", translation=[1, 0, -2], rotation=turn([0, 1, 0], 30), scale=[1, 2, 1.5])
     hip = g.node("Hip", root, translation=[0, 0.5, 0])
@@ -130,7 +130,7 @@ def skin(path):
     m = g.add("meshes", {"name": "Leg", "primitives": [{"attributes": {
         "POSITION": g.numbers(at), "NORMAL": g.numbers(out), "JOINTS_0": g.numbers(joints, "u1"),
         "WEIGHTS_0": g.numbers(weights)}, "indices": g.numbers(faces, "u2")}]})
-    g.node("Leg", root, mesh=m, skin=s, translation=[7, 7, 7])  # which says nothing: its joints do
+    g.node("Leg", root, mesh=m, skin=s, translation=[7, 7, 7])  # without effect: a skinned mesh follows only its joints
     a = g.animation("Bend")
     g.track(a, knee, "rotation", [0.25, 1, 2], [turn([1, 0, 0], 0), turn([1, 0.2, 0], 80), turn([0, 0, 1], -40)])
     g.track(a, foot, "rotation", [0, 1.5], [turn([0, 1, 0], 0), turn([0, 1, 0], 170)])
@@ -160,7 +160,7 @@ def morph(path):
 
 
 def cubic(path):
-    """All paths by CUBICSPLINE, with tangents of their own."""
+    """All paths with CUBICSPLINE keys and explicit tangents."""
     random = np.random.default_rng(7)
     g = Glb()
     at, out, faces = box()
@@ -189,7 +189,7 @@ def cubic(path):
 
 
 def step(path):
-    """Steps, and numbers that are no floats: quantised positions, turns in 16 bits, a sparse accessor."""
+    """STEP keys, and numbers that are no floats: quantised positions, rotations in 16 bits, a sparse accessor."""
     g = Glb()
     at, out, faces = box(2.0)
     quantised = np.round(at * 127).astype(int)
@@ -217,7 +217,7 @@ def step(path):
 
 
 def stage(path):
-    """Cameras, lights, materials, a node by a matrix, names that collide or cannot be names."""
+    """Cameras, lights, materials, a node with a matrix, and names that collide or are invalid in Betwixt."""
     g = Glb()
     g.json["scenes"][0]["nodes"] = [0]
     g.node("Stage")
@@ -245,14 +245,14 @@ def stage(path):
         g.node(name, 0, extensions={"KHR_lights_punctual": {"light": i}}, translation=[0, 5, 0],
                rotation=turn([1, 0, 0], -90))
     m = np.eye(4)
-    m[:3, :3] = 2 * np.array([[0, -1, 0], [1, 0, 0], [0, 0, -1]])  # turned, twice as large, mirrored
+    m[:3, :3] = 2 * np.array([[0, -1, 0], [1, 0, 0], [0, 0, -1]])  # rotated, twice as large, mirrored
     m[:3, 3] = [1, 2, 3]
     g.node("Matrix", 0, matrix=m.T.flatten().tolist())
     g.write(path)
 
 
 def figure(path):
-    """A figure that walks on the spot and waves; one mesh, eleven joints, and a smile."""
+    """A figure that walks on the spot and waves: one mesh, eleven joints, and a morph target for a smile."""
     g = Glb()
     g.node("Figure")
     joints, places, bones = [], [], {}
@@ -275,7 +275,7 @@ def figure(path):
     at, out, faces, follows, weights, smile = [], [], [], [], [], []
 
     def limb(radius, low, high, x, upper, lower, bend=None, rings=9):
-        """Closed by half balls; below `bend` it follows `lower`."""
+        """Returns a limb, closed by half balls. The part below `bend` follows the joint `lower`."""
         around, base = 14, sum(map(len, at))
         p, n, _ = tube(around, rings, radius, low, high)
         for cap, y, sign in ((range(1, 5), high, 1), (range(1, 5), low, -1)):
@@ -331,7 +331,7 @@ def figure(path):
 
 
 def bones(path):
-    """A motion capture file: no mesh, all channels of the root, other orders of turns below."""
+    """A motion capture file: no mesh, all channels of the root, other orders of rotations below it."""
     random = np.random.default_rng(3)
     text = """HIERARCHY
 ROOT Hips

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The types that the player's package says it has, asked of TypeScript: in scripts, and in the markup of React, Preact and
-# Solid. Where a framework is not there, its types must not be missed.
-#   typescript.py PROGRAM FOLDER     of packages
+# Checks the types of the player's package with TypeScript: in scripts, and in the markup of React, Preact and Solid. A
+# project without a framework must not need its types.
+#   typescript.py PROGRAM FOLDER     FOLDER has the npm packages
 import os, re, shutil, subprocess, sys, tempfile
 
 here, peers = os.path.dirname(os.path.abspath(__file__)), sys.argv[2]
@@ -11,7 +11,7 @@ web = os.path.join(here, "../../web")
 passed = failed = 0
 bundler, node = ("--moduleResolution", "bundler", "--module", "esnext"), ("--moduleResolution", "nodenext", "--module", "nodenext")
 react, classic = ("--jsx", "react-jsx"), ("--jsx", "react")
-cases = [  # the source, how it is compiled, and what packages are there by which name
+cases = [  # the source, compiler options, and the installed packages by name
     ("player_use.ts", bundler, {}),
     ("player_use.ts", node, {}),
     ("player_use.tsx", bundler + react, {"@types/react": "react18types"}),

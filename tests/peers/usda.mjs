@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where three.js has the things of a .usda file at given times, beside where the film has them; and whether tinyusdz
-// reads it.
-//   node usda.mjs FILE.usda VALUES.json     VALUES: what betwixt eval --json says of NAME.world, and `from` in seconds
+// Compares the objects of a .usda file in three.js with the film, at given times. Also checks that tinyusdz reads the
+// file.
+//   node usda.mjs FILE.usda VALUES.json     VALUES.json: output of betwixt eval --json for NAME.world, and `from` in s
 import { readFileSync } from "node:fs";
 import * as three from "three";
 import { USDLoader } from "three/examples/jsm/loaders/USDLoader.js";
@@ -19,7 +19,7 @@ for (const clip of scene.animations) {
   action.clampWhenFinished = true;
   action.play();
 }
-// The prim of an object by the name that the file says beside it.
+// Returns the prim of an object, found by the name that the file stores with it.
 const prims = new Map();
 let prim = "";
 for (const line of text.split("\n")) {
@@ -38,7 +38,8 @@ for (const frame of values.times) {
     const at = rows.flat(), m = node.matrixWorld.elements;
     for (let i = 0; i < 12; ++i) {
       const column = i % 4, row = (i - column) / 4;
-      // A place counts beside how far it is from the middle: the file's numbers are floats in most programs.
+      // Differences of position are relative to the distance from the origin: most programs read numbers as 32-bit
+      // floats.
       const off = Math.abs(at[i] - m[4 * column + row]) / Math.max(1, Math.abs(at[4 * row + 3]));
       if (off > most) most = off, worst = `${name} at ${frame.seconds} s`;
     }
@@ -46,7 +47,7 @@ for (const frame of values.times) {
   }
 }
 
-// It wants to be on a page.
+// The library expects to run in a page.
 globalThis.window = globalThis;
 globalThis.document = { currentScript: null };
 Object.defineProperty(process, "type", { value: "renderer" });

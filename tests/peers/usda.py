@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Films as USD, read by three.js and tinyusdz.
-#   usda.py PROGRAM PEERS [FILM…]     PEERS: where node_modules and usda.mjs are
+# Exports films as USD, and checks the files with three.js and tinyusdz.
+#   usda.py PROGRAM PEERS [FILM…]     PEERS is the folder with node_modules and usda.mjs
 import json, os, random, subprocess, sys, tempfile
 
 here = os.path.dirname(os.path.abspath(__file__))
@@ -43,7 +43,7 @@ with tempfile.TemporaryDirectory() as folder:
             good = got["most"] <= most and got["compared"] > 0 and got["tinyusdz"]
         except (IndexError, ValueError):
             got, good = asked.stdout[-500:] + asked.stderr[-1500:], False
-        # What joints deform: as three.js has it from the other format, which tells skins by other means.
+        # Compares skinned vertices with those that three.js gets from the glTF file.
         if name == "figure" and good:
             run(program, "export", film, "-o", folder + "/film.glb", "--keys", "cubic")
             boxes = [json.loads(run("node", peers + "/usda_skin.mjs", folder + end, *[str(t) for t in times[:8]]).stdout)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where three.js has the vertices that the skeletons of a file move: the least and the most of each skin.
+// Prints the bounding box of the vertices of each skin of a file, as three.js has them.
 //   node usda_skin.mjs FILE.usda|FILE.glb SECONDS…
 import { readFileSync } from "node:fs";
 import * as three from "three";

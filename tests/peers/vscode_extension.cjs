@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The extension for Visual Studio Code with a stand-in for the editor: it opens a script, types, asks all there is to
-// ask, and says what came, a line each.
+// Runs the extension for Visual Studio Code with a mock editor: opens a script, types, makes every kind of request, and
+// prints a line for each result.
 //   vscode_extension.cjs EXTENSION PROGRAM SCRIPT
 "use strict";
 const fs = require("node:fs");
 const Module = require("node:module");
 const [extension, program, script] = process.argv.slice(2);
 
-// Of the editor what the extension takes.
+// The parts of the editor's interface that the extension uses.
 class Position {
   constructor(line, character) {
     Object.assign(this, { line, character });

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the engine of TextMate grammars that Visual Studio Code has makes of a script: for each word a line of it and its
-// scope.
+// Runs the TextMate grammar on a script with the engine of Visual Studio Code. Prints a line for each word: the word
+// and its scope.
 //   vscode_grammar.mjs PEERS GRAMMAR SCRIPT
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";

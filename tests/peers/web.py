@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What a browser makes of exported CSS, of element.animate() and of SVG, beside what the film says, in pixels.
-#   web.py PROGRAM     BROWSER=PROGRAM, where it is no chromium
+# Compares exported CSS, element.animate() and SVG in a browser with the film, in pixels.
+#   web.py PROGRAM     the variable BROWSER=PROGRAM names another browser than chromium
 import html, json, math, os, random, re, shutil, subprocess, sys, tempfile
 
 program = os.path.abspath(sys.argv[1])
@@ -13,7 +13,7 @@ if not browser:
 film = os.path.join(os.path.dirname(os.path.abspath(__file__)), "flat.bx")
 objects = ["ball", "arm/bar", "arm/tip", "bounced", "turner", "blink"]
 pixels, seconds = 360 / 9, 3.0
-most = 0.05  # pixels, at a place 20 px from the middle of a thing
+most = 0.05  # pixels, at a point 20 px from the centre of an object
 rand = random.Random(3)
 times = [seconds * rand.random() for _ in range(60)]
 
@@ -48,7 +48,7 @@ with tempfile.TemporaryDirectory() as folder:
 const names = {json.dumps(objects)}, times = {json.dumps(times)}, out = [];
 for (const name of names) play(document.getElementById("js-" + name.replace("/", "-")), name);
 onerror = (e) => document.body.append(e);
-// A picture's own time begins when the page has been loaded.
+// The time of an SVG picture begins when the page is loaded.
 await new Promise((done) => (document.readyState === "complete" ? done() : addEventListener("load", done)));
 await new Promise((done) => setTimeout(done, 50));
 const svg = document.querySelector("svg");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film that is not there: every target's value is its time squared, and procedures are what the test says.
+// A fake film for procedures: the value of every target is the square of its time, and a test chooses the procedures.
 #pragma once
 
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The globals that code sees: nothing it does stays.
+// Tests the globals of Lua code: its changes must not last.
 #include "procedure/routines.h"
 
 namespace betwixt {

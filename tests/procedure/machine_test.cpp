@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The limits of a call, and that calls know nothing of one another.
+// Tests the limits of a call, and that calls do not affect each other.
 #include <atomic>
 #include <thread>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What Lua gives for a source, asked in a film that is not there.
+// Runs Lua code in a fake film and returns its values.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values of every kind, from Lua and to it.
+// Tests values of every type, from Lua and to Lua.
 #include "procedure/routines.h"
 
 namespace betwixt {

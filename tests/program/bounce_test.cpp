@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The film at the head of the description of the language, by values worked out by hand.
+// Tests the first film of the language's description. The values are computed by hand.
 #include "support/loaded_film.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What code can give a value to: points, words, names; and what it knows.
+// Tests values from Lua code: points, words and names; and what the code can read.
 #include <cmath>
 
 #include "support/loaded_film.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contacts asked for by name, by hosts and by procedures.
+// Tests contacts of named objects, for hosts and for procedures.
 #include "support/loaded_film.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The times at which values may jump, which exporters ask for.
+// Tests the times at which values may jump. Exporters use them.
 #include "support/loaded_film.h"
 
 namespace betwixt {

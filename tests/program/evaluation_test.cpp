@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Films without code, in which things rest and move, are hidden and shown, change their looks and what they hang on:
-// an evaluation that goes from time to time in any order gives what one gives that never was anywhere else.
+// Tests random films without code, in which objects rest, move, hide, and change looks and parents. An evaluation that
+// visits times in any order must give the same as a new evaluation at each time.
 #include <rapidcheck.h>
 
 #include <random>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What code has things hang on, beside films that say the same in rows.
+// Compares attachments that Lua code makes with the same attachments in event rows.
 #include "betwixt/object.h"
 #include "betwixt/pose.h"
 #include "scene/document.h"

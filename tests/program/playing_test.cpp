@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The loops of an evaluator, on every kind of machine that this one can be: the bits are those of the plain functions
-// that place one object, and the values those of polynomials added up another way.
+// Tests the loops of an evaluator with every instruction set of this processor. The bits must be those of the plain
+// functions for one object, and the values those of polynomials that are summed in another way.
 #include "program/playing.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Programs of scenes, and what their frames hold.
+// Short functions that compile scenes and read their frames.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Films of every feature at once, asked in any order and from many threads: the same bits as played forward.
+// Tests films that use every feature. Any order of times and many threads must give the same bits as forward playback.
 #include <rapidcheck.h>
 
 #include <algorithm>

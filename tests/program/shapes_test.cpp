@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is part of a shape is animated, whoever says that it is part of one.
+// Tests animated properties of shapes, set by any kind of source.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Objects that are in the same environments from the same times on share what these come to.
+// Objects that have been in the same environments since the same times must share the computed matrices.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Velocity as a track of its own, against integrals worked out by brute force and by hand.
+// Compares velocity tracks with integrals, by brute force and by hand.
 #include <rapidcheck.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ double at(const LoadedFilm& s, std::string_view target, double seconds) {
   return numbers(s.program.read(found->front(), from_seconds(seconds)))[0];
 }
 
-// Gauss' rule of three points on many short stretches between times where nothing jumps.
+// Integrates with Gauss' rule of three points on many short intervals between the jumps.
 double integral(const std::function<double(double)>& f, const std::vector<double>& seams) {
   double sum = 0;
   constexpr int parts = 400;
@@ -55,7 +55,7 @@ TEST(Velocity, TheExampleOfTheNotesAndItsMaskedEvent) {
 const char* const twerpers[] = {"hold", "linear", "smooth", "bspline", "hermite tangent=3", "bezier(0.3 0.1 0.6 1.2)",
                                 "own"};
 
-// The same rows once as values and once as velocities.
+// Reads the same rows once as values and once as velocities.
 LoadedFilm twice(const std::string& rows, const std::string& more = "") {
   return LoadedFilm(
       "rate 24\nprocedure own twerper lua \"u*u*(3-2*u)\"\ndefine slope number\ndefine total number\n"
@@ -104,7 +104,7 @@ TEST(Velocity, ReignsAndReleases) {
   const std::string head =
       "rate 24\ndefine total number\ncreate a group\nset a.total 7\n"
       "a.total.velocity\n  13f 4\n  37f release\n  97f -2 linear\n  121f 2\n  145f release\n";
-  // Values at 0, 1 and 3 seconds; velocities reign from 0.5 to 1.5 and from 4 to 6.
+  // Values at 0, 1 and 3 s. Velocities determine the value from 0.5 to 1.5 s and from 4 to 6 s.
   for (const std::string last : {"linear", "hold", "bezier(0 0 1 1)"}) {
     const LoadedFilm s(head + "a.total\n  1f 10 linear\n  25f 34 " + last + "\n  73f 100 linear\n  169f 40 linear\n");
     const auto v = [&](double t) { return at(s, "a.total", t); };
@@ -115,7 +115,7 @@ TEST(Velocity, ReignsAndReleases) {
     EXPECT_NEAR(v(2.25), last == "hold" ? 26 : 63, 1e-6) << last;
     EXPECT_NEAR(v(3), 100, 1e-12);
     EXPECT_NEAR(v(3.5), 92.5, 1e-12);
-    // Reached from 100 at 3 s towards 40 at 7 s: 85 at 4 s.
+    // The value goes from 100 at 3 s towards 40 at 7 s, so it is 85 at 4 s.
     EXPECT_NEAR(v(4), 85, 1e-12);
     EXPECT_NEAR(v(5), 85, 1e-12);      // -2 to 2: nothing in all over …
     EXPECT_NEAR(v(4.5), 84.5, 1e-12);  // … the first second
@@ -125,17 +125,17 @@ TEST(Velocity, ReignsAndReleases) {
     EXPECT_NEAR(at(s, "a.total.velocity", 1.2), 4, 1e-12);
     EXPECT_NEAR(at(s, "a.total.velocity", 6.5), -47, 1e-9);
   }
-  // An event just at the release is where the track goes on; what was reached is its left limit.
+  // With an event exactly at the release, the track continues from it. The integrated value is its left limit.
   const LoadedFilm cut(head + "a.total\n  1f 10 linear\n  37f 50 linear\n  61f 74\n");
   EXPECT_NEAR(at(cut, "a.total", 1.5 - 1e-6), 10 + 0.5 * 40 / 1.5 + 4, 1e-4);
   EXPECT_NEAR(at(cut, "a.total", 1.5), 50, 1e-12);
   EXPECT_NEAR(at(cut, "a.total", 2), 62, 1e-12);
-  // An event at the reign's beginning is the anchor.
+  // An event at the beginning of the velocity is the anchor: the value from which the integral begins.
   const LoadedFilm anchor(head + "a.total\n  13f 50 linear\n");
   EXPECT_NEAR(at(anchor, "a.total", 1), 52, 1e-12);
   EXPECT_NEAR(at(anchor, "a.total", 3), 54, 1e-12);  // nothing comes: what was reached stays
   EXPECT_NEAR(at(anchor, "a.total", 6), 56, 1e-12);
-  // No event at or before it: the anchor is what is set.
+  // Without an event at or before it, the anchor is the set value.
   const LoadedFilm none(head + "a.total\n  25f 50 linear\n  61f 20\n");
   EXPECT_NEAR(at(none, "a.total", 0.5), 7, 1e-12);
   EXPECT_NEAR(at(none, "a.total", 1.5), 11, 1e-12);
@@ -143,7 +143,7 @@ TEST(Velocity, ReignsAndReleases) {
   EXPECT_NEAR(at(LoadedFilm(head), "a.total", 1.5), 11, 1e-12);
 }
 
-// Whatever a track had before its first event, a velocity begins from it.
+// A velocity begins from the value that the track has before its first event.
 TEST(Velocity, BeginsFromWhatTheTrackHadBeforeItsFirstEvent) {
   struct Case {
     const char *target, *rows, *rate;
@@ -171,7 +171,7 @@ TEST(Velocity, BeginsFromWhatTheTrackHadBeforeItsFirstEvent) {
         const LoadedFilm plain(film), moved(film + fmt::format("at 25f {}.velocity {}\n", target, c.rate));
         for (const char* time : {"24f", "25f"}) {
           auto want = plain.numbers(target, time), got = moved.numbers(target, time);
-          // Angles that are turned about an axis from now on; and both signs are one orientation.
+          // Angles become a rotation about an axis here. Quaternions of both signs are the same orientation.
           if (want.size() != got.size()) want = numbers(Value(from_angles({want[0], want[1], want[2]})));
           if (want.size() == 4 && std::inner_product(want.begin(), want.end(), got.begin(), 0.0) < 0)
             for (double& x : got) x = -x;
@@ -179,12 +179,12 @@ TEST(Velocity, BeginsFromWhatTheTrackHadBeforeItsFirstEvent) {
           for (std::size_t i = 0; i < want.size(); ++i) EXPECT_NEAR(got[i], want[i], 1e-9) << film << target << time;
         }
       }
-  // And adds up from there.
+  // The integral continues from there.
   const LoadedFilm s("rate 24\ncreate a sphere\na.position.x\n  49f 10\n  73f 20\nat 25f a.position.x.velocity 1\n");
   expect_numbers(s, "a.position.x", "49f", {11});
 }
 
-// From what was reached it goes to the first event's value, not to what had been set before that.
+// After the release the value goes from the integrated one to the first event's, not to the value set before.
 TEST(Velocity, ReleasedBeforeTheFirstEventItGoesToThat) {
   for (const char* set : {"", " position=(3 0 0)"})
     for (const char* target : {"position.x", "position"}) {
@@ -202,7 +202,7 @@ TEST(Velocity, ReleasedBeforeTheFirstEventItGoesToThat) {
       expect_numbers(s, "a.position.x", "49f", {10});
       expect_numbers(s, "a.position.x", "61f", {15});
     }
-  // Where the author says what it comes to, it comes to that.
+  // If the author gives the end value, the track reaches it.
   const LoadedFilm cut(
       "rate 24\ncreate a sphere position=(3 0 0)\na.position.x\n  49f 6 cut 10 linear\n  73f 20\n"
       "twerper a.position.x linear\nat 1f a.position.x.velocity 1\nat 25f a.position.x.velocity release\n");
@@ -345,7 +345,7 @@ TEST(Velocity, OfPlainTracksIsTheirDerivative) {
                 1e-9);
   expect_numbers(s, "a.rotation.velocity", "13f", {0, pi_ / 2, 0}, 1e-6);
   expect_numbers(s, "b.rotation.velocity", "13f", {pi_ / 2, 0, 4 * pi_}, 1e-9);
-  // In light x = t; as written 1.055 t^(1/2.4) - 0.055.
+  // In linear light x = t; in sRGB 1.055 t^(1/2.4) - 0.055.
   EXPECT_NEAR(at(s, "a.color.r.velocity", 0.5), 1.055 / 2.4 * std::pow(0.5, 1 / 2.4 - 1), 1e-5);
 }
 
@@ -362,7 +362,7 @@ TEST(Velocity, GoesAlongWithOperationsOnSegments) {
   };
   near(v("", "13f"), {1.5, 0.25, 0});
   near(v("", "49f"), {3.5, 0.25, 0});
-  // The way is the same, twice as slow.
+  // The path is the same, at half the speed.
   near(v("stretch a.position 1f..25f by 2\n", "25f"), {1.5, 0.25, 0});
   near(v("stretch a.position 1f..25f by 2\n", "49f"), {3.5, 0.25, 0});
   near(v("scale a.position 1f..25f (2 -1 1)\n", "25f"), {7, -0.25, 0});

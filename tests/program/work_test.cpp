@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The work that one question or command may set going: counted, shared by all of it, and never too much. What these
-// films ask for would take from minutes to the age of the universe.
+// Tests the limit of the work that one question or command may cause. It is counted over all parts of the question.
+// Without the limit these films would take from minutes to the age of the universe.
 #include <algorithm>
 
 #include "base/cancellation.h"

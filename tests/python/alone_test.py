@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Programs that import nothing but the module, each in a process of its own: what others have imported hides faults."""
+"""Tests programs that import only the module, each in its own process: imports of other tests could hide faults."""
 
 import subprocess
 import sys
@@ -56,7 +56,7 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
         self.assertEqual(said, "[([0.0, 0.0, 0.0], True), ([1.0, 2.0, 3.0], True)]\n")
 
     def test_without_numpy_it_says_what_is_missing(self):
-        # As where it is not installed: nothing of that name is found.
+        # Simulates that the package is not installed.
         done = subprocess.run([sys.executable, "-c", "import sys; sys.modules['numpy'] = None\nimport betwixt"],
                               capture_output=True, text=True, timeout=60)
         self.assertIn("ImportError: betwixt needs numpy: pip install numpy", done.stderr)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Loading, asking, changing, and what goes wrong."""
+"""Tests of loading, values, changes and errors."""
 
 import datetime
 import os
@@ -53,7 +53,7 @@ class Values(unittest.TestCase):
         self.assertEqual(film.eval("card.size", []).shape, (0, 2))
         self.assertEqual(film.eval("way.points", []), [])
         wrong = betwixt.loads("create ball sphere\nset ball.scale = \"nosuch(t)\"\n")
-        self.assertEqual(wrong.eval("ball.scale", []).shape, (0, 3))  # nobody is warned of code that was not asked
+        self.assertEqual(wrong.eval("ball.scale", []).shape, (0, 3))  # no warning about code that was not run
         with self.assertRaises(betwixt.Error):
             film.eval("bal.position", [])
 
@@ -66,7 +66,7 @@ class Values(unittest.TestCase):
         many = np.arange(0, 1000, 250).astype("timedelta64[ms]")
         np.testing.assert_allclose(film.eval("ball.position.x", many), (0, 6, 12, 18), atol=1e-12)
         self.assertEqual(film.time(np.timedelta64(1, "m")), 24 * 60 + 1)
-        for wrong in (np.timedelta64(1, "M"), np.datetime64("2026-01-01")):  # months are of no length
+        for wrong in (np.timedelta64(1, "M"), np.datetime64("2026-01-01")):  # months have no fixed length
             with self.assertRaises(TypeError):
                 film.time(wrong)
         with self.assertRaises(betwixt.Error):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Poses, frames, meshes and tracks."""
+"""Tests of poses, frames, meshes and tracks."""
 
 import gc
 import math
@@ -59,7 +59,7 @@ class Poses(unittest.TestCase):
         before = world.copy()
         del film, poses, same
         gc.collect()
-        betwixt.loads(ARM).poses()  # takes the memory, were it free
+        betwixt.loads(ARM).poses()  # uses the memory if it was freed by mistake
         np.testing.assert_array_equal(world, before)
         np.testing.assert_array_equal(tip, before[:, 1])
 
@@ -92,7 +92,7 @@ class Frames(unittest.TestCase):
         self.assertEqual((lamp.name, lamp.sun), ("lamp", False))
         np.testing.assert_array_equal(lamp.position, (1, 2, 3))
         self.assertEqual((frame.camera.name, frame.camera.orthographic), ("eye", False))
-        self.assertAlmostEqual(frame.camera.fov, 2 * math.atan(18 / 36))  # of film that is 36 mm wide
+        self.assertAlmostEqual(frame.camera.fov, 2 * math.atan(18 / 36))  # the film is 36 mm wide
         self.assertAlmostEqual(frame.camera.shutter, 0.5 / 24)
         np.testing.assert_array_equal(frame.background, (0, 0, 0))
         self.assertEqual(len(betwixt.loads(ARM + "at 20f hide arm\n").frame(20).items), 1)

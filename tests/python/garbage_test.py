@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Anything at all is handed to everything: what comes of it is an answer or an exception. BETWIXT_GARBAGE=ROUNDS tries
-longer."""
+"""Calls all functions with random arguments. Each call must return or raise an exception. The variable
+BETWIXT_GARBAGE=ROUNDS makes the test longer."""
 
 import datetime
 import os
@@ -43,7 +43,7 @@ class Garbage(unittest.TestCase):
                     how = {chance.choice(options): chance.choice(things + words) for _ in range(chance.randrange(2))}
                     name = chance.choice(names)
                     if name == "poses" and what[2:]:
-                        continue  # a step of a millionth takes long
+                        continue  # a step of a millionth of a frame takes long
                     try:
                         if name == "__init__":
                             film = betwixt.Film(*what, **how)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""An object that __new__ alone has made holds nothing: using it raises, and never crashes."""
+"""Tests objects that were made by __new__ without __init__. Every use raises an exception and never crashes."""
 
 import copy
 import inspect

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What a notebook shows."""
+"""Tests the player in a notebook."""
 
 import base64
 import html.parser
@@ -17,7 +17,7 @@ import betwixt
 
 BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
-# Pushes the button, lets it play on its own, and says what it showed.
+# Presses the button, lets the player play, and records the pictures.
 ACTS = """<script>
 (function () {
   var player = document.querySelector(".betwixt-player"), image = player.querySelector("img"), shown = [image.src];
@@ -72,12 +72,12 @@ class Notebook(unittest.TestCase):
         page = Parser()
         page.feed(player._repr_html_())
         page.close()
-        self.assertEqual((page.open, page.links), ([], []))  # all is closed, nothing is fetched
+        self.assertEqual((page.open, page.links), ([], []))  # all elements are closed, nothing is fetched
         first = base64.b64decode(page.images[0].split(",", 1)[1])
         self.assertEqual(first, self.film.picture(1, size=(32, 18)).png())
         inside = [base64.b64decode(c) for c in re.findall(r'"([A-Za-z0-9+/=]{100,})"', page.script)]
         self.assertEqual(inside, [self.film.picture(t, size=(32, 18)).png() for t in range(1, 6)])
-        self.assertNotEqual(player._repr_html_(), player._repr_html_())  # two of them do not share an id
+        self.assertNotEqual(player._repr_html_(), player._repr_html_())  # two players have different ids
 
     def test_long_films_are_shown_in_steps(self):
         player = self.film.player(size=(16, 9), most=10)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""The page docs/python.md: what it says is tried, as one session."""
+"""Runs the examples of docs/python.md as one session."""
 
 import doctest
 import os
@@ -12,7 +12,7 @@ from support import ROOT
 
 
 def blocks():
-    """The page with all but its Python blanked out, so that lines keep their numbers."""
+    """Returns the page with everything but its Python blanked out, so that line numbers stay the same."""
     with open(os.path.join(ROOT, "docs", "python.md")) as page:
         lines, inside = [], False
         for line in page:

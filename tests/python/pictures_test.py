@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures and films."""
+"""Tests of pictures and films."""
 
 import json
 import os
@@ -28,7 +28,7 @@ create r rectangle size=(100 100) color=#ff8000
 
 
 def read_png(data):
-    """Eight bits, four channels, as betwixt writes them."""
+    """Decodes a PNG of four channels with eight bits, as betwixt writes them."""
     assert data[:8] == b"\x89PNG\r\n\x1a\n"
     at, packed, width, height = 8, b"", 0, 0
     while at < len(data):
@@ -153,7 +153,7 @@ class Films(unittest.TestCase):
         self.assertEqual(os.listdir(self.folder.name), [])
 
     def test_ctrl_c_ends_it(self):
-        # Whoever runs these in the background may have told them not to hear it.
+        # A shell may start background processes with SIGINT ignored.
         self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
         with self.assertRaises(KeyboardInterrupt):
             self.film.render(self.path("a.mp4"), progress=lambda *_: os.kill(os.getpid(), signal.SIGINT))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Runs all tests here, or those named, and says how many passed."""
+"""Runs all or the named tests of this folder, and prints how many passed."""
 
 import os
 import sys

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# run.sh BUILD [NAME…]: runs the tests of the Python module that was built there; all, or those named.
+# run.sh BUILD [NAME…]: runs all or the named tests of the Python module in that build.
 build=$(cd -- "$1" && pwd) || exit 3
 shift
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")" || exit 3

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What the tests share."""
+"""Helpers of the tests."""
 
 import json
 import os
@@ -15,7 +15,7 @@ def example(name):
 
 
 def said_by_program(file, times, targets=()):
-    """What `betwixt eval --json` says: of each time a dict of values."""
+    """Returns the values that `betwixt eval --json` prints: a dict for each time."""
     out = subprocess.run([PROGRAM, "eval", file, "--at", ",".join(times), "--json", *targets],
                          capture_output=True, text=True, check=True)
     return [t["values"] for t in json.loads(out.stdout)["times"]]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Many threads, one film."""
+"""Tests of one film used by many threads."""
 
 import os
 import sys
@@ -16,7 +16,7 @@ import betwixt
 
 
 def together(*works):
-    """Runs them all, each in a thread of its own; what one raises comes out."""
+    """Runs each function in its own thread. Raises the exception of a thread, if any."""
     raised = []
 
     def run(work):
@@ -48,7 +48,7 @@ class Threads(unittest.TestCase):
         together(*[ask] * 6)
 
     def test_who_asks_gets_a_whole_film_while_others_change_it(self):
-        # Both components always move together: whoever sees them differ has seen half an edit.
+        # An edit always changes both components together. If a reader sees them differ, it has seen half of an edit.
         film = betwixt.loads("create a box\ncreate b box\n")
         done = threading.Event()
 
@@ -90,7 +90,7 @@ class Threads(unittest.TestCase):
                 self.assertEqual(made, {film.picture(k, size=(64, 36)).png()})
 
     def test_others_go_on_while_it_works(self):
-        # No thread of Python is interrupted here: the other one comes in only when this one lets go by itself.
+        # Python does not switch threads here by itself, so the other thread runs only when this one releases the lock.
         film = betwixt.load(example("menagerie.bx"))
         inside, seen, over = [False], [False], [False]
         before = sys.getswitchinterval()
@@ -98,7 +98,7 @@ class Threads(unittest.TestCase):
         def other():
             while not over[0]:
                 seen[0] = seen[0] or inside[0]
-                time.sleep(1e-4)  # lets go
+                time.sleep(1e-4)  # releases the lock
 
         thread = threading.Thread(target=other)
         sys.setswitchinterval(1e6)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What the module says of its types: mypy takes it, and what the page docs/python.md does with it."""
+"""Tests the types of the module: mypy accepts the stubs, and the examples of docs/python.md that use them."""
 
 import ast
 import doctest
@@ -27,7 +27,7 @@ def mypy(*arguments):
 
 
 def callables():
-    """All functions and methods of the module that are somebody's to call, by name: (what it is, the stub's class)."""
+    """Returns the public functions and methods of the module by name: (the function, its class in the stub)."""
     for name in betwixt.__all__:
         what = getattr(betwixt, name)
         if not inspect.isclass(what):
@@ -42,7 +42,7 @@ def callables():
 
 
 def stubs():
-    """What the stub says of each function: names, kinds and defaults."""
+    """Returns the parameters of each function in the stub: names, kinds and defaults."""
     with open(os.path.join(PACKAGE, "_core.pyi")) as text:
         tree = ast.parse(text.read())
     for part in tree.body:

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What pip asks of build_wheel.py: how far it is, where it builds, what is in the wheel. In place of CMake stands what
-says the like."""
+"""Tests build_wheel.py: its progress lines, the folder of the build, the content of the wheel. A fake CMake prints
+similar output."""
 
 import os
 import pty
@@ -57,7 +57,7 @@ class Wheel(unittest.TestCase):
             while more := os.read(terminal, 4096):
                 seen += more
         except OSError:
-            pass  # it has ended
+            pass  # the process has ended
         self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 0, seen)
         for step in STEPS:
             self.assertIn(step.encode(), seen)

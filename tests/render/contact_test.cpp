@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contact shading: where it must be darker, by how things stand, and where nothing may change.
+// Tests contact shading: where it must be darker, by the positions of objects, and where nothing may change.
 #include "render/scenes.h"
 
 namespace betwixt {

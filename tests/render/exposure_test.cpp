@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Blur, of what moves and of what is out of focus: edges and discs against closed forms, and what jumps.
+// Compares motion blur and depth of field with closed forms, for edges and discs, and tests objects that jump.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,15 +47,15 @@ double light(const LinearPicture& p, int x, int y, int channel = 1) {
              static_cast<std::size_t>(channel)]);
 }
 
-// A drawing 96 by 54 pixels, ten to a metre; white on black.
+// A drawing of 96 by 54 pixels, ten pixels per metre, white on black.
 std::string drawing(const std::string& rest) {
   return "rate 24\nrange 1f 24f\nsize 96x54\nfilm flat\nbackground black\n"
          "create eye camera position=(0 0 10) look-at=(0 0 0) height=5.4\nset eye.shutter 180deg\n" +
          rest;
 }
 
-// What an edge that goes from `from` to `to` while the shutter is open leaves in the pixel from 0 to 1: the integral
-// over time of how much of it is covered.
+// Returns the exposure of the pixel from 0 to 1 by an edge that moves from `from` to `to` while the shutter is open:
+// the integral over time of its covered share.
 double swept(double from, double to) {
   const auto so_far = [](double u) { return u < 0 ? 0 : u < 1 ? u * u / 2 : u - 0.5; };
   return (so_far(to) - so_far(from)) / (to - from);
@@ -119,7 +119,7 @@ TEST(Exposure, HasTheSameBitsWhateverWasTakenBefore) {
   EXPECT_EQ(other.at("3f").rgba, third.rgba);
 }
 
-// As they would be added up by hand.
+// The expected picture: the sum of single pictures.
 TEST(Exposure, IsTheSumOfSharpPictures) {
   Taken film(
       "create bar box size=(3 0.3 0.3) color=tomato\ncreate lamp light position=(3 4 5) range=40 shadow=off\n"
@@ -142,8 +142,8 @@ TEST(Exposure, IsTheSumOfSharpPictures) {
   EXPECT_LT(mean, 0.001);
 }
 
-// Between frames, a third of the way through the shutter's time: what jumps then is seen as it was, once, and what
-// moves beside it is blurred all the same.
+// A jump between frames, after a third of the shutter's time: the jumping object is drawn once, as before the jump, and
+// moving objects next to it are still blurred.
 TEST(Exposure, NothingBlursAcrossWhatJumps) {
   const std::string moving =
       "create m circle radius=0.5 color=white position=(0 2 0)\nm.position\n  1f (-4 2 0) linear\n"
@@ -176,7 +176,7 @@ TEST(Exposure, NothingBlursAcrossWhatJumps) {
   }
 }
 
-// What moves until it jumps is blurred by as much as it has gone until then.
+// An object that moves and then jumps is blurred only by its motion before the jump.
 TEST(Exposure, ForWhatJumpsTheShutterClosesBefore) {
   // Its right border goes from 10 pixels to 30 while a quarter of a frame passes, then it is elsewhere.
   Taken film(
@@ -204,8 +204,8 @@ TEST(Exposure, NothingBlursAcrossCamerasAndLights) {
   }
 }
 
-// A small lamp that glows becomes a disc of A·|d − f|/d as seen at the distance f: its light is spread evenly, so that
-// the mean square of how far it is from the middle is half that of the radius.
+// A small glowing lamp becomes a disc of diameter A·|d − f|/d, measured at the distance f. Its light is spread evenly,
+// so the mean square distance from the centre is half of the square of the radius.
 TEST(Exposure, WhatIsOutOfFocusIsADisc) {
   for (const double depth : {4.0, 8.0, 24.0}) {
     Taken film(
@@ -229,7 +229,7 @@ TEST(Exposure, WhatIsOutOfFocusIsADisc) {
   }
 }
 
-// Where light is followed, the pictures that are added up share the samples of one, and no two have the same.
+// In the style traced the summed pictures share the samples of one picture, and no two use the same samples.
 TEST(Exposure, TracedPicturesAreBlurredAlike) {
   const std::string script =
       drawing("create a circle radius=0.6 color=gold\na.position\n  1f (-4 0 0) linear\n  5f (4 2 0)\n");
@@ -247,7 +247,7 @@ TEST(Exposure, TracedPicturesAreBlurredAlike) {
   EXPECT_EQ(traced.at("12f", 16).rgba, traced.sharp("12f").rgba);
 }
 
-// What both can say of things that move, turn and are out of focus: 35 dB.
+// Two styles agree on objects that move, rotate and are out of focus: 35 dB.
 TEST(Exposure, TracedBlurIsThatOf64SubframesOfShaded) {
   const std::string script =
       "rate 24\nrange 1f 24f\nambient #303030\ncreate sun light shines=sun position=(2 4 6) shadow=off\n"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures of light: what is shown of them is what others show, what is clear is so by as much as things cover, and
-// light stays as bright as it is. By closed forms.
+// Tests pictures of linear light with closed forms: as seen on a screen they equal the usual pictures, transparency is
+// the uncovered part, and light keeps its brightness.
 #include <limits>
 
 #include "render/scenes.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lines through which one sees, by what pixels must have in closed form.
+// Compares the pixels of transparent lines with closed forms.
 #include "render/scenes.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures of an evaluation that plays are, byte by byte, those of its frames by themselves.
+// Pictures during playback must equal, byte by byte, the pictures of single frames.
 #include <fmt/format.h>
 
 #include <algorithm>

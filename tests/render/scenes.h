@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Small frames to draw, and ways to look at a picture.
+// Small frames to render, and functions that measure pictures.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ inline int encoded_byte(double l) {
   return static_cast<int>(std::lround(255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055)));
 }
 
-// A square of side 1 in the plane z = 0 that faces +z; not closed unless it is said to be.
+// Returns a square of side 1 in the plane z = 0 that faces +z. It is closed only if `closed` is set.
 inline std::shared_ptr<const Shape> square(bool closed = false) {
   auto mesh = std::make_shared<Mesh>();
   mesh->positions = {{-0.5F, -0.5F, 0}, {0.5F, -0.5F, 0}, {0.5F, 0.5F, 0}, {-0.5F, 0.5F, 0}};
@@ -60,7 +60,7 @@ inline Item item(std::shared_ptr<const Shape> shape, const Mat4& world, Vec3 col
   return i;
 }
 
-// Looks along -z from `z`; 10 m are seen from bottom to top.
+// Returns a frame with a camera at `z` that looks along -z. The picture shows a height of 10 m at the origin.
 inline Frame frame(double z = 10) {
   Frame f;
   f.camera.world = translation({0, 0, z});
@@ -84,7 +84,7 @@ inline Picture draw(const Frame& f, RenderOptions options = {100, 100, 4, "shade
   return p;
 }
 
-// Where a picture's pixels brighter than `above` have their middle, in pixels from the top left corner.
+// Returns the centre of the pixels brighter than `above`, in pixels from the top left corner.
 inline std::pair<double, double> middle(const Picture& p, int above = 128) {
   double x = 0, y = 0, n = 0;
   for (int j = 0; j < p.height; ++j)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is around things, by closed forms: backgrounds, drawings, light from everywhere, fog, the floor, the sky.
+// Compares the surroundings with closed forms: backgrounds, drawings, ambient light, fog, the ground, the sky.
 #include "render/scenes.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shadows are fine where one looks, several lights cast them, and soft ones are as wide as closed forms say.
+// Tests shadows: fine near the camera's subject, from several lights, and soft ones with the width of closed forms.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace scenes;
 
-// A ball of 0.1 m on a plane of 1,000 m, from 1 m away; the sun stands at 45 degrees at the left.
+// A ball of 0.1 m on a plane of 1,000 m, seen from 1 m away. The sun is at 45 degrees on the left.
 Frame small_ball() {
   Frame f;
   f.camera.world = look_at({0, 0.8, 0.8}, {0.1, 0, 0});
@@ -27,7 +27,7 @@ Frame small_ball() {
   return f;
 }
 
-// Pixels of the middle row, right of the ball, that are neither lit nor dark.
+// Counts the pixels of the middle row, right of the ball, that are neither lit nor dark.
 int between(const Picture& p) {
   const int dark = pixel(p, p.width / 2, p.height / 2).g, lit = pixel(p, p.width - 2, p.height / 2).g;
   EXPECT_GT(lit, dark + 50);
@@ -51,7 +51,7 @@ TEST(RenderShadow, ASmallBallBesideALargePlaneHasACrispOne) {
   }
 }
 
-// So many that the plane does not dwarf what stands on it.
+// So many objects that the size of the plane does not matter.
 TEST(RenderShadow, ManySmallThingsFarOffLeaveItCrisp) {
   const RenderOptions options{640, 360, 4, "shaded"};
   Frame f = small_ball();
@@ -60,7 +60,7 @@ TEST(RenderShadow, ManySmallThingsFarOffLeaveItCrisp) {
   EXPECT_LE(between(draw(f, options)), 6);
 }
 
-// The same renderer, from here and from there: what it keeps must not show.
+// One renderer, two cameras in turn: data that it keeps from one picture must not change the other.
 TEST(RenderShadow, WhatIsFineFollowsTheCamera) {
   const RenderOptions options{320, 180, 4, "shaded"};
   const auto keeping = renderer(options);
@@ -76,7 +76,7 @@ TEST(RenderShadow, WhatIsFineFollowsTheCamera) {
 
 double linear(const Pixel& p) { return decoded(p.g / 255.0); }
 
-// From above, 100 pixels for `height` metres: (x, z) of the world is right and down.
+// A camera from above, with 100 pixels for `height` metres: x of the world is right, z is down.
 Frame from_above(double height) {
   Frame f;
   f.camera.world = translation({0, 20, 0}) * rotation(axis_angle({1, 0, 0}, -pi / 2));
@@ -97,10 +97,10 @@ Light sun(Vec3 direction, Casting casting, double strength = 1) {
   l.sun = true, l.direction = normalize(direction), l.casting = casting, l.color = strength * Vec3{1, 1, 1};
   return l;
 }
-// What a sun sends to the floor of `from_above`.
+// Returns the light that a sun sends to the floor of `from_above`.
 double sent(const Light& sun) { return 0.8 * 0.5 * sun.color.x * -sun.direction.y; }
 
-// A ball 3 m above the floor; the suns' shadows have their middles at (3, 0) and (3, 1.2).
+// A ball 3 m above the floor. The centres of the suns' shadows are at (3, 0) and (3, 1.2).
 Frame two_suns(Casting first, Casting second) {
   Frame f = from_above(10);
   f.items.push_back(item(sphere(1), translation({0, 3, 0}), {1, 1, 1}, Material::matte));
@@ -132,7 +132,7 @@ TEST(RenderShadow, TheStrongestCastsWhereNobodySaysOtherwise) {
   EXPECT_EQ(shadows(Casting::off, Casting::off), std::pair(false, false));
 }
 
-// Six suns that all want to: the shadows of the two weakest are missing, in whichever order they come.
+// Six suns with shadows: those of the two weakest are missing, in any order of the suns.
 TEST(RenderShadow, FourCastThemTheStrongestFirst) {
   Frame f = from_above(10);
   f.items.push_back(item(sphere(0.3), translation({0, 3, 0}), {1, 1, 1}, Material::matte));
@@ -159,7 +159,7 @@ TEST(RenderShadow, ThingsNeedNotCastAny) {
     EXPECT_NEAR(seen_from_above(p, 10, 3, z), seen_from_above(p, 10, -3, 0), 0.005);
 }
 
-// A plate over the half x < 0 of the floor, `high` above it.
+// A plate over the half x < 0 of the floor, `high` metres above it.
 Frame plate(double high, const Light& light) {
   Frame f = from_above(2);
   const Mat4 lying = rotation(axis_angle({1, 0, 0}, -pi / 2));
@@ -169,7 +169,7 @@ Frame plate(double high, const Light& light) {
   return f;
 }
 
-// How much of the light there is at each pixel of a row about x, 2 m wide.
+// Returns the share of the light at each pixel of a row around x, 2 m wide.
 std::vector<double> profile(Frame f, double x) {
   const RenderOptions options{200, 20, 4, "shaded"};
   f.camera.world = translation({x, 0, 0}) * f.camera.world, f.camera.height = 0.2;
@@ -181,13 +181,13 @@ std::vector<double> profile(Frame f, double x) {
   return r;
 }
 
-// How much of a disc of radius 1 is on one side of a line s from its middle.
+// Returns the share of a disc of radius 1 on one side of a line at distance s from its centre.
 double share(double s) {
   s = std::clamp(s, -1.0, 1.0);
   return 0.5 + (s * std::sqrt(1 - s * s) + std::asin(s)) / pi;
 }
 
-// `wanted`: how much is there at x.
+// `wanted` returns the expected share of the light at x.
 void expect_profile(const std::vector<double>& is, double middle, const std::function<double(double)>& wanted) {
   double worst = 0, wide = 0, wide_wanted = 0;
   for (int i = 0; i < 200; ++i) {
@@ -210,7 +210,7 @@ TEST(RenderShadow, ASoftSunsPenumbraIsThatOfADisc) {
   }
 }
 
-// The lamp is a disc of a fortieth of its range, here 0.5 m, 8 m above the floor.
+// The lamp is a disc of a fortieth of its range, here 0.5 m, at 8 m above the floor.
 TEST(RenderShadow, ASoftLampsPenumbraIsThatOfADisc) {
   for (const double high : {1.0, 3.0}) {
     Light light = lamp({-2, 8, 0}, 20);
@@ -221,7 +221,7 @@ TEST(RenderShadow, ASoftLampsPenumbraIsThatOfADisc) {
 }
 
 TEST(RenderShadow, SoftOnesAreCrispWhereThingsTouch) {
-  // Of a box on the floor the edge begins at once, and is wider farther out.
+  // The edge of a box's shadow is sharp at the box and wider farther out.
   Frame f = from_above(4);
   f.items.push_back(item(square(), translation({0, 0.75, 0}) * scaling({0.5, 1.5, 1}), {1, 1, 1}, Material::matte));
   f.lights = {sun({0, -1, 1}, Casting::soft)};
@@ -239,7 +239,7 @@ TEST(RenderShadow, SoftOnesAreCrispWhereThingsTouch) {
   EXPECT_GT(between(1.2), between(0.1) + 3);
 }
 
-// What can be seen of the light, by another route: whether the sun meets any of these balls and boxes along the axes.
+// Computes visibility of the sun in another way: whether a ray to it meets any of these balls and axis-aligned boxes.
 struct Solid {
   Vec3 center, half;
   bool ball;
@@ -269,7 +269,7 @@ Item item_of(const Solid& s) {
   return item(s.ball ? sphere(s.half.x) : box(2 * s.half), translation(s.center), {0.02, 0.02, 0.02}, Material::matte);
 }
 
-// A ground, things that stand on it, a sun.
+// A ground, objects on it, and a sun.
 Frame standing(const std::vector<Solid>& solids, Vec3 to_sun, Vec3 eye, Vec3 target) {
   Frame f;
   f.camera.world = look_at(eye, target), f.camera.fov = 0.9;
@@ -279,7 +279,8 @@ Frame standing(const std::vector<Solid>& solids, Vec3 to_sun, Vec3 eye, Vec3 tar
   return f;
 }
 
-// Where a pixel's line of sight meets the ground; nothing where a solid is before that, or nearly, or where it is far.
+// Returns the point where a pixel's ray meets the ground, or nullopt if it is far, or if a solid is (nearly) in the
+// way.
 std::optional<Vec3> on_ground(const Frame& f, const RenderOptions& o, int x, int y, const std::vector<Solid>& solids) {
   const double scale = 2 * std::tan(f.camera.fov / 2) / o.width;
   const Vec3 way =
@@ -292,8 +293,8 @@ std::optional<Vec3> on_ground(const Frame& f, const RenderOptions& o, int x, int
   return spot;
 }
 
-// Of the pixels that show the ground: how many there are, and how many are not lit as they must be, but for those
-// `slack` metres from where a shadow ends.
+// Counts the pixels that show the ground, and those with wrong light. Leaves out pixels within `slack` metres of the
+// edge of a shadow.
 struct Found {
   int dark = 0, lit = 0, wrong = 0;
 };
@@ -314,7 +315,7 @@ Found compared(const Frame& f, const std::vector<Solid>& solids, Vec3 to_sun, do
   return r;
 }
 
-// Of each thing, whatever the size of the others: from a thousandth of the largest on.
+// Every object casts a shadow if it has at least a thousandth of the size of the largest.
 TEST(RenderShadow, AllCastHoweverSmallOthersAre) {
   const RenderOptions options{320, 180, 4, "shaded"};
   std::mt19937 random(7);
@@ -337,7 +338,7 @@ TEST(RenderShadow, AllCastHoweverSmallOthersAre) {
     }
 }
 
-// A street of houses up to a kilometre away, and who stands near the eye with a nail's head beside.
+// A street of houses up to a kilometre away, with a figure and the head of a nail near the camera.
 TEST(RenderShadow, WhatIsNearAndWhatIsFarCastTogether) {
   const RenderOptions options{640, 360, 4, "shaded"};
   std::vector<Solid> solids = {{{0.5, 0.9, 0}, {0.25, 0.9, 0.2}, false}, {{-0.7, 0.02, 1}, {0.02, 0.02, 0.02}, true}};
@@ -356,7 +357,7 @@ TEST(RenderShadow, WhatIsNearAndWhatIsFarCastTogether) {
   EXPECT_LE(compared(alone, near, to_sun, 0.02, options).wrong, 5);
 }
 
-// The sun's shadow of what was there before stays where it was while a small thing flies about, near the eye and far.
+// Shadows of resting objects stay the same while a small object moves, near the camera and far from it.
 TEST(RenderShadow, WhatIsSmallAndMovesDoesNotStirOthers) {
   const RenderOptions options{320, 180, 4, "shaded"};
   const std::vector<Solid> solids = {{{0, 1, 0}, {1, 1, 1}, true}, {{2.5, 0.5, -1}, {0.5, 0.5, 0.5}, false}};
@@ -381,7 +382,7 @@ TEST(RenderShadow, WhatIsSmallAndMovesDoesNotStirOthers) {
   }
 }
 
-// Where a box stands, its shaded side and its shadow are dark, and no line of light is between them.
+// The shaded side of a box and its shadow are dark, without a line of light between them.
 TEST(RenderShadow, NoLightLeaksInBetweenABoxAndItsShadow) {
   for (const Vec3 to_sun : {Vec3{-0.6, 1, -0.8}, {0.2, 2, -1}, {0.5, 0.5, -0.5}})
     for (const double size : {0.1, 1.0, 30.0}) {
@@ -401,7 +402,7 @@ TEST(RenderShadow, NoLightLeaksInBetweenABoxAndItsShadow) {
     }
 }
 
-// A lamp in the midst of a ring of balls: each has a shadow behind it, whichever way that is.
+// A lamp in the middle of a ring of balls: each ball has a shadow behind it, in every direction.
 TEST(RenderShadow, ALampAmidThingsCastsAllAround) {
   for (const Casting casting : {Casting::on, Casting::soft})
     for (const double unit : {0.01, 1.0, 1000.0}) {
@@ -428,7 +429,7 @@ TEST(RenderShadow, ALampAmidThingsCastsAllAround) {
     }
 }
 
-// The same bits, whatever was drawn before.
+// A picture has the same bits, whatever was drawn before.
 TEST(RenderShadow, WhatLightsCastIsComparedToo) {
   const RenderOptions options{100, 100, 4, "shaded"};
   const auto keeping = renderer(options);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Light that is followed: what closed forms say of it, what `shaded` says too, and that nothing but the frame counts.
+// Tests the style `traced` (path tracing) with closed forms and with `shaded`. A picture must depend on the frame
+// alone.
 #include "render/traced.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using namespace scenes;
 
 RenderOptions with(int width, int height, int samples) { return {width, height, samples, "traced"}; }
 
-// With no light but that from everywhere.
+// A scene with only ambient light.
 Frame everywhere(Vec3 ambient) {
   Frame f = frame();
   f.surroundings.ambient = ambient;
@@ -27,7 +28,7 @@ Frame everywhere(Vec3 ambient) {
   return f;
 }
 
-// A pixel in linear light.
+// Returns a pixel in linear light.
 double light(const Picture& p, int x, int y) { return decoded(pixel(p, x, y).r / 255.0); }
 
 double psnr(const Picture& a, const Picture& b) {
@@ -49,8 +50,8 @@ double mean(const Picture& p) {
   return sum / (p.width * p.height);
 }
 
-// The furnace: what gives back all light cannot be told from light that is the same everywhere, however rough, and
-// whatever stands in its way.
+// The furnace test: in uniform light an object that reflects all light is invisible, with any roughness and among any
+// other such objects.
 TEST(Traced, WhiteThingsAreNotSeenInWhiteLight) {
   for (const Material material : {Material::matte, Material::plastic})
     for (const double shine : {0.0, 0.5, 1.0}) {
@@ -75,7 +76,7 @@ TEST(Traced, GreyThingsGiveTheirShareBack) {
   EXPECT_EQ(pixel(p, 4, 4), (Pixel{encoded_byte(0.3), encoded_byte(0.15), encoded_byte(0.6), 255}));
 }
 
-// Half of what a wall sees is above, half below.
+// A wall gets half of its light from above and half from below.
 TEST(Traced, WallsGetLightFromAboveAndBelow) {
   Frame f = everywhere({0, 0, 0});
   f.surroundings.ambient.reset();
@@ -86,8 +87,8 @@ TEST(Traced, WallsGetLightFromAboveAndBelow) {
   EXPECT_NEAR(pixel(draw(f, with(8, 8, 256)), 4, 4).g, encoded_byte((sky + ground) / 2), 2);
 }
 
-// In a hollow ball with a lamp in its middle all of the wall gets the same light from all of the wall:
-// L = a (E + L), so L = a E / (1 - a). No light from outside comes in.
+// In a hollow ball with a lamp at its centre every point of the wall gets the same light: L = a (E + L), so
+// L = a E / (1 - a). No light comes in from outside.
 TEST(Traced, LightGoesRoundInAHollowBall) {
   const double a = 0.6, range = 10, radius = 3, window = 1 - radius * radius / (range * range);
   for (const bool mesh : {false, true}) {
@@ -108,7 +109,7 @@ TEST(Traced, LightGoesRoundInAHollowBall) {
   }
 }
 
-// The same with light that comes from the wall itself.
+// The same with a wall that glows.
 TEST(Traced, WhatGlowsGivesLight) {
   Frame f = everywhere({0, 0, 0});
   f.items.push_back(item(sphere(30), Mat4{}, {0.7, 0.35, 0.2}));
@@ -133,7 +134,7 @@ TEST(Traced, ALampLightsAWallAsItsDistanceSays) {
     }
 }
 
-// A lamp 4 m above the wall, a square of 2 m halfway: its shadow is of 4 m.
+// A lamp 4 m above the wall, and a square of 2 m halfway between: the shadow has 4 m.
 TEST(Traced, ShadowsEndWhereLinesOfSightDo) {
   Frame f = everywhere({0, 0, 0});
   f.lights = {lamp({0, 0, 4}, 40)};
@@ -172,7 +173,7 @@ TEST(Traced, WhatIsThinCastsAThinShadow) {
   EXPECT_NEAR(shadow(0.6, true), open, 1e-9);
 }
 
-// Each is drawn upon those before it, also in one plane: c = a c1 + (1 - a) c0.
+// Each drawing covers those before it, also in the same plane: c = a c1 + (1 - a) c0.
 TEST(Traced, LayersLieInTheOrderInWhichTheyAreDrawn) {
   Frame f = frame();
   f.surroundings.flat = true;
@@ -189,7 +190,7 @@ TEST(Traced, LayersLieInTheOrderInWhichTheyAreDrawn) {
   EXPECT_EQ(pixel(draw(f, with(5, 5, 1)), 2, 2).b, encoded_byte(0.5 + 0.125));
 }
 
-// However close they lie: planes of f32 overlap here.
+// Also if they are so close that the planes coincide in f32.
 TEST(Traced, EachLayerIsSeenOnce) {
   Frame f = frame();
   f.surroundings.flat = true;
@@ -200,7 +201,7 @@ TEST(Traced, EachLayerIsSeenOnce) {
   EXPECT_NEAR(light(draw(f, with(5, 5, 1)), 2, 2), 1 - std::pow(0.95, 40), 0.01);
 }
 
-// Balls, boxes and glass before a backdrop; walls with pictures; a sky; drawings.
+// Balls, boxes and glass in front of a backdrop; walls with textures; a sky; drawings.
 Frame apart() {
   Frame f = frame(20);
   f.background.reset();
@@ -233,7 +234,7 @@ TEST(Traced, SaysWhatShadedSays) {
   EXPECT_GT(ratio(f), 35) << "sky";
   f.surroundings.flat = true, f.surroundings.sky = false, f.background = Vec3{0.1, 0.2, 0.3};
   EXPECT_GT(ratio(f), 35) << "flat";
-  // The floor goes over into the sky.
+  // The floor fades into the sky.
   Frame wide;
   wide.camera.world = look_at({0, 2, 0}, {0, 1.6, -10});
   wide.surroundings.sky = true, wide.surroundings.ground = Vec3{0.7, 0.7, 0.6},
@@ -241,7 +242,7 @@ TEST(Traced, SaysWhatShadedSays) {
   EXPECT_GT(ratio(wide), 40) << "horizon";
   wide.surroundings.fog = {{0.5, 0.6, 0.7}, 15, 30};
   EXPECT_GT(ratio(wide), 40) << "a horizon in fog";
-  // A shadow on a floor of what gives no light back.
+  // A shadow on the floor, of an object that reflects no light.
   Frame g = apart();
   for (Item& i : g.items) i.color = {0, 0, 0}, i.material = Material::matte;
   g.surroundings.ground = Vec3{0.6, 0.55, 0.5}, g.surroundings.ambient = Vec3{0, 0, 0};
@@ -298,7 +299,7 @@ TEST(Traced, AnyNumberOfThreadsMakesTheSamePicture) {
   }
 }
 
-// Light as bright as it is, and what has nothing behind it.
+// Light above white is kept, and empty parts are transparent.
 TEST(Traced, LightStaysAsBrightAsItIs) {
   Frame f = everywhere({2, 2, 2});
   f.surroundings.clear = true, f.background = Vec3{};
@@ -369,7 +370,7 @@ TEST(Traced, WhatIsPressedFlatIsSeen) {
   EXPECT_GT(mean(p), pi * 9 / 100);
 }
 
-// Far from the world's origin all looks as it does near.
+// A scene looks the same far from the world's origin.
 TEST(Traced, PlaceIsNoMatter) {
   const Frame f = some_of_all();
   Frame far = f;
@@ -380,7 +381,7 @@ TEST(Traced, PlaceIsNoMatter) {
   EXPECT_GT(psnr(draw(f, with(48, 27, 4)), draw(far, with(48, 27, 4))), 45);
 }
 
-// Of 2^k samples each box of all that have the area 2^-k holds one.
+// Of 2^k samples, every elementary box of area 2^-k contains exactly one.
 TEST(PixelSampler, EachBoxHoldsOneSample) {
   for (const std::uint32_t count : {1U, 2U, 16U, 64U, 256U})
     for (int question = 0; question < 3; ++question)

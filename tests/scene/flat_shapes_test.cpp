@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Flat shapes, by their areas in closed form; gears by turning each other.
+// Compares the areas of flat shapes with closed forms, and turns gears against each other.
 #include "scene/flat_shapes.h"
 
 #include <gtest/gtest.h>

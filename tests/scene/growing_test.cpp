@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Large scenes: what an edit copies does not grow with them, and who speaks of whom is found without looking at all.
+// Tests large scenes. What an edit copies must not grow with the scene, and references to an object are found without a
+// search through all objects.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Light as screens show it, and back, by the sRGB standard.
+// Tests the conversion of linear light to the screen and back by the sRGB standard.
 #include "betwixt/linear_picture.h"
 
 #include <gtest/gtest.h>

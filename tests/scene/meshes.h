@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tests of meshes have in common.
+// Helpers for tests of meshes.
 #pragma once
 
 #include <gtest/gtest.h>

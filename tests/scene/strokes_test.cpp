@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is drawn of lines, by arc lengths in closed form; what strokes cover by their areas is in tests/exchange.
+// Compares the visible parts of lines with arc lengths in closed form. tests/exchange tests the areas of strokes.
 #include "scene/strokes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The public face for reading: a whole document is listed by the public headers alone, and is what its script said.
+// Tests the public headers for reading: they alone are enough to list a whole document, which must equal its script.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much hosts may make of a document, and of its history. (R-E8)
+// Tests the limits on the size of a document and its history. (R-E8)
 #include "betwixt/picture.h"
 #include "server/stage.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Another thread frees what is discarded.
+// Tests that another thread frees discarded data.
 #include "server/deferred_free.h"
 
 #include <gtest/gtest.h>

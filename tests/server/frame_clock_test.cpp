@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The clock: which frames it makes, when it sleeps, what it counts. It runs in real time, so that what is asked of it
-// here holds on the slowest machine: nothing is said of how late it is.
+// Tests the clock: which frames it makes, when it sleeps, what it counts. It runs in real time, so the tests must hold
+// on the slowest machine. No test checks how late the clock is.
 #include "server/frame_clock.h"
 
 #include <gtest/gtest.h>

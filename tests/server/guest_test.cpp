@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is on its way to a host: texts in their order, long ones in pieces and without a copy.
+// Tests the output to a host: texts stay in order, and long ones are sent in pieces without a copy.
 #include "server/guest.h"
 
 #include <gtest/gtest.h>

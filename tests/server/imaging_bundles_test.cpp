@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bundles: all of it or nothing.
+// Tests bundles: all commands take effect, or none.
 #include "server/stage.h"
 
 namespace betwixt {

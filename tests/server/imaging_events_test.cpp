@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What hosts that asked are told.
+// Tests the events that hosts get after a subscription.
 #include "server/stage.h"
 
 namespace betwixt {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What hosts said is a script, which makes the same document. (R-E1c)
+// The history of the hosts' commands must be a script that makes the same document. (R-E1c)
 #include <rapidcheck.h>
 
 #include <algorithm>

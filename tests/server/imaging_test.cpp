@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The imaging server without sockets, at times that the tests say. (C16, C97, C133; R-E1c)
+// Tests the imaging server without sockets, with a clock that the tests set. (C16, C97, C133; R-E1c)
 #include "server/imaging.h"
 
 #include <rapidcheck.h>
@@ -35,7 +35,8 @@ TEST(Imaging, AnswersEveryLineOnce) {
   s.expect_history();
 }
 
-// What takes long is worked out beside: others go on, and it is worked out again from what they have made.
+// A long command is computed in the background while other hosts continue. If they change the document, it is computed
+// again.
 TEST(Imaging, LinesThatTakeLongLetOthersGoOn) {
   Stage s;
   const auto slow = s.imaging.arrive(), quick = s.imaging.arrive();
@@ -59,7 +60,7 @@ TEST(Imaging, LinesThatTakeLongLetOthersGoOn) {
   EXPECT_EQ(works, 3);
   EXPECT_TRUE(holds(s.say(slow, "eval b2.size.x ball1.radius ball2.radius"),
                     "\"b2.size.x\":7,\"ball1.radius\":1,\"ball2.radius\":1"));
-  // Who has gone takes back what it asked.
+  // A host that disconnects cancels its open request.
   wanted = false;
   EXPECT_EQ(s.say(slow, "set b*.size (9 9 9)"), "");
   wanted = true;
@@ -67,7 +68,7 @@ TEST(Imaging, LinesThatTakeLongLetOthersGoOn) {
   s.expect_history();
 }
 
-// Whoever is always interrupted is waited for in the end, but only by what would interrupt it again.
+// After several interruptions a command is waited for, but only by commands that would interrupt it again.
 TEST(Imaging, WhoIsAlwaysInterruptedIsWaitedFor) {
   Stage s;
   const auto slow = s.imaging.arrive(), quick = s.imaging.arrive(), bundles = s.imaging.arrive();
@@ -101,7 +102,7 @@ TEST(Imaging, WhoIsAlwaysInterruptedIsWaitedFor) {
   s.done(slow, "set b*.size (8 8 8)");
   EXPECT_GE(works, 4);
   EXPECT_FALSE(s.imaging.waits());
-  // What was for later is done then, with the numbers that its lines have.
+  // Waiting lines are carried out then, and keep their line numbers.
   const std::string rest = s.say(quick, "2 3)");
   EXPECT_TRUE(holds(rest, "\"line\":19,\"ok\":true")) << rest;
   EXPECT_TRUE(holds(s.say(bundles, "end"), "\"line\":3,\"ok\":true"));
@@ -109,7 +110,7 @@ TEST(Imaging, WhoIsAlwaysInterruptedIsWaitedFor) {
   s.expect_history();
 }
 
-// What takes long of itself is waited for by nobody; in the end it is told so.
+// No other command waits for a command that takes too long by itself. In the end it is refused.
 TEST(Imaging, NobodyWaitsForWhatTakesLong) {
   Stage s;
   const auto slow = s.imaging.arrive(), quick = s.imaging.arrive();
@@ -132,7 +133,7 @@ TEST(Imaging, NobodyWaitsForWhatTakesLong) {
   s.expect_history();
 }
 
-// A file is read once for a command, however often the document changes under it.
+// A file is read once for a command, even if the document changes meanwhile and the command is computed again.
 TEST(Imaging, WhatWasReadIsKeptForTheNextTry) {
   const Folder folder;
   folder.put("show.bx", "create ball sphere\n");
@@ -182,7 +183,7 @@ TEST(Imaging, QuestionsAboutManyLetOthersGoOn) {
   s.refused(asks, "eval " + std::string(Imaging::longest_question, 'x'), "'eval' can have at most 65536 bytes");
 }
 
-// Names that stand for many, and rows below a pattern, do not look as if they spoke of many.
+// An alias of many objects and rows below a pattern are long commands, although they do not look like it.
 TEST(Imaging, WhateverSpeaksOfManyIsWorkedOutBeside) {
   Stage s;
   const auto host = s.imaging.arrive();
@@ -206,7 +207,7 @@ TEST(Imaging, WhateverSpeaksOfManyIsWorkedOutBeside) {
   s.expect_history();
 }
 
-// A few values that need no code are said at once; what may take long is not.
+// A few values without code are answered at once. Questions that may take long are not.
 TEST(Imaging, WhatIsQuicklyKnownIsSaidAtOnce) {
   Stage s;
   const auto host = s.imaging.arrive();
@@ -300,7 +301,7 @@ TEST(Imaging, TwoHostsSheetsDoNotMix) {
   s.expect_history();
 }
 
-// A display list is made row by row, by two hosts at once, and shown; the clock goes on. (C66, C80)
+// Two hosts make display lists row by row at once, and show them, while the clock runs. (C66, C80)
 TEST(Imaging, DisplayListsAreMadeRowByRow) {
   Stage s;
   const auto a = s.imaging.arrive(), b = s.imaging.arrive();
@@ -324,7 +325,8 @@ TEST(Imaging, DisplayListsAreMadeRowByRow) {
   s.expect_history();
 }
 
-// A live command takes effect so many ticks after it came; one with a time, at its time. (R-E1a, R-E1c)
+// A live command takes effect a fixed number of ticks after it arrives; a command with a time, at its time. (R-E1a,
+// R-E1c)
 // shows: C2 C100 R-E1c
 TEST(Imaging, CommandsAboutEnvironmentsAreStamped) {
   Imaging::Options options;
@@ -371,7 +373,7 @@ TEST(Imaging, TimeIsTheHosts) {
   EXPECT_TRUE(holds(now(102 * second), "\"slot\":29"));
 }
 
-// What moves goes on moving, whoever says `start` and when: the time is the server's.
+// Motions continue whenever a host sends `start`, because the clock belongs to the server.
 // shows: C80
 TEST(Imaging, StartTurnsNoClockBack) {
   Stage s;
@@ -408,7 +410,7 @@ TEST(Imaging, KilledEnvironmentsAreUnknown) {
   EXPECT_TRUE(holds(s.say(host, "eval spin.every", tick(22)), "\"spin.every\":3"));
 }
 
-// Without a script there is no folder from which anything could be read.
+// A server without a script has no folder, so it reads no files.
 TEST(Imaging, WithoutAScriptNothingIsRead) {
   const Folder folder;
   folder.put("other.bx", "create precious sphere\n");
@@ -420,7 +422,7 @@ TEST(Imaging, WithoutAScriptNothingIsRead) {
   std::filesystem::current_path("/");
 }
 
-// Nor do their words become programs, whatever the author's may.
+// Commands of hosts cannot start programs (TeX), even if the author's script may.
 TEST(Imaging, HostsShowTheAuthorsFormulasOnly) {
   const FakePrograms fake;
   fake.draw(fraction_drawing);

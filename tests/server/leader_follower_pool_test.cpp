@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Threads that lead in turns: what takes long holds up nobody else, and is not waited for in the end.
+// Tests the pool of threads that lead in turns. A long task must not delay others, and the end does not wait for it.
 #include "server/leader_follower_pool.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Workers answer slow questions beside the frames. These tests have a clock of their own: only code that waits moves
-// it, so a slow machine gives the same results.
+// Tests workers that answer slow questions outside the frame loop. These tests have their own clock, which only waiting
+// code moves, so a slow machine gives the same results.
 #include "server/quarantine.h"
 
 #include <gtest/gtest.h>

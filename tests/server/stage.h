@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An imaging server without sockets, at times that the tests say.
+// An imaging server without sockets, with a clock that the tests set.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace betwixt {
 
 inline constexpr Nanos second = 1'000'000'000;
-// The first moment of a tick.
+// Returns the time at which a tick begins.
 inline Nanos tick(std::int64_t n) { return (n * second + 29) / 30; }
 
 inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -36,7 +36,7 @@ class Stage {
     const std::string answer = say(host, line, now);
     EXPECT_TRUE(holds(answer, "\"ok\":false") && holds(answer, why)) << line << "\n" << answer;
   }
-  // Whoever loads the history has this document. (R-E1c)
+  // Checks that the history, loaded as a script, makes this document. (R-E1c)
   void expect_history() const {
     const Loaded again = load_text(imaging.history(), "");
     EXPECT_FALSE(has_errors(again.diagnostics)) << to_string(again.diagnostics[0]) << imaging.history();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The time of a history goes on in the next server. (C97, C133)
+// The time of a history must continue in the next server. (C97, C133)
 #include <charconv>
 #include <filesystem>
 #include <random>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A bell is heard once, whether it is rung before or after somebody sleeps, and never slept through.
+// A wake-up must have effect exactly once, whether it comes before or during the sleep.
 #include "server/wake_signal.h"
 
 #include <gtest/gtest.h>

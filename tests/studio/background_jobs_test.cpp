@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Work that takes long is done beside the window, which goes on. No test waits for a time: work ends when the window
-// has seen what it shall see.
+// Tests long work in the background, during which the window stays usable. No test waits for a fixed time: work ends
+// when the window has seen what it should see.
 #include "studio/shell/background_jobs.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lines that are typed into the console, and what it says.
+// Tests lines typed into the console, and its answers.
 #include "studio/shell/console.h"
 
 #include <QTest>

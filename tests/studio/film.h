@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tests of panels need: a film that lies in a folder of its own, and short words for what is in it.
+// Helpers for tests of panels: a film in a temporary folder, and short functions that read it.
 #pragma once
 
 #include <QDir>

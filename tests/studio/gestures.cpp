@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A long session of random hands: lines, clicks, drags, keys, typing, all over the window. Then it is all undone, done
-// again, saved and loaded. To be run under the address sanitizer; by itself, as it takes its time.
+// A long session of random input in the whole window: lines, clicks, drags, keys, typing. Then undoes all of it, redoes
+// it, saves and loads the film. Run it under the address sanitizer. It takes long, so ./test does not run it.
 //   studio_gestures [COUNT] [SEED] [FILE]
 #include <fmt/format.h>
 

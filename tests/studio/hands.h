@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film at a workspace, and hands on a panel, for tests.
+// Helpers for tests of panels: a film in a workspace, and mouse drags.
 #pragma once
 
 #include <QTemporaryDir>
@@ -14,7 +14,7 @@
 
 namespace betwixt::studio {
 
-// A workspace at which this text is open; what is said is kept.
+// A workspace with a film of this text. Keeps the lines and answers of its console.
 struct Film {
   QTemporaryDir folder;
   Workspace workspace;
@@ -27,7 +27,7 @@ struct Film {
       said.push_back((refused ? "refused: " + answer : line).toStdString());
     });
   }
-  // What the film is, made from a text by itself.
+  // Returns whether the document equals the document of this text.
   bool is(const std::string& text) const { return workspace.document() == load_text(text, "expected").document; }
   Time frame(double n) const { return workspace.document().rate().frame(n); }
   ObjectId find(const std::string& name) const { return workspace.document().find(name); }
@@ -39,7 +39,7 @@ inline void show(QWidget& panel, int w, int h) {
   QVERIFY(QTest::qWaitForWindowExposed(&panel));
 }
 
-// Presses, moves there in a few steps, and lets go; without letting go where `held`.
+// Presses a button, moves the mouse in a few steps, and releases the button unless `held`.
 inline void drag(QWidget& on, QPoint from, QPoint to, Qt::KeyboardModifiers keys = Qt::NoModifier, bool held = false,
                  Qt::MouseButton button = Qt::LeftButton) {
   QTest::mousePress(&on, button, keys, from);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What must not be lost: a start, whatever was remembered; time while it plays; what is typed without a pause.
+// Tests what must not be lost: a start with any stored settings, the time during playback, and text typed without a
+// pause.
 #include <QTest>
 #include <QtWidgets>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What hangs on what, changed by hand.
+// Tests changes of parents in the outliner by drag and drop.
 #include "studio/panels/outliner.h"
 
 #include <QMenu>

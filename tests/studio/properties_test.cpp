@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values that are changed by hand: the lines that come of it.
+// Tests values changed in the properties panel, and the lines that result.
 #include "studio/panels/properties.h"
 
 #include <QCheckBox>

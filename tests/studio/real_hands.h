@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Hands on a whole window. Where there is no display they are the toolkit's own; on a display they are its mouse and
-// its keys, which xdotool moves: what comes to the window comes from the display, as it does from a person.
+// Mouse and keyboard input for a whole window. Without a display the toolkit makes the events. On a display, xdotool
+// moves the real mouse and presses real keys, so that the window gets the events of the display, as from a person.
 #pragma once
 
 #include <QAbstractNativeEventFilter>
@@ -25,7 +25,7 @@ class Hands {
   virtual void press(QWidget&, QPoint, Qt::KeyboardModifiers = {}, Qt::MouseButton = Qt::LeftButton) = 0;
   virtual void release(QWidget&, QPoint, Qt::KeyboardModifiers = {}, Qt::MouseButton = Qt::LeftButton) = 0;
   virtual void double_click(QWidget&, QPoint) = 0;
-  // "Ctrl+Z", "Return", to whatever has the keys.
+  // Presses a key such as "Ctrl+Z" or "Return" for the widget with the keyboard focus.
   virtual void key(const QString&) = 0;
   virtual void type(const QString&) = 0;
 
@@ -40,7 +40,8 @@ class Hands {
   }
 
  protected:
-  // Where keys go: to a question, where there is one. To see to that is a window manager's work, and there is none.
+  // Gives the keyboard focus to an open dialog if there is one, otherwise to the window, as a window manager would do.
+  // Returns that window.
   QWindow* with_the_keys() const {
     const QWidget* asks = QApplication::activeModalWidget();
     QWindow* w = (asks ? asks : &window_)->windowHandle();
@@ -80,7 +81,7 @@ class DisplayHands : public Hands, QAbstractNativeEventFilter {
  public:
   explicit DisplayHands(QWidget& window) : Hands(window) {
     qApp->installNativeEventFilter(this);
-    QApplication::setDoubleClickInterval(0);  // two clicks are two clicks, however fast this machine is
+    QApplication::setDoubleClickInterval(0);  // two clicks must not become a double click on a fast machine
   }
   void move(QWidget& w, QPoint at) override {
     const QPoint to = w.mapToGlobal(at);
@@ -96,7 +97,7 @@ class DisplayHands : public Hands, QAbstractNativeEventFilter {
     xdotool(QStringList{"mouseup", number(button)} + holding("keyup", held), released, 1);
   }
   void double_click(QWidget& w, QPoint at) override {
-    QApplication::setDoubleClickInterval(60'000);  // however slow
+    QApplication::setDoubleClickInterval(60'000);  // a double click must stay one on a slow machine
     click(w, at), click(w, at);
     QApplication::setDoubleClickInterval(0);
   }
@@ -105,7 +106,7 @@ class DisplayHands : public Hands, QAbstractNativeEventFilter {
     QStringList parts = k.split('+');
     QString& last = parts.back();
     if (last.size() == 1) last = last.toLower();
-    if (last == "Space") last = "space";  // as the display calls it
+    if (last == "Space") last = "space";  // the display's name of the key
     for (QString& held : parts)
       if (&held != &last) held = held.toLower();
     xdotool({"key", parts.join('+')}, key_released, 1);
@@ -116,7 +117,7 @@ class DisplayHands : public Hands, QAbstractNativeEventFilter {
   }
 
  private:
-  // What the display calls its events.
+  // Numbers of the display's events.
   enum Event { key_released = 3, pressed = 4, released = 5, moved = 6, extended = 35 };
 
   static QString number(Qt::MouseButton b) { return b == Qt::RightButton ? "3" : "1"; }
@@ -126,7 +127,7 @@ class DisplayHands : public Hands, QAbstractNativeEventFilter {
     if (held & Qt::ShiftModifier) all += {verb, "shift"};
     return all;
   }
-  // Goes on when what the hand has done has come.
+  // Calls xdotool and waits until the window has got `times` events of this kind.
   void xdotool(const QStringList& what, Event event, int times) {
     const int before = come_[event];
     QProcess process;

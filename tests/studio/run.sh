@@ -2,10 +2,11 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The studio's tests: panels without a display, and a real window on a display of its own with a real mouse and keys.
+# Runs the tests of the studio: panels without a display, and a window on a virtual display with real mouse and key
+# events.
 #   run.sh BUILD [TEST…]
-# A TEST is a program, or a name such as sheet_test; "window" is the story in a real window, "maximised" starts it again after
-# a window manager has maximised it, "pictures" checks its command line.
+# A TEST is a program, or a name such as sheet_test. "window" runs the story in a real window. "maximised" starts the
+# studio again after a window manager has maximised it. "pictures" checks its command line.
 build=$(realpath -- "${1:?usage: run.sh BUILD [TEST…]}")
 here=$(cd -P -- "$(dirname -- "$0")" && pwd)
 shift
@@ -17,7 +18,7 @@ export XDG_CONFIG_HOME=$folder XDG_DATA_HOME=$folder XDG_RUNTIME_DIR=$folder BET
 chmod 700 "$folder"
 [ $# -gt 0 ] || set -- "$build"/bin/studio_*_test window maximised pictures
 
-# try TEST NAME=VALUE…: runs a test program in an environment, and adds to the sums.
+# try TEST NAME=VALUE…: runs a test program with environment variables, and adds its counts to the sums.
 try() {
   local test=$1 status counts
   shift
@@ -32,7 +33,7 @@ try() {
   passed=$((passed + ${counts% *})) failed=$((failed + ${counts#* }))
 }
 
-# A display that nobody sees, whose mouse and keys xdotool moves. Sets `number`.
+# Starts a virtual display, whose mouse and keys xdotool controls. Sets `number`.
 open_display() {
   command -v Xvfb >/dev/null && command -v xdotool >/dev/null || {
     echo "without Xvfb and xdotool nothing is tried in a real window"
@@ -42,7 +43,7 @@ open_display() {
   rm -f "$folder/display" && mkfifo "$folder/display"
   Xvfb -displayfd 3 -screen 0 1400x900x24 -nolisten tcp -r 3>"$folder/display" >"$folder/xvfb.log" 2>&1 &
   display=$!
-  # It says its number when it is there; where it cannot start, nothing.
+  # Xvfb prints the number of the display when it is ready, or nothing if it cannot start.
   read -r number <"$folder/display" || {
     display=
     failed=$((failed + 1))
@@ -56,7 +57,7 @@ in_a_window() {
   open_display && try "$1" QT_QPA_PLATFORM=xcb DISPLAY=":$number"
 }
 
-# Whether the studio starts again after it was maximised and closed by its key.
+# Checks that the studio starts again after it was maximised and closed by its key.
 maximised() {
   local number
   open_display || return 0
@@ -65,7 +66,7 @@ maximised() {
     export DISPLAY=":$number" QT_QPA_PLATFORM=xcb
     printf 'create ball sphere\n' >big.bx
     openbox >openbox.log 2>&1 &
-    # A window that is shown while the window manager starts may get lost.
+    # The window manager may miss a window that appears while it starts.
     for _ in {1..1000}; do
       wmctrl -m >/dev/null 2>&1 && break
       sleep 0.1
@@ -82,7 +83,7 @@ maximised() {
       sleep 1
       wmctrl -i -r "$window" -b "$how"
       sleep 1
-      # Until it has heard the key.
+      # Repeats until the window has got the key.
       for _ in {1..2000}; do
         xdotool windowfocus "$window" key ctrl+q 2>/dev/null
         sleep 0.2
@@ -93,7 +94,7 @@ maximised() {
   )
 }
 
-# What the command line says: the toolkit has words of its own (--session, --style), which are not meant.
+# The command line of the studio. The toolkit has options of the same names (--session, --style), which must not apply.
 pictures() (
   cd "$folder" || exit
   printf 'create ball sphere\n' >film.bx
@@ -103,7 +104,7 @@ pictures() (
   film a.png --session wrong.txt && exit 1
   grep -q "no object 'bal'" said || exit 1
   film a.png --session right.txt --panel sheet --size 400x200 --select ball || exit 1
-  # Width and height of a PNG, 400 and 200.
+  # The width and the height in a PNG: 400 and 200.
   [ "$(od -An -tx1 -j16 -N8 a.png | tr -d ' ')" = 00000190000000c8 ] || exit 1
   film a.png --panel nothing && exit 1
   grep -q "no panel 'nothing'" said

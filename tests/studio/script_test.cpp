@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The script that is typed in, and that others change.
+// Tests the script panel: typing in it, and changes by others.
 #include <QScrollBar>
 #include <QTest>
 #include <QTreeWidget>

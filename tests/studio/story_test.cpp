@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A film is worked on in the studio's window, with mouse and keys, from its first thing to the question at the door.
-// What stands in its script is compared whole each time. The chapters follow each other: what one has done the next one
-// takes.
+// Works on a film in the studio's window with mouse and keys, from its first object to the question when the window
+// closes. The whole script is compared each time. The chapters run in order, and each continues with the result of the
+// one before.
 #include <QTabBar>
 #include <functional>
 

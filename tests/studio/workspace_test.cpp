@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The workspace that all panels work at, and what stands around them.
+// Tests the workspace that all panels share, and the window around them.
 #include "studio/shell/workspace.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What writers of random scripts decide by: the same for the same seed.
+// A source of random decisions for script generators. The same seed gives the same decisions.
 #pragma once
 
 #include <cstdint>

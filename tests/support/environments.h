@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Events of environments in one line.
+// Short functions that make events of environments.
 #pragma once
 
 #include "scene/environment.h"

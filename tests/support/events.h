@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Events and tracks in one line.
+// Short functions that make events and tracks.
 #pragma once
 
 #include <string>

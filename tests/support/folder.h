@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A folder of its own for each test, gone at its end.
+// A temporary folder for one test. It is removed at the end of the test.
 #pragma once
 
 #include <stdlib.h>
@@ -28,7 +28,7 @@ class Folder {
 
   const std::filesystem::path& path() const { return at_; }
   std::string operator/(const std::string& name) const { return (at_ / name).string(); }
-  // Folders on the way are made; the path.
+  // Writes a file and the folders above it. Returns its path.
   std::string put(const std::string& name, std::string_view text) const {
     std::filesystem::create_directories((at_ / name).parent_path());
     std::ofstream(at_ / name, std::ios::binary) << text;
@@ -39,7 +39,7 @@ class Folder {
     return {std::istreambuf_iterator<char>(in), {}};
   }
   bool has(const std::string& name) const { return std::filesystem::exists(at_ / name); }
-  // All that is in it, in order.
+  // Returns the names of all files in the folder, sorted.
   std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const auto& entry : std::filesystem::directory_iterator(at_)) all.push_back(entry.path().filename().string());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tests of the language ask of a script.
+// Helpers for tests of the language: they load a script, and read its values and errors.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ inline std::string said(const Diagnostics& all) {
   return out;
 }
 
-// A script without errors, ready to be asked.
+// A loaded and compiled script. The test fails if the script has errors.
 struct LoadedFilm {
   explicit LoadedFilm(std::string_view text) : loaded(load_text(text, "test.bx")) {
     EXPECT_FALSE(has_errors(loaded.diagnostics)) << text << "\n" << said(loaded.diagnostics);
@@ -64,7 +64,7 @@ inline void expect_numbers(const LoadedFilm& s, const std::vector<Wanted>& table
   for (const Wanted& w : table) expect_numbers(s, w.target, w.time, w.numbers);
 }
 
-// Where an object is in the world.
+// Returns the position of an object in the world.
 inline Vec3 place(const LoadedFilm& s, std::string_view object, std::string_view time) {
   return translation_of(*std::get<Matrix>(s.read(std::string(object) + ".world", time)));
 }
@@ -82,7 +82,7 @@ inline void expect_places(const LoadedFilm& s, std::string_view object, const st
   for (const Passed& p : way) expect_place(s, object, p.time, p.place);
 }
 
-// "line:column: message" of every error.
+// Returns "line:column: message" for each error.
 inline std::vector<std::string> errors(const Loaded& loaded) {
   std::vector<std::string> out;
   for (const Diagnostic& d : loaded.diagnostics)
@@ -93,13 +93,13 @@ inline std::vector<std::string> errors(const Loaded& loaded) {
 
 inline Loaded read(std::string_view text) { return load_text(text, "test.bx"); }
 
-// Of a script, see told.h.
+// The functions of told.h for the text of a script.
 inline std::string told(std::string_view text) { return told(read(text)); }
 inline std::vector<std::string> all_told(std::string_view text) { return all_told(read(text)); }
 inline std::vector<std::string> remarks_told(std::string_view text) { return remarks_told(read(text)); }
 inline bool mentions(std::string_view text, std::string_view what) { return mentions(read(text), what); }
 
-// The first error of a text, as errors() has it; empty: there is none.
+// Returns the first error of a text in the form of errors(), or "" if there is none.
 inline std::string first_error(const std::string& text) {
   const auto all = errors(read(text));
   return all.empty() ? std::string() : all[0];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motions from their texts.
+// Short functions that make motions from texts.
 #pragma once
 
 #include <gtest/gtest.h>

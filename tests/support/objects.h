@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Objects in one line.
+// A short function that makes objects.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace betwixt {
 
-// Coupled to its parent, where it has one.
+// Adds an object, coupled to its parent if it has one.
 inline ObjectId add(Scene& s, const std::string& name, Kind kind = Kind::sphere, ObjectId parent = {}) {
   Object o;
   o.name = name;

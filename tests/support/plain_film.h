@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Random films without code, in which things rest and move, are hidden and shown, change their looks and what they hang
-// on; and what is seen of them, to be compared bit by bit.
+// Generates random films without code. Objects rest and move, hide and show, change their looks and their parents. Also
+// collects everything visible in a frame, so that tests can compare it bit by bit.
 #pragma once
 
 #include <fmt/format.h>
@@ -102,7 +102,7 @@ class PlainFilm {
     std::string s = target + "\n", last = value();
     int at = below(20);
     for (int n = 1 + below(6); n > 0; --n, at += 1 + below(20)) {
-      if (below(3) > 0) last = value();  // values that stay are frequent
+      if (below(3) > 0) last = value();  // often the value of the event before
       s += fmt::format("  {}f {}{}\n", at, last, one_of(twerpers));
     }
     if (below(4) == 0) s += fmt::format("extend {} {}\n", target, one_of({"linear", "cycle", "bounce"}));
@@ -116,7 +116,7 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-// What is seen of one drawable.
+// The visible properties of one drawable.
 struct Seen {
   Mat4 world;
   Evaluation::Look look;

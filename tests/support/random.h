@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Random numbers that are the same in every run.
+// Random numbers. Every run gets the same ones.
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The animation process as the source tells it, retrace by retrace: entries on an animation list wait for their
-// retrace, are updated by A <- M A (row vectors) and put forward by their interval; halted ones are on a passive list.
-// Its slots are absolute retraces, taken off before they are worked through, and have room for any number of entries.
-// Tests compare the closed forms with it; it shares nothing with them but the rules.
+// The animation process of the source (the Animation Imaging Model), carried out tick by tick. A tick is a retrace, the
+// vertical retrace of a display. Entries on an animation list wait for their retrace. There A <- M A (row vectors), and
+// the entry moves on by its interval. Halted entries are on a passive list. Slots are absolute retraces. A slot is
+// removed before its entries are processed, and has room for any number of entries. Tests compare the closed forms of
+// the program with this model. It shares no code with them.
 #pragma once
 
 #include <array>
@@ -38,7 +39,7 @@ struct Order {
   std::optional<std::int64_t> from, until;
 };
 
-// One name: the entry that has it now, and what became of those that had it before.
+// The history of one name of an environment: its current entry, and the entries that had the name before.
 class Animator {
  public:
   struct Entry {
@@ -46,8 +47,8 @@ class Animator {
     Matrix motion = unit, a = unit;
     std::int64_t updates = 0;
     std::int64_t interval = 1, change = 0, period = 1, ceiling = 30;
-    std::int64_t growing = 1;                        // the interval as it would be now
-    std::int64_t retraces = 0, recent = 0, due = 0;  // since the Animate; updates since it
+    std::int64_t growing = 1;                        // the current interval, with its growth
+    std::int64_t retraces = 0, recent = 0, due = 0;  // retraces and updates since the Animate; the next update
   };
   struct Life {
     std::pair<std::int64_t, std::uint64_t> at;
@@ -58,7 +59,7 @@ class Animator {
     for (Order& o : orders) waiting_.insert({{o.tick, o.number}, {std::move(o), false}});
   }
 
-  // One retrace: the updates that are due, then the orders.
+  // Carries out one retrace: first the updates that are due, then the orders.
   void retrace() {
     changed = false;
     for (Entry& e : entries) count_retrace(e);
@@ -75,15 +76,15 @@ class Animator {
     }
     ++tick_;
   }
-  // The retrace to come.
+  // Returns the number of the next retrace.
   std::int64_t tick() const { return tick_; }
 
-  std::vector<Entry> entries;  // by generation; the last one may have the name
+  std::vector<Entry> entries;  // by generation; only the last may still have the name
   bool known = false;
-  bool changed = false;  // some A, in the last retrace
+  bool changed = false;  // whether the last retrace changed a matrix A
   std::vector<Life> lives;
   std::vector<std::uint64_t> refused;
-  std::optional<std::uint64_t> starved;  // the first Animate that came before its predecessor had done anything
+  std::optional<std::uint64_t> starved;  // the first Animate that came before the first update of its predecessor
 
  private:
   struct Waiting {

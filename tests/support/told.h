@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an error is about, without its words: "CODE LINE:COLUMN SUBJECT", as in "type 1:26 (1 2)". The subject is the
-// part of the script that the place marks; without a script, what the message puts in quotes.
+// Describes an error without its wording, so that tests do not depend on it: "CODE LINE:COLUMN SUBJECT", as in "type
+// 1:26 (1 2)". The subject is the marked part of the script. Without a script it is the quoted part of the message.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ inline std::string_view code_name(ErrorCode code) {
   return names[static_cast<int>(code)];
 }
 
-// What stands in the first pair of quotes, 'so' or "so"; empty: in none. The apostrophe of "a colour's" is no quote.
+// Returns the text in the first pair of quotes, 'so' or "so", or "" if there is none. An apostrophe is no quote.
 inline std::string_view in_quotes(std::string_view message) {
   const auto letter = [&](std::size_t i) {
     return i < message.size() &&
@@ -37,7 +37,7 @@ inline std::string_view in_quotes(std::string_view message) {
   return {};
 }
 
-// "CODE", " LINE:COLUMN" where a place is known, " SUBJECT" where the message quotes one.
+// Returns "CODE", then " LINE:COLUMN" if the place is known, then " SUBJECT" if the message quotes one.
 inline std::string told(const Error& e) {
   std::string out(code_name(e.code));
   if (e.place.line > 0) out += fmt::format(" {}:{}", e.place.line, e.place.column);
@@ -45,13 +45,13 @@ inline std::string told(const Error& e) {
   return out;
 }
 
-// "" where all went well.
+// Returns the error of a result, or "" if there is none.
 template <class T>
 std::string told(const Result<T>& r) {
   return r ? std::string() : told(r.error());
 }
 
-// Of a notice or a warning that word stands in front: "notice name 2:4 x".
+// Returns the same of a diagnostic. A notice or a warning begins with that word: "notice name 2:4 x".
 inline std::string told(const Diagnostic& d) {
   static constexpr std::string_view severities[] = {"notice ", "warning ", ""};
   std::string out(severities[static_cast<int>(d.severity)]);
@@ -63,7 +63,7 @@ inline std::string told(const Diagnostic& d) {
          fmt::format("{} {}:{}{}{}", code_name(d.what.code), at.line, at.column, subject.empty() ? "" : " ", subject);
 }
 
-// Every error; and all that is none.
+// all_told returns all errors, remarks_told all warnings and notices.
 inline std::vector<std::string> all_told(const Diagnostics& all) {
   std::vector<std::string> out;
   for (const Diagnostic& d : all)
@@ -77,14 +77,14 @@ inline std::vector<std::string> remarks_told(const Diagnostics& all) {
   return out;
 }
 
-// The first error; empty: there is none.
+// Returns the first error, or "" if there is none.
 inline std::string told(const Diagnostics& all) {
   for (const Diagnostic& d : all)
     if (d.severity == Severity::error) return told(d);
   return {};
 }
 
-// Whether its message names this: what no rewording leaves out, and the marked part of the script does not say.
+// Returns whether a message contains `what`: a name or a number that belongs into any wording of the message.
 inline bool mentions(const Diagnostics& all, std::string_view what) {
   for (const Diagnostic& d : all)
     if (d.what.message.find(what) != std::string::npos) return true;
@@ -96,7 +96,7 @@ bool mentions(const Result<T>& r, std::string_view what) {
   return !r && r.error().message.find(what) != std::string::npos;
 }
 
-// Of what has been loaded.
+// The same functions for a loaded script.
 template <class Loaded>
 requires requires(const Loaded& l) { l.document, l.diagnostics; }
 std::string told(const Loaded& l) { return told(l.diagnostics); }

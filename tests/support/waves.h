@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sounds that tests make: WAV files of 32-bit numbers, which come back as they are.
+// Makes sounds for tests: WAV files of 32-bit floating-point numbers, which are read back unchanged.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ inline void write_wave(const std::string& path, const std::vector<float>& sample
   file.write(reinterpret_cast<const char*>(samples.data()), bytes);
 }
 
-// f(seconds), the same in all channels.
+// Writes f(seconds) to all channels.
 template <class F>
 std::vector<float> wave_of(double seconds, F&& f, int rate = 48'000, int channels = 2) {
   std::vector<float> all;

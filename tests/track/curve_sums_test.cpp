@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Integrals of curves, against Simpson's rule on ever smaller stretches of their values.
+// Compares integrals of curves with Simpson's rule on ever smaller intervals.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

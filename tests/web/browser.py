@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# A browser without a window, led over the DevTools protocol through a pipe: nothing but Python is needed.
+# A browser without a window, controlled by the DevTools protocol through a pipe. It needs only Python.
 #   with Browser() as browser:
 #     page = browser.page("file:///…/page.html", size=(800, 600), dark=False)
-#     page.ask("document.title")       the value of an expression, promises waited for
-#     page.until("ready === true")     waits for it to be true
+#     page.ask("document.title")       returns the value of an expression; waits for promises
+#     page.until("ready === true")     waits until an expression is true
 #     page.key("ArrowLeft", shift=True); page.type("text"); page.mouse("mousePressed", x, y)
-#     page.picture("out.png"); page.said     what the page logged, and what it threw
+#     page.picture("out.png"); page.said     `said` has the log and the exceptions of the page
 import base64, json, os, shutil, subprocess, tempfile, threading, time
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -29,7 +29,7 @@ class Browser:
                  "--disable-background-networking", "--disable-component-update", "--disable-sync",
                  "--remote-debugging-pipe", f"--user-data-dir={self.folder}/profile", *graphics, *flags, "about:blank"]
 
-        def at_three_and_four():  # where the browser looks for its pipes; they may be in each other's way
+        def at_three_and_four():  # moves the pipes to 3 and 4, where the browser expects them; one may be there already
             a, b = os.dup(here), os.dup(there)
             a, b = (os.dup(f) if f in (3, 4) else f for f in (a, b))
             os.dup2(a, 3), os.dup2(b, 4)
@@ -180,7 +180,7 @@ class Page:
         self.browser.call("Target.closeTarget", targetId=self.target)
 
 
-# A folder as a server would serve it, with what it says of each file; the address comes with "as".
+# Serves a folder over HTTP, with chosen headers for each file. `as` gives the address.
 class Served:
     def __init__(self, folder, **headers):
         def end_headers(handler):

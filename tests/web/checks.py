@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What a test of pages counts: check(what, whether) and same(what, is, wanted); done() says how many there were.
+# Counts the checks of a test of pages: check(what, whether) and same(what, is, wanted). done() prints the counts.
 import os, sys
 
 sys.path.append(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))

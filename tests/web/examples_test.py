@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Every example in a page beside the program itself: pictures, at least 40 dB alike; values of all objects at random times,
-# letter for letter as `betwixt eval --json` prints them. Left out where what plays has not been built.
-#   examples_test.py PROGRAM [FILM…]     LOOK=FOLDER keeps the pictures
+# Compares every example in a page with the program: pictures with a PSNR of at least 40 dB, and the values of all
+# objects at random times, letter by letter as `betwixt eval --json` prints them. Skipped if the player is not built.
+#   examples_test.py PROGRAM [FILM…]     the variable LOOK=FOLDER keeps the pictures
 import base64, glob, math, os, random, subprocess, sys, tempfile
 from browser import Browser, Served
 from checks import check, done, same

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Pages with films of the engine itself: what is typed is seen, what is wrong is said as the program says it, memory stays as
-# it is, the graphics may go and come back. Left out where what plays has not been built (./betwixt web does that).
+# Tests pages with the real engine: edits are visible, errors have the words of the program, memory does not grow, and
+# the graphics context may be lost and restored. Skipped if the player is not built (./betwixt web builds it).
 #   film_test.py PROGRAM
 import json, os, re, shutil, subprocess, sys, tempfile
 from browser import Browser, Served
@@ -118,7 +118,8 @@ def code_errs(browser):
     page.close()
 
 
-# The page shows through a transparent film. Its pixels are those of the program's picture, with opacity multiplied in.
+# A transparent film shows the page behind it. Its pixels are those of the program's picture, with premultiplied
+# opacity.
 def clear(browser):
     page = opened(browser, f"file://{folder}/clear.html", size=(1200, 800))
     page.until("p.readyState === 4")
@@ -134,7 +135,7 @@ def clear(browser):
         found, there = page.ask(f"rgba({x})"), list(raw[at:at + 4])
         check(f"at {x} it is what the program draws", all(abs(a - b) <= 2 for a, b in zip(found, there)), (found, there))
     same("of which one is whole, one glass, one nothing", [page.ask(f"rgba({x})[3]") // 64 for x in wanted], [3, 1, 0])
-    # On the screen: the page lies behind it.
+    # On the screen, with the page behind the film.
     page.picture(f"{folder}/screen.png")
     x, y, w, h = page.ask("(() => { const r = p.getBoundingClientRect(); return [r.x, r.y, r.width, r.height] })()")
     shot = subprocess.run(["ffmpeg", "-v", "error", "-i", f"{folder}/screen.png", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], capture_output=True).stdout
@@ -206,7 +207,7 @@ def pages(browser):
         page.close()
 
 
-# The package: imported by a page, and by a program that has no page.
+# The npm package: imported by a page, and by a program without a page.
 def package(browser):
     there = f"{os.path.dirname(player)}/package"
     if not os.path.exists(there):

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The same page in Firefox: it plays, is sought and runs backwards, and its pictures are those. The page says by itself what it
-# found; a picture of the screen goes to PICTURE, where that is said. Without a display Firefox has no WebGL: it gets one that
-# nobody sees (Xvfb). Left out where there is no Firefox.
+# Tests a page in Firefox: it plays, seeks and plays backwards, with the same pictures. The page itself reports the
+# results. If the variable PICTURE is set, a screenshot goes to that file. Firefox has no WebGL without a display, so it
+# gets a virtual one (Xvfb). Skipped if Firefox is not installed.
 #   firefox_test.py PROGRAM
 import json, os, shutil, subprocess, sys, tempfile, threading
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -67,7 +67,7 @@ with tempfile.TemporaryDirectory() as folder:
     server = ThreadingHTTPServer(("127.0.0.1", 0), Serves)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     os.mkdir(f"{folder}/profile")
-    with open(f"{folder}/profile/user.js", "w") as prefs:  # drawn by the processor, too
+    with open(f"{folder}/profile/user.js", "w") as prefs:  # also with software rendering
         prefs.write('user_pref("webgl.force-enabled", true);\n')
     number, told = os.pipe()
     screen = subprocess.Popen(["Xvfb", "-displayfd", str(told), "-screen", "0", "1300x900x24", "-nolisten", "tcp"], pass_fds=[told],

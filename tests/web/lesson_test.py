@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Lessons in a browser: the engine in the page has the program's numbers to the last bit; strings are typed, factors
-# swapped and handles dragged as hands do it; every figure in both themes, wide and narrow.
-#   lesson_test.py PROGRAM [FOLDER for pictures]     BETWIXT_PLAYER=FILE, where the engine is elsewhere
+# Tests lessons in a browser. The engine in the page must give the program's numbers to the last bit. Strings are typed,
+# factors swapped and handles dragged with mouse and keys. Every figure is checked in both themes, wide and narrow.
+#   lesson_test.py PROGRAM [FOLDER for pictures]     the variable BETWIXT_PLAYER=FILE names another player
 import json, math, os, re, subprocess, sys, tempfile, time
 from browser import Browser
 from checks import check as verdict, done
@@ -73,7 +73,7 @@ def write(page, text):
     page.call("Input.insertText", text=text) if text else page.key("Delete")
 
 
-# What is wrong with a page that stands still.
+# Lists the layout faults of a page at rest.
 faults = """(() => {
   const wrong = [], want = (what, is) => is || wrong.push(what), root = document.documentElement;
   want("numbers are numbers", ![...document.querySelectorAll("svg *")].some((e) =>
@@ -100,7 +100,7 @@ faults = """(() => {
 
 
 def seen_by(rgb):
-    """As eyes of four kinds see it (Machado and others, 2009), in OKLab."""
+    """Returns a colour in OKLab as eyes with each kind of colour vision see it (Machado and others, 2009)."""
     kinds = [((1, 0, 0), (0, 1, 0), (0, 0, 1)),
              ((0.152286, 1.052583, -0.204868), (0.114503, 0.786281, 0.099216), (-0.003882, -0.048116, 1.051998)),
              ((0.367322, 0.860646, -0.227968), (0.280085, 0.672501, 0.047413), (-0.011820, 0.042940, 0.968881)),
@@ -129,7 +129,7 @@ def check_colours(page, theme):
 
 
 def same_numbers(page):
-    """The in-betweens of the page, and of the program: the same bits."""
+    """Checks that the in-betweens of the page and of the program have the same bits."""
     worst = ""
     for motion in strings:
         if not motion:
@@ -173,7 +173,7 @@ def check_typing(page):
     settled(page)
     slide(page, 0.5)
     cells = [to_plain(c) for c in page.ask("[...document.querySelectorAll('#matrix td')].map((c) => c.textContent)")]
-    h = math.sqrt(0.5)  # by hand: half of the way after an eighth of a turn about (1, 4)
+    h = math.sqrt(0.5)  # computed by hand: half of the way, after an eighth of a turn about (1, 4)
     wanted = [h, -h, 2.5 + (1 - h) * 1 + h * 4, h, h, 1.5 - h * 1 + (1 - h) * 4, 0, 0, 1]
     verdict("the matrix in numbers", all(abs(a - b) < 1e-5 for a, b in zip(cells, wanted)), cells)
     written = page.ask("[...document.querySelectorAll('#written .symbols')].at(-1).innerText.replace(/\\s+/g, ' ').trim()")
@@ -183,7 +183,7 @@ def check_typing(page):
     letters = page.ask("document.getElementById('letters').innerText")
     verdict("what letters stand for", "cos(90deg t)" in letters and "5 t" in letters, letters)
     verdict("the lead follows", "A motion of 2 factors" in page.ask("document.getElementById('lead').innerText"))
-    # Key by key, through strings that are none.
+    # Typed key by key; the strings in between are invalid.
     write(page, "R(1turn")
     said = page.ask("document.getElementById('wrong').innerText")
     verdict("a mistake, with its place", said.startswith("R(1turn\n       ^\nError: ')' is missing"), repr(said))
@@ -232,7 +232,7 @@ def check_swapping(page):
 
 
 def pixels(page):
-    """How many pixels 1 is on the picture, from the way's tip and the origin."""
+    """Returns how many pixels one unit has, from the end of the path and the origin."""
     return page.ask("""(() => { const s = document.querySelector("#stage svg");
         const all = [...s.querySelectorAll("path.factor")].find((p) => p.getAttribute("stroke-opacity"));
         const [a, b] = all.getAttribute("d").slice(1).split("L").map((p) => p.split(" ").map(Number));
@@ -247,7 +247,7 @@ def check_dragging(page):
     drag(page, x, y, (x + one / 2, y - one), (x + one, y - 2 * one))
     verdict("a way is dragged", field(page).startswith("T(5 2) R(90deg @ 1 1)"), field(page))
     settled(page)
-    # The window is another one now.
+    # The visible part of the plane has changed.
     one = page.ask("""(() => { const at = (n) => document.querySelector(`[data-grip='${n}']`).getBoundingClientRect();
         return Math.hypot(at("0-by").x - at("2-centre").x, at("0-by").y - at("2-centre").y) })()""") / math.hypot(5, 1)
     x, y, *_ = box(page, "[data-grip='1-centre'] .grip")
@@ -259,7 +259,7 @@ def check_dragging(page):
     verdict("and by keys", moved and -1 < float(moved[1]) < -0.7, field(page))
     write(page, "T(4 0) R(90deg @ 1 1) S(2 @ 0 1)")
     settled(page)
-    # Round and round: whole turns are kept.
+    # Several turns of a handle: whole turns are kept.
     x, y, *_ = box(page, "[data-grip='1-angle'] .grip")
     cx, cy, *_ = box(page, "[data-grip='1-centre'] .grip", scroll=False)
     r = math.hypot(x - cx, y - cy)

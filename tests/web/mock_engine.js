@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// In place of the engine: what it promises (docs/web.md), without making films. So the player is asked about itself, and
-// what it asks of the engine can be counted.
-//   rate 24, range 1f 72f, size 640x360   are understood; "broken" is an error; "use NAME" wants a file; note "…" is one
+// A mock of the engine: it has the interface of docs/web.md, but makes no films. Tests check the player alone with it,
+// and count its calls.
+//   It understands rate 24, range 1f 72f, size 640x360 and note "…". "broken" is an error; "use NAME" needs a file.
 globalThis.Betwixt = {
   counts: { opened: 0, disposed: 0, drawn: 0, engines: 0 },
   drawing_fails: "",

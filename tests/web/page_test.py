@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Pages that `betwixt web` makes: what is typed in them, and what they say. The engine is in its place
-# (mock_engine.js); film_test.py asks the same of the engine itself.
+# Tests pages of `betwixt web`: editing in them, and their messages. They have a mock engine (mock_engine.js).
+# film_test.py tests the real engine.
 #   page_test.py PROGRAM
 import os, subprocess, sys, tempfile
 from browser import Browser
@@ -140,7 +140,7 @@ def looks(browser):
     page.close()
 
 
-# What gets into a page all the same is not run: the policy knows the page's own script and style by what stands in them.
+# Injected scripts must not run: the policy has hashes of the page's own script and style.
 def policy(browser):
     listens = "window.broken = []; addEventListener('securitypolicyviolation', (e) => broken.push(e.effectiveDirective));"
     hostile = ("<script>window.ran = 'a script'</script><img src='none.png' onerror=\"window.ran = 'a handler'\">"

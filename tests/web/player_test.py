@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# <betwixt-player> beside a <video> of the same length: the same is done to both, and they must say the same. Then what a
-# video has not. The engine is in its place (mock_engine.js), so that what the player asks of it can be counted.
+# Compares <betwixt-player> with a <video> of the same length: the same calls must give the same results and events.
+# Then tests what a video does not have. A mock engine (mock_engine.js) counts the calls of the player.
 import os, subprocess, sys, tempfile, time
 from browser import Browser, Served
 from checks import check, done, same
@@ -17,7 +17,7 @@ film = "# a ball goes its way\nrate 24\nrange 1f 72f\nsize 320x180\n"
 inline = lambda text=film: f'<script type="text/betwixt">\n{text}</script>'
 head = f"<!DOCTYPE html><meta charset=utf-8><style>body{{margin:0}}</style>"
 
-# ---- What both are asked. `m` is the one or the other; `log` has its events.
+# ---- The calls for both. `m` is the player or the video; `log` has its events.
 helpers = """
 const names = ["loadstart","durationchange","loadedmetadata","loadeddata","canplay","canplaythrough","play","playing",
   "pause","timeupdate","seeking","seeked","ratechange","ended","error","emptied"];
@@ -25,7 +25,7 @@ function listen(m) { m.log = []; for (const n of names) m.addEventListener(n, ()
 function taken(m) { return m.log.splice(0); }
 const until = (m, name) => new Promise((r) => m.addEventListener(name, r, { once: true }));
 const calm = async () => { await new Promise((r) => setTimeout(r, 120)); for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame); };
-// What is the same however fast the machine is: without repetitions, and what a video says of its network.
+// Events that do not depend on the speed of the machine: without repetitions and without a video's network events.
 const plain = (all, ...without) => all.filter((n) => !without.includes(n)).filter((n, i, a) => n !== a[i - 1]);
 const word = (error) => error.name;
 """
@@ -114,7 +114,7 @@ def beside_a_video(browser, served):
     page.close()
 
 
-# What a video has not.
+# Features that a video does not have.
 def time_of_films(browser, served):
     page = browser.page(f"{served}/one.html")
     page.do(f"{helpers}; Object.assign(window, {{listen, taken, until, calm, plain, word}}); listen(p);")
@@ -127,7 +127,7 @@ def time_of_films(browser, served):
         await until(p, "seeked"); const t = p.currentTime; p.loop = false; p.pause(); p.playbackRate = 1; return t > 1;"""), True)
     same("values at a time", page.ask("[p.eval('ball.position', 1), (p.currentTime = 2, p.eval('ball.position'))]"), [[1, 0, 0], [2, 0, 0]])
     same("unknown values", page.ask("(() => { try { return p.eval('nobody.color') } catch (e) { return e.message } })()"), "there is no object 'nobody.color'")
-    # A film that begins later begins at 0 on the page.
+    # The time of a film in a page begins at 0, also if its range begins later.
     page.do("p.script = 'rate 12\\nrange 25f 48f\\nat 37f note \"the middle\"\\n'; p.currentTime = 0.75; await until(p, 'seeked');")
     same("from its own beginning", page.ask("[p.duration, p.eval('ball.position', 0), p.eval('ball.position')]"), [2, [2, 0, 0], [2.75, 0, 0]])
     same("notes", page.do("""const all = []; p.addEventListener("note", (e) => all.push([e.detail.text, e.detail.time]));
@@ -152,7 +152,7 @@ def texts_and_files(browser, served):
          [True, None, 2, 9, "this is broken", False, "line 2: this is broken"])
     same("mended, the next is taken", page.do("""p.script = "rate 12\\n"; await calm();
         return [p.film.fps, p.diagnostics, p.shadowRoot.querySelector("[part=banner]").hidden];"""), [12, [], True])
-    # Files: those that the film wants are fetched, below its folder only, each once.
+    # Files that the film needs are fetched once each, and only from its folder and below.
     same("files are fetched", page.do("""p.src = "films/wants.bx"; await until(p, "loadeddata");
         return [Object.keys(p.film.used).sort(), new TextDecoder().decode(p.film.used["parts/a.txt"])];"""),
          [["parts/a.txt"], "the letter a"])
@@ -213,7 +213,7 @@ def hands(browser, served):
     x, y, w, h = page.ask("(() => { const r = p.shadowRoot.querySelector('input').getBoundingClientRect(); return [r.x, r.y, r.width, r.height] })()")
     page.click(x + w / 2, y + h / 2)
     same("the slider seeks", page.do("await calm(); return Math.abs(p.currentTime - 1.5) < 0.05"), True)
-    # While the slider is dragged the film waits under the thumb, without an event of a pause.
+    # While the slider is dragged the film stays at its time, without a `pause` event.
     page.do("window.heard = []; for (const n of ['play', 'pause']) p.addEventListener(n, () => heard.push(n)); p.currentTime = 0; await p.play(); await calm(); heard.length = 0;")
     page.mouse("mousePressed", x + w / 4, y + h / 2)
     held = page.do("await calm(); const t = p.currentTime; await calm(); await calm(); return [t, p.currentTime, p.paused]")
@@ -239,7 +239,7 @@ def hands(browser, served):
     page.close()
 
 
-# What a finger has to hit is 44 pixels wide and high, and nothing sticks out, on the narrowest phone too.
+# Touch targets are 44 pixels wide and high, and nothing overflows, also on the narrowest phone.
 def fingers(browser, served):
     for width, height in ((320, 568), (390, 844), (844, 390)):
         page = browser.page(f"{served}/touched.html", size=(width, height), ratio=2, touch=True)

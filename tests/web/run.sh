@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What pages do, asked of a browser without a window (chromium, or the one of BROWSER).
-#   run.sh PROGRAM [NAME…]    all, or tests/web/NAME_test.py alone
+# Tests pages in a browser without a window (chromium, or the program that the variable BROWSER names).
+#   run.sh PROGRAM [NAME…]    runs all tests, or only tests/web/NAME_test.py
 folder=$(cd -P -- "$(dirname -- "$0")" && pwd)
 [ $# -gt 0 ] || { sed -n 6p "$0" | cut -c 3- >&2; exit 2; }
 program=$(realpath -- "$1")

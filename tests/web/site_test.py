@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The documentation as a site: it is built, search finds a page, films play, and nothing comes from other servers. Both from
-# a folder and from a server.
+# Tests the documentation as a site: it is built, search finds a page, films play, and nothing is loaded from other
+# servers. Tests it from a folder and from a server.
 #   site_test.py PROGRAM [FOLDER for pictures]
 import glob, os, re, shutil, subprocess, sys, tempfile
 from browser import Browser, Served
@@ -28,7 +28,8 @@ def look(page, name):
 
 
 def search(page, words):
-    """The addresses that search finds. Each result's address says for which words it was found; they come as one types."""
+    """Returns the addresses that search finds. Results come while the query is typed, so the address of each must
+    contain the query."""
     page.do("document.querySelector('#__search').checked = true; document.querySelector('.md-search__input').focus()")
     page.type(words)
     page.until(f"document.querySelector('.md-search-result__link')?.href.includes('{words.split()[-1]}') ?? false")

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Pages under the policy of docs/web.md: no script or style in the page counts, and no text becomes markup. Left out while
-# the player is not built (./betwixt web builds it).
+# Tests pages under the policy of docs/web.md: scripts and styles in the page have no effect, and no text becomes
+# markup. Skipped if the player is not built (./betwixt web builds it).
 #   strict_test.py PROGRAM
 import os, re, shutil, subprocess, sys, tempfile
 from browser import Browser, Served
@@ -81,7 +81,7 @@ def own_pages(browser, served):
         page.close()
 
 
-# What the policy is for: the same without one of its words does not play.
+# Each directive of the policy is needed: without it the page does not play.
 def each_word_is_needed(browser):
     for word in ("'wasm-unsafe-eval'",):
         with Served(folder, Content_Security_Policy=policy.replace(word, "")) as served:
@@ -90,7 +90,7 @@ def each_word_is_needed(browser):
             page.close()
 
 
-write("favicon.ico", "")  # which browsers ask for
+write("favicon.ico", "")  # browsers request it
 write("film.bx", film)
 write("one.obj", "v -1 0 0\nv 1 0 0\nv 0 1.5 0\nf 1 2 3\n")
 for call in (("-o", "film.html", "--link"), ("-o", "alone.html", "--link", "--no-edit", "--size", "400x225")):

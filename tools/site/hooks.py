@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""What MkDocs does with the pages of the repository: links out of docs/, films that are alive, search without a server."""
+"""Hooks of MkDocs that make the site: they rewrite links out of docs/, add live films, and make search work without a
+server."""
 
 import functools
 import html
@@ -18,16 +19,17 @@ import live_films  # noqa: E402
 
 PROGRAM = os.environ["BETWIXT_PROGRAM"]
 OUTSIDE = ("README.md", "CHANGELOG.md")  # pages of the site that are not in docs/
-films_of_page = {}
+films_of_page = {}  # path of a page in the site's sources -> its live films
 
 
 def repository_path(uri):
-    """The path of a page in the repository."""
+    """Returns the path of a page in the repository."""
     return uri if uri in OUTSIDE else f"docs/{uri}"
 
 
 def site_path(path):
-    """Where the site has a file of the repository, or None. Sources become texts, which a browser shows."""
+    """Returns the path of a file on the site, or None for a folder. Source files get the ending .txt, so that a browser
+    shows them."""
     if path.startswith("docs/"):
         return path.removeprefix("docs/")
     if path in OUTSIDE:
@@ -36,7 +38,7 @@ def site_path(path):
 
 
 def linked_files(page):
-    """(link, path in the repository) of each link of a page to a file."""
+    """Yields (link, path in the repository) for each link of a page to a file."""
     for _, link in doc_pages.links(doc_pages.read(page)):
         path = link.partition("#")[0]
         if path and not doc_pages.is_outside(link):
@@ -63,14 +65,14 @@ def on_files(files, config):
 
 @functools.cache
 def site_links(page):
-    """Where each link of a page leads on the site. None for a folder."""
+    """Returns a map from each link of a page to its target on the site. The target is None for a folder."""
     here = os.path.dirname(site_path(page)) or "."
     leads = {link: (site_path(path), link.partition("#")) for link, path in linked_files(page)}
     return {link: there and os.path.relpath(there, here) + mark + anchor for link, (there, (_, mark, anchor)) in leads.items()}
 
 
 def with_site_links(markdown, page):
-    """A part of a page, with links to the site's files. A link to a folder becomes plain text."""
+    """Returns a part of a page with its links changed to files of the site. A link to a folder becomes plain text."""
     def one(match):
         link = site_links(page).get(match[2], match[2])
         return f"{match[1]}({link})" if link else match[1][1:-1]
@@ -79,7 +81,8 @@ def with_site_links(markdown, page):
 
 
 def for_markdown(text, headings):
-    """A part of a page, outside code, as Python's Markdown reads it: the anchors of GitHub, lists and tables."""
+    """Changes a part of a page outside code for Python's Markdown: headings get the anchors of GitHub, code in tables
+    loses the backslash before `|`, and indented lines are indented twice as far."""
     lines = []
     for line in text.split("\n"):
         if re.match(r"#+ ", line):
@@ -102,7 +105,7 @@ def on_page_markdown(markdown, page, config, files):
             written.append(for_markdown(with_site_links(part.text, path), headings))
         if part.film is not None:
             if written and re.fullmatch(r"!\[[^]]*\]\([^)]*\)", written[-1]):
-                written.pop()  # the film itself replaces its picture
+                written.pop()  # the live film replaces its picture
             live_films.check(PROGRAM, part, path)
             written.append(f'<div data-film="{len(films)}"></div>')
             films.append(part)
@@ -111,14 +114,15 @@ def on_page_markdown(markdown, page, config, files):
 
 
 def on_page_content(content, page, config, files):
-    """Puts the texts of the films into the page, so that search finds them."""
+    """Puts the scripts of the films into the page, so that search finds them."""
     films = films_of_page.get(page.file.src_uri)
     text = lambda m: f"{m[1]}<pre>{html.escape(films[int(m[2])].film)}</pre>"  # noqa: E731
     return re.sub(r'(<div data-film="(\d+)">)', text, content) if films else content
 
 
 def on_post_page(output, page, config):
-    """Puts players in place of the texts. Search has read the page before: its index needs no packed files."""
+    """Replaces the scripts of the films by players. The search index is made before this, so that it has no packed
+    files."""
     films = films_of_page.get(page.file.src_uri)
     if not films:
         return output
@@ -129,7 +133,8 @@ def on_post_page(output, page, config):
 
 
 def on_post_build(config):
-    """Writes the index and the worker of search as one script, for pages that are opened from a folder and can fetch no file."""
+    """Writes the index and the worker of the search as one script. Pages that you open from a folder cannot fetch
+    files."""
     site = config["site_dir"]
     worker = next(n for n in os.listdir(f"{site}/assets/javascripts/workers") if n.endswith(".min.js"))
     with open(f"{site}/search/search_index.json", encoding="utf-8") as file:

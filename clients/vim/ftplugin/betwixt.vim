@@ -4,7 +4,7 @@ if exists('b:did_ftplugin')
   finish
 endif
 let b:did_ftplugin = 1
-" A remark is a sign and a blank; names have - and / in them.
+" A comment is # and a blank. Names may contain a hyphen.
 setlocal commentstring=#\ %s comments=b:# iskeyword+=-
 setlocal expandtab shiftwidth=2 softtabstop=2 suffixesadd=.bx
 setlocal include=^use

@@ -1,6 +1,7 @@
 " SPDX-FileCopyrightText: 2026 The Betwixt authors
 " SPDX-License-Identifier: Apache-2.0
-" Rows stand below the target that opens their sheet, or below make and edit; all else begins its line.
+" Event rows are indented below their target (such as ball.position), and drawing commands below make and edit. All
+" other lines are not indented.
 if exists('b:did_indent')
   finish
 endif

@@ -1,5 +1,5 @@
 -- SPDX-FileCopyrightText: 2026 The Betwixt authors
 -- SPDX-License-Identifier: Apache-2.0
 --
--- For vim.lsp.enable('betwixt'), from Neovim 0.11 on.
+-- The configuration for vim.lsp.enable('betwixt'), which Neovim has since 0.11.
 return { cmd = { 'betwixt', 'lsp' }, filetypes = { 'betwixt' } }

@@ -1,10 +1,10 @@
 -- SPDX-FileCopyrightText: 2026 The Betwixt authors
 -- SPDX-License-Identifier: Apache-2.0
 --
--- Starts the language server for scripts in Neovim, from 0.7 on: require('betwixt').setup()
--- or setup({ cmd = { '/opt/bin/betwixt', 'lsp' }, on_attach = … }), which goes to vim.lsp.start_client.
+-- Starts the language server for scripts in Neovim 0.7 and later: require('betwixt').setup()
+-- The options of setup({ cmd = { '/opt/bin/betwixt', 'lsp' }, on_attach = … }) go to vim.lsp.start_client.
 local M = {}
-local clients = {} -- by the folder that a script may read
+local clients = {} -- ids of clients, one for each folder: a script may read the files of its folder
 
 local function attach(buffer, options)
   local folder = vim.fn.fnamemodify(vim.api.nvim_buf_get_name(buffer), ':p:h')
@@ -15,7 +15,7 @@ local function attach(buffer, options)
   end
   if clients[folder] then
     vim.lsp.buf_attach_client(buffer, clients[folder])
-    if vim.bo[buffer].omnifunc == '' then -- Ctrl-X Ctrl-O completes; newer Neovims set it themselves
+    if vim.bo[buffer].omnifunc == '' then -- so that Ctrl-X Ctrl-O completes; later versions of Neovim do it themselves
       vim.bo[buffer].omnifunc = 'v:lua.vim.lsp.omnifunc'
     end
   end
