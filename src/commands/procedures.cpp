@@ -22,13 +22,33 @@ namespace {
 
 constexpr int deepest_command = 20;  // depth of the author's commands that run each other
 
+// Reads [every LENGTH] [from TIME] [hold].
+bool read_stepping(Cursor& c, Stepping& out) {
+  for (;;) {
+    c.space();
+    const char* const start = c.at;
+    if (c.accept_word("hold")) {
+      out.hold = true;
+    } else if (c.accept_word("from")) {
+      if (!c.time(out.from)) return false;
+    } else if (c.accept_word("every")) {
+      if (!c.length(out.every)) return false;
+      if (!(out.every > Time{})) return c.fail(ErrorCode::range, "an interval must be longer than 0", c.since(start));
+    } else {
+      return true;
+    }
+  }
+}
+
 bool procedure(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view name;
   if (!new_name(c, name, "procedure's name", "/.")) return false;
   Role role = Role::value;
-  for (const Role r : {Role::value, Role::twerper, Role::filter, Role::command})
-    if (c.accept_word(role_names[static_cast<std::size_t>(r)])) role = r;
+  for (std::size_t r = 0; r < role_names.size(); ++r)
+    if (c.accept_word(role_names[r])) role = static_cast<Role>(r);
+  Stepping stepping;
+  if (role == Role::steps && !read_stepping(c, stepping)) return false;
   if (!c.accept_word("lua"))
     return c.fail_here(ErrorCode::syntax, "'lua' is missing here", "as in procedure snap twerper lua \"u*u\"");
   c.space();
@@ -39,9 +59,10 @@ bool procedure(Command& k) {
   if (!finish(c)) return false;
   if (const std::string_view what = taken_by(name, role); !what.empty())
     return c.fail(ErrorCode::name, fmt::format("'{}' is already {}", name, what), name);
-  auto code = role == Role::value ? make_code(k, std::move(source), false) : make_lua(role, std::move(source));
+  const bool knows_lets = role == Role::value || role == Role::steps;
+  auto code = knows_lets ? make_code(k, std::move(source), false, role) : make_lua(role, std::move(source));
   if (!code) return c.fail(code.error(), about);
-  NamedProcedure made{std::string(name), role, *std::move(code)};
+  NamedProcedure made{std::string(name), role, *std::move(code), stepping};
   const auto& all = *s.procedures;
   const auto at = std::find_if(all.begin(), all.end(), [&](const NamedProcedure& p) { return p.name == name; });
   if (at == all.end()) {
@@ -50,8 +71,11 @@ bool procedure(Command& k) {
     return true;
   }
   if (at->role != role)
-    return c.fail(ErrorCode::name,
-                  fmt::format("'{}' is already a {}", name, role_names[static_cast<std::size_t>(at->role)]), name);
+    return c.fail(
+        ErrorCode::name,
+        fmt::format("'{}' is already a {}", name,
+                    at->role == Role::steps ? "stepped procedure" : role_names[static_cast<std::size_t>(at->role)]),
+        name);
   s.procedures.edit()[static_cast<std::size_t>(at - all.begin())] = std::move(made);
   // Filters store their code; they continue with the new one.
   if (role == Role::filter)
@@ -139,15 +163,19 @@ bool arguments(Cursor& c, std::vector<std::string>& words) {
 }
 
 constexpr Verb procedures_rows[] = {
-    {"procedure", "procedure NAME [twerper|filter|command] lua \"…\"",
-     "Code of your own in Lua, with a name: it computes a value, or is a twerper, a filter or a command.",
-     "procedure swing lua \"return math.sin(t)\"", Verb::makes_procedure, procedure,
-     "NEW; twerper filter command lua; lua"},
+    {"procedure",
+     "procedure NAME [twerper|filter|command] lua \"…\", or procedure NAME steps [every LENGTH] [from TIME] [hold] lua "
+     "\"…\"",
+     "Code of your own in Lua, with a name: it computes a value, or is a twerper, a filter or a command. With `steps`, "
+     "it "
+     "gets the `state` of the step before and returns the next one: a law with memory.",
+     "procedure swing lua \"return math.sin(t)\"\nprocedure chase steps lua \"(state or vec(-5, 0, 0)) * 0.9\"",
+     Verb::makes_procedure, procedure, "NEW; twerper filter command steps lua; lua every from hold…"},
 };
 
 }  // namespace
 
-Result<std::shared_ptr<const Routine>> make_code(const Command& k, std::string source, bool placed) {
+Result<std::shared_ptr<const Routine>> make_code(const Command& k, std::string source, bool placed, Role role) {
   const Cursor& c = k.cursor;
   std::string names, values;
   for (const std::string_view word : free_names(source)) {
@@ -155,6 +183,7 @@ Result<std::shared_ptr<const Routine>> make_code(const Command& k, std::string s
     const auto let = c.lets ? c.lets->find(word) : Lets::const_iterator();
     const bool let_so = c.lets && let != c.lets->end();
     if ((place == 0 && !let_so) || known_to_lua(word) || find_procedure(k.scene, word)) continue;
+    if (role == Role::steps && (word == "state" || word == "step" || word == "dt")) continue;
     const std::string value = place > 0 ? std::to_string(place) : write_code(let->second);
     if (value.empty())
       return fail(ErrorCode::type, fmt::format("'{}' is in frames, but code counts seconds", word),
@@ -162,11 +191,11 @@ Result<std::shared_ptr<const Routine>> make_code(const Command& k, std::string s
     names += (names.empty() ? "" : ", ") + std::string(word);
     values += (values.empty() ? "" : ", ") + value;
   }
-  if (names.empty()) return make_lua(Role::value, std::move(source));
+  if (names.empty()) return make_lua(role, std::move(source));
   const std::string known = fmt::format("local {} = {} ", names, values);
-  if (auto expression = make_lua(Role::value, known + "return " + source)) return expression;
-  if (auto chunk = make_lua(Role::value, known + source)) return chunk;
-  return make_lua(Role::value, std::move(source));  // reports the error
+  if (auto expression = make_lua(role, known + "return " + source)) return expression;
+  if (auto chunk = make_lua(role, known + source)) return chunk;
+  return make_lua(role, std::move(source));  // reports the error
 }
 
 // Runs a command of the author's own: either all of its commands, or none.

@@ -66,6 +66,11 @@ struct Writer {
     return fmt::format("{}({})", text, fmt::join(all, " "));
   }
 
+  std::string stepping(const Stepping& s) const {
+    return (s.every > Time{} ? " every " + length(s.every) : "") + (s.from != Time{} ? " from " + point(s.from) : "") +
+           (s.hold ? " hold" : "");
+  }
+
   void row(const Event& e, const FunctionSpec& spec, int component) { row(e, spec, component, "", e.detail->ease_in); }
   void row(const Event& e, const FunctionSpec& spec, int component, const std::string& until, Time ease_in) {
     out += "  " + point(e.time) + until + " ";
@@ -196,8 +201,8 @@ struct Writer {
     if (!s.notes_shown) out += "notes off\n";
     for (const NamedProcedure& p : *s.procedures)
       if (p.code->language == "lua")
-        out += fmt::format("procedure {} {} lua {}\n", p.name, role_names[static_cast<std::size_t>(p.role)],
-                           write_text(p.code->source));
+        out += fmt::format("procedure {} {}{} lua {}\n", p.name, role_names[static_cast<std::size_t>(p.role)],
+                           stepping(p.stepping), write_text(p.code->source));
       else
         out += as_comment(fmt::format("{} comes from the plug-in {}", p.name, p.code->source));
     for (const auto& [name, let] : *s.lets) out += fmt::format("let {} = {}\n", name, write_let(let));

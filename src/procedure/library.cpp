@@ -275,10 +275,23 @@ int objects(lua_State* l) {
   return results;
 }
 
+// NAME([time]) returns the state of a stepped procedure.
+int state_of(lua_State* l, Machine& m, const std::string& name) {
+  const bool now = lua_isnoneornil(l, 1);
+  const double at = now ? m.call->seconds : lua_tonumber(l, 1);
+  if (!std::isfinite(at) || (!now && lua_type(l, 1) != LUA_TNUMBER) || lua_gettop(l) > 1)
+    return fail_with(l, name + ": a stepped procedure takes one argument, a time in seconds, or none");
+  const auto state = m.call->questions->state(name, at, m.call->steps);
+  if (!state) return fail_with(l, name + ": " + state.error().message);
+  m.call->steps += static_cast<std::uint64_t>(push(l, *state));
+  return 1;
+}
+
 int call_routine(lua_State* l, Machine& m) {
   const std::string name = lua_tostring(l, lua_upvalueindex(1));
   const Routine* routine = m.call->questions ? m.call->questions->procedure(name) : nullptr;
   if (!routine) return fail_with(l, "there is no procedure " + name);
+  if (routine->stepped()) return state_of(l, m, name);
   std::vector<Value> arguments;
   for (int i = 1; i <= lua_gettop(l); ++i) {
     auto v = to_value(l, i);

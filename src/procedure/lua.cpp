@@ -112,6 +112,36 @@ class Lua final : public Routine {
     return result;
   }
 
+  bool stepped() const override { return role == Role::steps; }
+
+  Result<State> step(Questions& q, const State& before, std::int64_t number, double seconds_each,
+                     std::uint64_t& cost) const override {
+    if (role != Role::steps) return Routine::step(q, before, number, seconds_each, cost);
+    Call call;
+    call.questions = &q;
+    call.seconds = q.seconds();
+    const auto push_before = [&](Machine& m) {
+      call.steps += static_cast<std::uint64_t>(lua::push(m.state, before));
+      return 1;
+    };
+    auto result = run<State>(
+        call,
+        [&](Machine& m) {
+          lua_pushnumber(m.state, call.seconds);
+          m.set("t");
+          lua_pushnumber(m.state, seconds_each);
+          m.set("dt");
+          lua_pushinteger(m.state, number);
+          m.set("step");
+          push_before(m);
+          m.set("state");
+          return 0;
+        },
+        push_before, [](lua_State* l) { return lua::to_state(l, -1); });
+    cost += call.steps;
+    return result;
+  }
+
   Result<double> blend(double u) const override {
     if (role != Role::twerper) return Routine::blend(u);
     Call call;

@@ -124,6 +124,8 @@ void push_number(lua_State*, double);               // whole numbers stay whole 
 void push(lua_State*, Kind, const double* numbers);
 bool push(lua_State*, const Value&);  // returns false, and pushes nothing, if Lua has no equivalent
 Result<Value> to_value(lua_State*, int index);
+double push(lua_State*, const State&);  // returns the number of its entries
+Result<State> to_state(lua_State*, int index);
 std::string written(lua_State*, int index);  // any value, without addresses
 void make_kinds(lua_State*, Machine&);
 

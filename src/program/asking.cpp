@@ -9,6 +9,10 @@
 
 namespace betwixt {
 
+void Asking::note_read(const Target& target) {
+  if (read.size() < 10'000 && std::find(read.begin(), read.end(), target) == read.end()) read.push_back(target);
+}
+
 void Asking::say(std::string problem) {
   if (std::find(problems.begin(), problems.end(), problem) == problems.end() && problems.size() < 100)
     problems.push_back(std::move(problem));

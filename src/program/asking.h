@@ -17,6 +17,7 @@
 namespace betwixt {
 
 struct Answer;
+struct OpenStep;
 struct Question;
 struct Contacts;
 class DeferredEvaluation;
@@ -54,7 +55,8 @@ struct Asking {
   bool in_haste() const { return most < UINT64_MAX; }
   std::vector<std::string> problems;
   std::vector<Frame::CodeError> errors;
-  std::vector<Target> read;  // values that procedures have read
+  std::vector<Target> read;        // values that procedures have read
+  const OpenStep* step = nullptr;  // of a stepped procedure, for which these values are evaluated
   const DeferredEvaluation* deferred =
       nullptr;  // has the answers of the outermost questions; null to compute them here
 
@@ -77,6 +79,7 @@ struct Asking {
     const Answer* answer = nullptr;
   };
   Deferred deferred_answer(const Question&, Time) const;
+  void note_read(const Target&);
   void say(std::string problem);
   void err(std::string problem, const std::string& source);  // an error in the author's code
   void say_all(const Answer&);                               // reports its problems and errors

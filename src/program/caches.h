@@ -14,6 +14,7 @@
 #include "betwixt/frame.h"
 #include "betwixt/program.h"
 #include "program/environment_set.h"
+#include "program/steps.h"
 
 namespace betwixt {
 
@@ -66,6 +67,7 @@ struct Caches {
   OwnCamera camera;
   Tracers tracers;
   IdleEvaluations idle;
+  StepRuns steps;
 };
 
 }  // namespace betwixt

@@ -10,6 +10,7 @@
 #include "base/cancellation.h"
 #include "base/utf8.h"
 #include "program/along.h"
+#include "program/questions.h"
 #include "scene/kinds.h"
 #include "track/along.h"
 #include "track/operations.h"
@@ -27,69 +28,6 @@ std::string brief(std::string_view source) {
   const bool more = source.find_first_not_of(" \t\r\n", line.size()) != std::string_view::npos;
   return std::string(line.substr(0, 60)) + (more ? " …" : "");
 }
-
-// What procedures can read of the film.
-struct Talk : Questions {
-  const LiveParts& w;
-  Time t;
-  bool lacking = false;     // the object lacks a function that objects of other kinds have
-  bool called_off = false;  // the work was cancelled; Cancelled is thrown after the code returns
-  Talk(const LiveParts& parts, Time time) : w(parts), t(time) {}
-  double seconds() const override { return t.seconds(); }
-  Rate rate() const override { return w.scene.rate; }
-  std::string_view self() const override { return w.scene.objects[w.live.object].name; }
-  const Routine* procedure(std::string_view name) override {
-    const NamedProcedure* p = find_procedure(w.scene, name);
-    return p && p->role == Role::value ? p->code.get() : nullptr;
-  }
-  template <class Work>
-  auto or_called_off(Work&& work) -> decltype(work()) {
-    try {
-      return work();
-    } catch (const Cancelled&) {
-      called_off = true;
-      return fail(ErrorCode::machine, "cancelled: a newer change replaces this one");
-    }
-  }
-  Result<Value> value(std::string_view text, double seconds, std::uint64_t& cost) override {
-    return or_called_off([&] { return value_of(text, seconds, cost); });
-  }
-  Result<Value> value_of(std::string_view text, double seconds, std::uint64_t& cost) {
-    if (!std::isfinite(seconds) || std::abs(seconds) > longest_seconds)
-      return fail(ErrorCode::range, fmt::format("value('{}', {}): the time is out of range", text, seconds));
-    const auto target = find_target(w.scene, text, {w.live.object});
-    if (!target) return lacking = lacking || others_have(text), target.error();
-    auto& trace = w.asking.read;
-    if (trace.size() < 10'000 && std::find(trace.begin(), trace.end(), *target) == trace.end())
-      trace.push_back(*target);
-    // The answer's cost counts once, in the asking procedure.
-    const std::uint64_t before = w.asking.cost;
-    Value r = w.c.read(*target, from_seconds(seconds), w.asking);
-    cost += w.asking.cost - before + 20;
-    w.asking.cost = before;
-    if (w.asking.given_up) return fail(ErrorCode::range, "stopped: reading this value took too much work");
-    return r;
-  }
-  Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) override {
-    const std::uint64_t before = w.asking.cost;
-    auto at = or_called_off([&] { return place_on(w.c, line, share, seconds, w.asking); });
-    cost += w.asking.cost - before + 20;
-    w.asking.cost = before;
-    return at;
-  }
-
-  // Returns true if a target of its own names a function that this kind lacks and other kinds have.
-  bool others_have(std::string_view target) const {
-    const Object& self = w.scene.objects[w.live.object];
-    if (target.starts_with(self.name)) target.remove_prefix(self.name.size());
-    if (!target.starts_with('.')) return false;
-    target.remove_prefix(1);
-    const std::string_view function = target.substr(0, target.find('.'));
-    const auto known = built_in_functions();
-    return !find_function(w.scene, self.kind, function) &&
-           std::any_of(known.begin(), known.end(), [&](const FunctionSpec& f) { return f.name == function; });
-  }
-};
 
 // Repeats a track of places on lines like a track of plain values. Code is never repeated: it always gets the true
 // time.
@@ -118,12 +56,12 @@ std::optional<Value> LiveParts::run(const Procedure& p, const LivePart& part, Ti
   if (const Along* place = along(Value(p)))
     return value_along(c, live.object, live.function, place->road, place->share, t, asking);
   if (asking.in_haste() && asking.work(asking.most + 1)) return std::nullopt;  // code may always take long
-  Talk talk(*this, t);
+  FilmQuestions questions(c, asking, t, {live.object});
   std::uint64_t cost = 0;
-  const auto answer = p.code->value(talk, {}, cost);
-  if (talk.called_off) throw Cancelled{};
-  if (asking.work(cost + 300)) return std::nullopt;                      // starting the code costs something too
-  if (!answer && talk.lacking && by_definition(p)) return std::nullopt;  // the object has no such value
+  const auto answer = p.code->value(questions, {}, cost);
+  if (questions.called_off) throw Cancelled{};
+  if (asking.work(cost + 300)) return std::nullopt;                           // starting the code costs something too
+  if (!answer && questions.lacking && by_definition(p)) return std::nullopt;  // the object has no such value
   const auto say = [&](const std::string& why) {
     asking.err(
         fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component), brief(p.code->source), why),

@@ -103,13 +103,22 @@ class Objects {
 enum class Policy : std::uint8_t { translate, ignore, ask };
 inline constexpr std::array<std::string_view, 3> policy_names{"translate", "ignore", "ask"};
 
+// The times of a stepped procedure's steps.
+struct Stepping {
+  Time every;         // 0: one frame of the film
+  Time from;          // of step 0
+  bool hold = false;  // between two steps, the state is that of the first and not a blend
+  friend bool operator==(const Stepping&, const Stepping&) = default;
+};
+
 // The author's or a plug-in's code, with a name.
 struct NamedProcedure {
   std::string name;
   Role role = Role::value;
   std::shared_ptr<const Routine> code;
+  Stepping stepping = {};  // of the role `steps`
   friend bool operator==(const NamedProcedure& a, const NamedProcedure& b) {
-    return a.name == b.name && a.role == b.role && Procedure{a.code} == Procedure{b.code};
+    return a.name == b.name && a.role == b.role && a.stepping == b.stepping && Procedure{a.code} == Procedure{b.code};
   }
 };
 

@@ -12,6 +12,9 @@ Error wrong_role(const char* what) { return fail(ErrorCode::type, std::string("t
 Result<Value> Routine::value(Questions&, const std::vector<Value>&, std::uint64_t&) const {
   return wrong_role("value");
 }
+Result<State> Routine::step(Questions&, const State&, std::int64_t, double, std::uint64_t&) const {
+  return wrong_role("stepped procedure");
+}
 Result<double> Routine::blend(double) const { return wrong_role("twerper"); }
 Result<Value> Routine::filter(Input&, double, const Parameters&) const { return wrong_role("filter"); }
 Status Routine::command(Host&, const std::vector<std::string>&) const { return wrong_role("command"); }

@@ -19,12 +19,13 @@
 #include "betwixt/result.h"
 #include "betwixt/time.h"
 #include "betwixt/value.h"
+#include "track/state.h"
 
 namespace betwixt {
 
 // The kinds of procedures.
-enum class Role : std::uint8_t { value, twerper, filter, command };
-inline constexpr std::array<std::string_view, 4> role_names{"value", "twerper", "filter", "command"};
+enum class Role : std::uint8_t { value, twerper, filter, command, steps };
+inline constexpr std::array<std::string_view, 5> role_names{"value", "twerper", "filter", "command", "steps"};
 
 // The key=value pairs of a filter or command; texts as written.
 using Parameters = std::vector<std::pair<std::string, Value>>;
@@ -44,8 +45,10 @@ class Questions {
   virtual Result<Value> value(std::string_view target, double seconds, std::uint64_t& cost) = 0;
   // Returns the point of a line, in the world, at a share of its length.
   virtual Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) = 0;
-  // Returns a procedure of role `value` by its name, or null.
+  // Returns a procedure of role `value` or `steps` by its name, or null.
   virtual const Routine* procedure(std::string_view name) = 0;
+  // Returns the state of a stepped procedure (role `steps`) at a time.
+  virtual Result<State> state(std::string_view name, double seconds, std::uint64_t& cost) = 0;
 };
 
 // The reads of a filter: the unfiltered track below it, at any time.
@@ -70,11 +73,16 @@ class Host {
 class Routine {
  public:
   virtual ~Routine() = default;
-  std::string language;  // "lua" or "plug-in"
-  std::string source;    // as written; for a plug-in its path
+  std::string language;                           // "lua" or "plug-in"
+  std::string source;                             // as written; for a plug-in its path
+  virtual bool stepped() const { return false; }  // its role is `steps`
 
   // Only the function of its role is called. `arguments`: those that another procedure passes.
   virtual Result<Value> value(Questions&, const std::vector<Value>& arguments, std::uint64_t& cost) const;
+  // Returns the state after one more step. `before`: the state of the step before, or nothing. `number`: of this step,
+  // counted from 0. `seconds_each`: the time between two steps.
+  virtual Result<State> step(Questions&, const State& before, std::int64_t number, double seconds_each,
+                             std::uint64_t& cost) const;
   virtual Result<double> blend(double u) const;  // the factor at u, 0 to 1 along the segment, with eases applied
   virtual Result<Value> filter(Input&, double seconds, const Parameters&) const;
   virtual Status command(Host&, const std::vector<std::string>& words) const;

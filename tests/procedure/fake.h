@@ -35,6 +35,7 @@ struct FakeQuestions : Questions {
   Result<Vec3> place(std::string_view, double share, double seconds, std::uint64_t&) override {
     return Vec3{share, seconds, 0};
   }
+  Result<State> state(std::string_view, double seconds, std::uint64_t&) override { return State{Value(seconds)}; }
   const Routine* procedure(std::string_view name) override {
     const auto p = procedures.find(name);
     return p == procedures.end() ? nullptr : p->second.get();

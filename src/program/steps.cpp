@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program/steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/cancellation.h"
+#include "program/compiled.h"
+#include "program/held_values.h"
+#include "program/questions.h"
+#include "scene/names.h"
+#include "track/types.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::int64_t most_steps = 10'000'000;
+constexpr std::uint64_t most_work = 10'000'000'000;  // for all steps together
+
+// Returns the state between `a` and `b`: numbers, vectors, colours and rotations blend, and everything else is that of
+// `a`. A whole number blends with a number that is not whole, because Lua writes 0 for the beginning of both.
+State between(const State& a, const State& b, double share) {
+  const auto number = [](const State& s) -> std::optional<double> {
+    if (const auto* whole = std::get_if<std::int64_t>(&s.is)) return static_cast<double>(*whole);
+    const auto* v = std::get_if<Value>(&s.is);
+    const auto* d = v ? std::get_if<double>(v) : nullptr;
+    return d ? std::optional(*d) : std::nullopt;
+  };
+  if (std::holds_alternative<std::int64_t>(a.is) && std::holds_alternative<std::int64_t>(b.is)) return a;
+  if (const auto from = number(a), to = number(b); from && to) return {Value(*from + share * (*to - *from))};
+  if (const auto* from = std::get_if<Value>(&a.is)) {
+    const auto* to = std::get_if<Value>(&b.is);
+    if (!to || from->index() != to->index() || !numeric(*from) || std::holds_alternative<bool>(*from)) return a;
+    const auto blend = laid_over(*from, *to, share, true);
+    return blend ? State{*blend} : a;
+  }
+  const auto *from = std::get_if<State::Table>(&a.is), *to = std::get_if<State::Table>(&b.is);
+  const auto same_key = [](const State::Entry& x, const State::Entry& y) { return x.key == y.key; };
+  if (!from || !to || !std::equal(from->begin(), from->end(), to->begin(), to->end(), same_key)) return a;
+  State::Table out;
+  out.reserve(from->size());
+  for (std::size_t i = 0; i < from->size(); ++i)
+    out.push_back({(*from)[i].key, between((*from)[i].state, (*to)[i].state, share)});
+  return {std::move(out)};
+}
+
+// One procedure in one film.
+struct Stepper {
+  const Program::Compiled& c;
+  const NamedProcedure& p;
+  StepRun& run;
+  Asking& asking;
+  Time every = p.stepping.every > Time{} ? p.stepping.every : c.document.scene().rate.span(1);
+
+  Time time_of(std::int64_t step) const { return p.stepping.from + Time{every.flicks * step}; }
+
+  // Fails if a step that is being computed would need itself or a later one.
+  Status allowed(std::int64_t step) const {
+    for (const OpenStep* open = asking.step; open; open = open->outer) {
+      if (open->run != &run || step < open->step) continue;
+      return step == open->step
+                 ? fail(ErrorCode::range, "this step depends on itself: read an earlier time, as in (t - dt)")
+                 : fail(ErrorCode::range,
+                        "a step cannot read the future: the state is known only up to the step before");
+    }
+    return Nothing{};
+  }
+
+  // Computes the step after a point. Returns false if it fails.
+  bool advance(StepRun::Point at) const {
+    Cancellation::check();
+    const std::int64_t number = at.step + 1;
+    const OpenStep open{&run, number, asking.step};
+    Asking inner;
+    inner.step = &open;
+    FilmQuestions questions(c, inner, time_of(number));
+    std::uint64_t cost = 0;
+    auto state = p.code->step(questions, at.state ? *at.state : State{}, number, every.seconds(), cost);
+    if (questions.called_off) throw Cancelled{};
+    run.note(inner);
+    at.cost += cost;
+    if (state && at.cost > most_work)
+      state =
+          fail(ErrorCode::range, fmt::format("stopped: its steps took more than {} steps of Lua together", most_work));
+    if (state) return run.put({number, std::make_shared<const State>(*std::move(state)), at.cost}), true;
+    const std::string when = format_time(time_of(number), c.document.scene().rate);
+    run.fail_at(
+        {number,
+         {fmt::format("{}: step {} at {} failed: {}", p.name, number, when, state.error().message), p.code->source}});
+    return false;
+  }
+
+  Result<std::shared_ptr<const State>> after(std::int64_t step) const {
+    if (Status fine = allowed(step); !fine) return fine.error();
+    for (StepRun::Point at; (at = run.nearest(step)).step < step;) {
+      const auto failure = run.failed(at.step + 1);
+      if (!failure && advance(at)) continue;
+      asking.err(run.failed(at.step + 1)->why.message, p.code->source);
+      if (at.step < 0) return fail(ErrorCode::type, "its first step failed");
+      return at.state;
+    }
+    return run.nearest(step).state;
+  }
+
+  Result<State> at(Time t) const {
+    const std::int64_t since = std::max<std::int64_t>(0, t.flicks - p.stepping.from.flicks);
+    const std::int64_t step = since / every.flicks, rest = since % every.flicks;
+    if (step >= most_steps) return fail(ErrorCode::range, fmt::format("it can have at most {} steps", most_steps));
+    const auto before = after(step);
+    if (!before || rest == 0 || p.stepping.hold) return before ? Result<State>(**before) : before.error();
+    const auto next = after(step + 1);
+    if (!next) return next.error();
+    return between(**before, **next, static_cast<double>(rest) / static_cast<double>(every.flicks));
+  }
+};
+
+}  // namespace
+
+StepRun::Point StepRun::nearest(std::int64_t step) {
+  const std::lock_guard lock(in_use_);
+  Point best;
+  if (!kept_.empty()) {
+    const std::int64_t last = static_cast<std::int64_t>(kept_.size()) - 1;
+    if (step >= 0) best = kept_[static_cast<std::size_t>(std::min(step / stride_, last))];
+  }
+  for (const Point* p : {&latest_, &newest_})
+    if (p->step <= step && p->step > best.step) best = *p;
+  return best;
+}
+
+void StepRun::put(Point p) {
+  const std::lock_guard lock(in_use_);
+  latest_ = p;
+  if (p.step <= newest_.step) return;
+  newest_ = p;
+  if (p.step != static_cast<std::int64_t>(kept_.size()) * stride_) return;
+  bytes_ += bytes_of(*p.state);
+  kept_.push_back(std::move(p));
+  if (bytes_ <= most_bytes || kept_.size() < 2) return;
+  stride_ *= 2, bytes_ = 0;  // every second checkpoint goes
+  for (std::size_t i = 0; 2 * i < kept_.size(); ++i) kept_[i] = kept_[2 * i], bytes_ += bytes_of(*kept_[i].state);
+  kept_.resize((kept_.size() + 1) / 2);
+}
+
+void StepRun::fail_at(Failure f) {
+  const std::lock_guard lock(in_use_);
+  if (!failure_ || f.step < failure_->step) failure_ = std::move(f);
+}
+
+std::optional<StepRun::Failure> StepRun::failed(std::int64_t step) {
+  const std::lock_guard lock(in_use_);
+  return failure_ && failure_->step <= step ? failure_ : std::nullopt;
+}
+
+void StepRun::note(const Asking& of_step) {
+  const std::lock_guard lock(in_use_);
+  for (const Target& t : of_step.read) noted_.note_read(t);
+  for (const std::string& problem : of_step.problems)
+    if (noted_.problems.size() < most_problems) noted_.say(problem);
+}
+
+void StepRun::tell(Asking& caller) {
+  const std::lock_guard lock(in_use_);
+  for (const Target& t : noted_.read) caller.note_read(t);
+  for (const std::string& problem : noted_.problems) caller.say(problem);
+}
+
+StepRun& StepRuns::of(const NamedProcedure& p) {
+  const std::lock_guard lock(in_use_);
+  auto& run = all_[&p];
+  if (!run) run = std::make_unique<StepRun>();
+  return *run;
+}
+
+Result<State> state_at(const Program::Compiled& c, const NamedProcedure& p, Time t, Asking& asking) {
+  StepRun& run = c.caches.steps.of(p);
+  auto state = Stepper{c, p, run, asking}.at(t);
+  run.tell(asking);
+  return state;
+}
+
+}  // namespace betwixt

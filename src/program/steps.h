@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Stepped procedures: laws with memory. Step 0 is at the time `from`, and each further step gets the state of the step
+// before. A state depends on the document alone, so threads that compute the same step get the same bits, whichever is
+// first; no lock is held while code runs.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "program/asking.h"
+#include "scene/document.h"
+#include "track/state.h"
+
+namespace betwixt {
+
+// The states that one procedure is known to have: the newest, the one computed last, and checkpoints in between.
+class StepRun {
+ public:
+  struct Point {
+    std::int64_t step = -1;  // -1: before the first step
+    std::shared_ptr<const State> state;
+    std::uint64_t cost = 0;  // of all steps until here
+  };
+  struct Failure {
+    std::int64_t step = 0;
+    Frame::CodeError why;
+  };
+  // Returns the last known point that is not after the step.
+  Point nearest(std::int64_t step);
+  void put(Point);
+  void fail_at(Failure);
+  // Returns the failure if it happened at or before the step.
+  std::optional<Failure> failed(std::int64_t step);
+  // Adds the targets and problems of a step to those of the run, and those of the run to the caller's.
+  void note(const Asking& of_step);
+  void tell(Asking& caller);
+
+ private:
+  static constexpr std::size_t most_bytes = 64 << 20, most_problems = 20;
+  std::mutex in_use_;
+  Point newest_, latest_;
+  std::vector<Point> kept_;  // every stride_ steps
+  std::int64_t stride_ = 1;
+  std::size_t bytes_ = 0;
+  std::optional<Failure> failure_;
+  Asking noted_;
+};
+
+// The runs of a film, by their procedure.
+class StepRuns {
+ public:
+  StepRun& of(const NamedProcedure&);
+
+ private:
+  std::mutex in_use_;
+  std::map<const NamedProcedure*, std::unique_ptr<StepRun>> all_;
+};
+
+// A step that is being computed, inside another one or not.
+struct OpenStep {
+  const StepRun* run = nullptr;
+  std::int64_t step = 0;
+  const OpenStep* outer = nullptr;
+};
+
+// Returns the state of a procedure of role `steps` at a time; between two steps, the blend of their states. After a
+// step that failed, returns the last good state and reports the error to `asking`. Errors: range (the step that asks
+// does not know this state yet), type (the first step failed).
+Result<State> state_at(const Program::Compiled&, const NamedProcedure&, Time, Asking&);
+
+}  // namespace betwixt
