@@ -18,9 +18,9 @@
 #include "base/tell_user.h"
 #include "server/answers.h"
 #include "server/clock_link.h"
-#include "server/deferred_free.h"
 #include "server/file_watch.h"
 #include "server/guest.h"
+#include "server/memory_return.h"
 #include "server/multilevel_queue.h"
 
 namespace betwixt {
@@ -54,7 +54,7 @@ class Server {
     watch_.add(clock_.shown());
     clock_.begin();
     imaging_.work_beside([this](const auto& work, Imaging::Claim claim) { return beside(work, claim); },
-                         [this](std::shared_ptr<const void> gone) { discarded_.take(std::move(gone)); });
+                         [this](std::shared_ptr<const void> gone) { memory_.take(std::move(gone)); });
     const bool served = leaders_.run(options_.give_up ? [this] {
       (void)imaging_.sync(monotonic_now());
       options_.give_up();
@@ -367,8 +367,8 @@ class Server {
   std::set<int> kept_;     // hold back their next line
   std::set<int> full_;     // must read their answers before they may send more
   std::set<int> parting_;  // closed their side while a thread works for them
-  MultilevelQueue lanes_;
-  DeferredFree discarded_;
+  MemoryReturn memory_;
+  MultilevelQueue lanes_{memory_};
   LeaderFollowerPool leaders_{[this](LeaderFollowerPool::Lock& lock) { round(lock); }};
   ClockLink clock_;
   std::optional<Error> failed_;

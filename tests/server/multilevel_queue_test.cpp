@@ -28,7 +28,8 @@ void toil(std::chrono::nanoseconds much) {
 }
 
 TEST(MultilevelQueue, WhatIsShortGoesBeforeWhatIsLong) {
-  MultilevelQueue lanes;
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory);
   std::atomic<bool> over{false};
   std::atomic<int> begun{0};
   std::vector<std::future<bool>> long_ones;
@@ -58,7 +59,8 @@ TEST(MultilevelQueue, WhatIsShortGoesBeforeWhatIsLong) {
 
 // … but only where somebody waits for its place.
 TEST(MultilevelQueue, WhatIsLongGivesWayOnlyWhereSomebodyWaits) {
-  MultilevelQueue lanes;
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory);
   std::atomic<int> begun{0};
   EXPECT_TRUE(lanes.run([&] { ++begun, toil(100ms); }, stays));
   EXPECT_EQ(begun, 1);
@@ -72,7 +74,8 @@ TEST(MultilevelQueue, WhatIsLongGivesWayOnlyWhereSomebodyWaits) {
 
 TEST(MultilevelQueue, FewWorkAtATime) {
   constexpr auto never = 1h;
-  MultilevelQueue lanes(MultilevelQueue::Patience{never, never, never, never});
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory, MultilevelQueue::Patience{never, never, never, never});
   std::atomic<int> working{0}, most{0};
   std::vector<std::future<bool>> all;
   for (int i = 0; i < 100; ++i)
@@ -91,7 +94,8 @@ TEST(MultilevelQueue, FewWorkAtATime) {
 
 // Work that never asks Cancellation, such as compiling: other work does not wait for it.
 TEST(MultilevelQueue, WhatCannotBeInterruptedKeepsNobodyWaiting) {
-  MultilevelQueue lanes(MultilevelQueue::Patience{0ms, 0ms, 0ms, 0ms});
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory, MultilevelQueue::Patience{0ms, 0ms, 0ms, 0ms});
   std::promise<void> ends;
   const std::shared_future<void> end(ends.get_future());
   std::atomic<int> begun{0};
@@ -109,7 +113,8 @@ TEST(MultilevelQueue, WhatCannotBeInterruptedKeepsNobodyWaiting) {
 }
 
 TEST(MultilevelQueue, EndWithAllThatWaits) {
-  MultilevelQueue lanes;
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory);
   std::vector<std::future<bool>> all;
   std::atomic<int> begun{0};
   for (int i = 0; i < 20; ++i)
@@ -128,7 +133,8 @@ TEST(MultilevelQueue, EndWithAllThatWaits) {
 }
 
 TEST(MultilevelQueue, WhatIsThrownComesOut) {
-  MultilevelQueue lanes;
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory);
   EXPECT_THROW(lanes.run([] { throw std::bad_alloc(); }, stays), std::bad_alloc);
   EXPECT_TRUE(lanes.run([] {}, stays));
 }
