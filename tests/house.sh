@@ -60,7 +60,7 @@ verdict "one file sees the library of command lines" \
   "$(grep -rlE '^\s*#\s*include\s*<CLI/' src | grep -vx src/app/command_line.cpp)"
 verdict "two files see the library for JSON" \
   "$(grep -rlE '^\s*#\s*include\s*<nlohmann/' src | grep -vxE 'src/(server/aim_host\.h|export/json\.h)')"
-verdict "a script that cannot be called" "$(find tests tools clients -name '*.sh' ! -perm -u+x ! -name setup.sh ! -name support.sh ! -name timed.sh)"
+verdict "a script that cannot be called" "$(find tests tools clients -name '*.sh' ! -perm -u+x ! -name setup.sh ! -name support.sh ! -name timed.sh ! -name counts.sh)"
 verdict "a file without its licence" "$(
   files | while read -r file; do
     [ "$(head -n 2 "$file")" = "// SPDX-FileCopyrightText: 2026 The Betwixt authors
@@ -83,6 +83,10 @@ verdict "a file that is not laid out as .clang-format says (tools/format.sh does
 )"
 [ "$failed" != 0 ] || { mkdir -p build && mv "$begun" "$laid_out"; }
 rm -f "$begun"
+# A reader should have a whole file in mind. These have more lines, and are being divided.
+long='src/(program/(live\.cpp|compiled\.h)|app/play_command\.cpp)'
+verdict "a file of src with more than 400 lines" \
+  "$(find src -type f -exec wc -l {} + | awk '$1 > 400 && $2 != "total" { print $2 ": " $1 }' | grep -vE "^$long:")"
 verdict "a link of a page that leads nowhere (tests/links.py)" "$(python3 tests/links.py)"
 verdict "turns of phrase that are hard to read (tests/plain_words.py)" "$(python3 tests/plain_words.py)"
 verdict "what the tests show" "$(tools/coverage.sh --check 2>&1)"
