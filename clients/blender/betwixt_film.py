@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """An add-on that imports Betwixt scripts as Blender objects with F-curves. It can follow a script file or a server.
 
-Install this one file: Edit > Preferences > Add-ons > Install. Then use File > Import > Betwixt (.bx). The add-on needs
-the Python module `betwixt` (docs/python.md). If the module is not installed, name its folder in the add-on's
-preferences or in the variable BETWIXT_PYTHON. docs/exchange.md lists what the add-on imports.
+This is one file, because that is how add-ons are installed: Edit > Preferences > Add-ons > Install. Then use
+File > Import > Betwixt (.bx). The add-on needs the Python module `betwixt` (docs/python.md). If the module is not
+installed, name its folder in the add-on's preferences or in the variable BETWIXT_PYTHON. docs/exchange.md lists what
+the add-on imports.
 """
 
 import importlib

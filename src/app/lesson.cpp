@@ -44,7 +44,8 @@ Status write_lesson(const std::string& path, const Motion& motion, const LessonO
   if (!player) return player.error();
   const std::string text = to_string(motion);
   std::string script = "\n\"use strict\";\n(() => {\n";
-  for (const char* part : {lesson_pictures_js, lesson_words_js, lesson_handles_js, lesson_methods_js, lesson_js})
+  for (const char* part : {lesson_pictures_js, lesson_words_js, lesson_handles_js, lesson_methods_js, lesson_string_js,
+                           lesson_numbers_js, lesson_address_js, lesson_js})
     script += part;
   script += "\n})();\n";
   PagePolicy policy;

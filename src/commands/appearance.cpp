@@ -27,35 +27,28 @@ bool size(Command& k) {
   return true;
 }
 
-bool samples(Command& k) {
-  auto& [s, c, time, layer, script] = k;
-  c.space();
-  const char* const start = c.at;
-  double n = 0;
-  if (!values(k).scalar(n)) return false;
-  const auto whole = static_cast<int>(std::clamp(n, 0.0, 100.0));
-  if (whole != n || !samples_fit(whole))
-    return c.fail(ErrorCode::range,
-                  fmt::format("the number of samples must be 1, 4, 9 or 16, not '{}'", c.since(start)), c.since(start));
-  if (!finish(c)) return false;
-  s.appearance.samples = whole;
-  return true;
-}
-
-bool subframes(Command& k) {
-  auto& [s, c, time, layer, script] = k;
+// Reads a whole number of `what`, and the end of the line. `rule`: which numbers fit.
+bool whole_number(Command& k, const char* what, const char* rule, bool (*fits)(long), std::optional<int>& out) {
+  Cursor& c = k.cursor;
   c.space();
   const char* const start = c.at;
   double n = 0;
   if (!values(k).scalar(n)) return false;
   const auto whole = static_cast<int>(std::clamp(n, 0.0, 1e6));
-  if (whole != n || !subframes_fit(whole))
-    return c.fail(ErrorCode::range,
-                  fmt::format("the number of subframes must be from 1 to 4096, not '{}'", c.since(start)),
+  if (whole != n || !fits(whole))
+    return c.fail(ErrorCode::range, fmt::format("the number of {} must be {}, not '{}'", what, rule, c.since(start)),
                   c.since(start));
   if (!finish(c)) return false;
-  s.appearance.subframes = whole;
+  out = whole;
   return true;
+}
+
+bool samples(Command& k) {
+  return whole_number(k, "samples", "1, 4, 9 or 16", samples_fit, k.scene.appearance.samples);
+}
+
+bool subframes(Command& k) {
+  return whole_number(k, "subframes", "from 1 to 4096", subframes_fit, k.scene.appearance.subframes);
 }
 
 bool film(Command& k) {

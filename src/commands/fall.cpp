@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
+#include "commands/fall_path.h"
 #include "commands/segments.h"
 #include "program/compiled.h"
 #include "program/placing.h"
@@ -18,61 +18,12 @@
 namespace betwixt {
 namespace {
 
-struct Laws {
-  Time delay, length{10 * flicks_per_second};
-  double gravity = 9.81, ground = 0, bounce = 0;
-};
-
 // The transformation from the values of a position's track to the world, and the part of the object's speed that is
 // lost at that time. The speed of a parent that still holds the object is not lost.
 struct CommandOutcome {
   Mat4 to_world;
   Vec3 origin, speed;
 };
-
-// The object's place at a time, and its speed just before and after.
-struct Mark {
-  Time time;
-  Vec3 place, in, out;
-};
-
-// Returns the events from bounce to bounce, in the world. Along the ground the speed is constant.
-std::vector<Mark> path(Time start, Vec3 place, Vec3 speed, const Laws& laws) {
-  std::vector<Mark> marks;
-  const Vec3 along{speed.x, 0, speed.z};
-  const Time begin = start + laws.delay, end = begin + laws.length;
-  if (laws.delay > Time{}) {
-    marks.push_back({start, place, along, along});
-    place = place + laws.delay.seconds() * along;
-    speed.y = 0;
-  }
-  Time now = begin;
-  double t = begin.seconds(), came = speed.y;
-  for (int hops = 0; hops < 200; ++hops) {
-    const auto vertical = [&](double v) { return Vec3{along.x, v, along.z}; };
-    marks.push_back({now, place, vertical(came), vertical(speed.y)});
-    // Solves y + speed·d - g/2·d² = ground.
-    const double root = speed.y * speed.y + 2 * laws.gravity * (place.y - laws.ground);
-    const double left = end.seconds() - t;
-    if (!(root > 0) || (place.y <= laws.ground && speed.y <= 0)) break;  // it rests
-    const double d = (speed.y + std::sqrt(root)) / laws.gravity;
-    if (d >= left) {
-      const double y = place.y + speed.y * left - laws.gravity / 2 * left * left;
-      const Vec3 reached = place + left * along;
-      marks.push_back({end, {reached.x, y, reached.z}, vertical(speed.y - laws.gravity * left), {}});
-      break;
-    }
-    t += d;
-    const Time before = std::exchange(now, from_seconds(t));
-    came = speed.y - laws.gravity * d;
-    place = place + (now - before).seconds() * along;
-    place.y = laws.ground;
-    speed.y = -came * laws.bounce;
-    if (speed.y * speed.y / (2 * laws.gravity) < 1e-4) speed.y = 0;  // hops too low to see
-  }
-  marks.back().out = {};
-  return marks;
-}
 
 // Rounds to 11 digits: differences of places have noise beyond them, which would make the rows unreadable.
 Vec3 tidied(Vec3 v, double size) {
@@ -166,7 +117,7 @@ void end_reign(Scene& s, ObjectId id, Time from, Time until) {
 }
 
 // Ends the fall where something takes hold of the object.
-Laws until_caught(const Object& o, Time start, Laws laws) {
+FallLaws until_caught(const Object& o, Time start, FallLaws laws) {
   for (const AttachmentSpan& a : attachments(o)) {
     if (a.from <= start || (!a.computed && a.to.kind < AttachmentKind::hang)) continue;
     laws.delay = std::min(laws.delay, a.from - start);
@@ -202,7 +153,7 @@ std::size_t displaced(const Scene& s, ObjectId id, Time from, Time until) {
 }
 
 // Reads delay= gravity= ground= bounce= and for LENGTH.
-bool laws_of(Command& k, Laws& laws) {
+bool laws_of(Command& k, FallLaws& laws) {
   Cursor& c = k.cursor;
   while (!c.at_line_end()) {
     const char* start = c.at;
@@ -255,7 +206,7 @@ bool in_plain_rows(Command& k, ObjectId id, std::string_view word) {
 }
 
 // Adds notices about other motions of the falling object, and about one that is below the ground.
-void say_company(Command& k, ObjectId id, double height, const Laws& laws, std::string_view word) {
+void say_company(Command& k, ObjectId id, double height, const FallLaws& laws, std::string_view word) {
   auto& [s, c, time, layer, script] = k;
   const Object& o = s.objects[id.index];
   for (const AttachmentSpan& a : attachments(o))
@@ -274,11 +225,11 @@ void say_company(Command& k, ObjectId id, double height, const Laws& laws, std::
 }
 
 // Replaces the events of one component by those of the fall.
-void put_marks(Scene& s, ObjectId id, int axis, const std::vector<Mark>& marks) {
+void put_marks(Scene& s, ObjectId id, int axis, const std::vector<FallMark>& marks) {
   Track* track = edit_track(s, Target{id, fn::position, axis});
   EventDetail arrival = end_alone(*track, marks.front().time, component_track_type(Type::vector), true);
   track->events.erase(marks.front().time, marks.back().time);
-  for (const Mark& m : marks) {
+  for (const FallMark& m : marks) {
     Event e;
     e.time = m.time;
     e.value = m.place[axis];
@@ -300,7 +251,7 @@ bool fall(Command& k) {
   std::vector<ObjectId> things;
   if (!time) return c.fail_here(ErrorCode::syntax, "fall needs a time", "as in at 24f fall ball");
   if (!objects(k, word, things)) return false;
-  Laws laws;
+  FallLaws laws;
   if (!laws_of(k, laws)) return false;
   for (const ObjectId id : things)
     if (!in_plain_rows(k, id, word)) return false;
@@ -316,9 +267,9 @@ bool fall(Command& k) {
     const Vec3 place = by.origin + transform_vector(by.to_world, p);
     const Vec3 speed = transform_vector(by.to_world, rate) + by.speed;
     say_company(k, id, place.y, laws, word);
-    std::vector<Mark> marks = path(*time, place, speed, until_caught(s.objects[id.index], *time, laws));
+    std::vector<FallMark> marks = fall_path(*time, place, speed, until_caught(s.objects[id.index], *time, laws));
     const double size = std::max(length(place), length(speed));
-    for (Mark& m : marks) {
+    for (FallMark& m : marks) {
       m.place = tidied(p + transform_vector(*inward, m.place - place), std::max(size, length(p)));
       m.in = tidied(transform_vector(*inward, m.in), size), m.out = tidied(transform_vector(*inward, m.out), size);
     }

@@ -19,16 +19,16 @@ namespace {
 bool speaks_of_any(std::string_view text) { return speaks_of_place(text.data(), text.data() + text.size()); }
 
 // The pattern that a line is about, such as a* in `at T on L move a* …`.
-struct Subject {
+struct LineSubject {
   std::string_view pattern;
   bool creates = false;
   bool placed = false;  // the time or the words after the pattern mention a place; the `n` in a name does not count
   bool paired = false;  // names written out by braces after the pattern pair with the pattern's objects
 };
-Subject subject(std::string_view line) {
+LineSubject subject(std::string_view line) {
   const LineHead head = line_head(line);
   const std::string_view rest = between((head.verb ? head.rest : head.name).data(), line.data() + line.size());
-  Subject out;
+  LineSubject out;
   out.pattern = head.verb ? head.name : head.word;
   out.creates = head.word == "create";
   out.placed = speaks_of_any(head.time) || speaks_of_any(rest);
@@ -87,7 +87,7 @@ bool in_places(Command& k, const std::function<bool()>& command) {
   const char* const start = k.cursor.at;
   if (k.script.only || !says_place(k, start)) return command();
   const LogicalLine line = logical_line(between(start, k.cursor.end));
-  const Subject about = subject({start, static_cast<std::size_t>(line.end - start)});
+  const LineSubject about = subject({start, static_cast<std::size_t>(line.end - start)});
   if (!about.placed && !about.paired && !code_speaks_of_place(start, k.cursor.end)) return command();
   const std::string_view pattern = about.pattern.substr(0, first_dot(about.pattern));
   std::vector<std::string> names;

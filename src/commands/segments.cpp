@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "commands/notes.h"
 #include "scene/names.h"
@@ -16,10 +15,6 @@
 
 namespace betwixt {
 namespace {
-
-// Runs f(track, type, component, target) on all tracks of all targets, or on none. With `along` it also runs on the
-// velocity beside each track.
-using Work = std::function<Result<Changed>(Track&, Type, int component, const Target&)>;
 
 // Changes all tracks of one target. If one track cannot be changed, changes none.
 Status each_track(Scene& s, const Target& t, bool along, const Work& work, Changed& sum) {
@@ -76,13 +71,6 @@ void say_changed(Command& k, const Stretch& on, const Changed& sum) {
     k.script.note(Severity::notice, fmt::format("{} replaced", plural(sum.replaced, "event")), on.word);
 }
 
-bool operate(Command& k, const Stretch& on, const Work& work, bool along = true) {
-  Changed sum{0, 0};
-  if (!change(k, on, work, along, sum)) return false;
-  say_changed(k, on, sum);
-  return true;
-}
-
 // Returns whether the type has arithmetic: numbers and points.
 bool calculable(Type type) { return has_velocity(type) || type == Type::aim || type == Type::points; }
 
@@ -99,14 +87,6 @@ bool change_values(Command& k, const char* changed, const std::function<bool(Str
   };
   if (!for_each_type(k, on.of, one)) return false;
   say_changed(k, on, sum);
-  return true;
-}
-
-// Does the same, and reports changed durations of motions.
-bool operate_and_say(Command& k, const Stretch& on, const Work& work, bool along = true) {
-  const Scene before = k.scene;
-  if (!operate(k, on, work, along)) return false;
-  say_lasting(k, before, on.of, on.word);
   return true;
 }
 
@@ -270,67 +250,6 @@ bool rotate(Command& k) {
   return change_values(k, "rotated", [&](Stretch& on, Changed& sum) { return turn_values(k, on, sum); });
 }
 
-// Returns whether the target's value may depend on all earlier events: an object that was let go, a value that velocity
-// has moved, a filter with memory, a track that repeats.
-bool needs_all_before(const Scene& s, const Target& t) {
-  const Slot* const slot = s.objects[t.object.index].find(t.function, t.layer);
-  if (!slot) return false;
-  const Type type = spec_of(s, t.function).type;
-  if (type == Type::attachment || type == Type::motion || !slot->filters.empty()) return true;
-  const auto comes_round = [](const Cow<Track>& track) { return track->after != Extrapolation::hold; };
-  const auto empty = [](const Cow<Track>& track) { return track->events.empty(); };
-  const auto any = [](const auto& components, const auto& is) {
-    return std::any_of(components.begin(), components.end(), is);
-  };
-  return comes_round(slot->track) || any(slot->components, comes_round) || !empty(slot->velocity.track) ||
-         any(slot->velocity.components, [&](const Cow<Track>& track) { return !empty(track); });
-}
-
-// Reads the rest of `clear TARGET before`.
-bool clear_before(Command& k, Stretch& on, bool notes) {
-  Time t;
-  if (!k.cursor.time(t)) return false;
-  if (notes) return retime_notes(k, on.word, {Time{INT64_MIN}, t - Time{1}}, [](Time, auto&) {});
-  std::size_t whole = 0;
-  std::string left;
-  std::erase_if(on.of.targets, [&](const Target& target) {
-    if (!needs_all_before(k.scene, target)) return false;
-    if (++whole <= 3) left += (left.empty() ? "" : ", ") + target_name(k.scene, target);
-    return true;
-  });
-  if (whole > 3) left += fmt::format(" and {} more", whole - 3);
-  if (whole > 0)
-    k.script.note(Severity::notice, "not cleared, because later values depend on all earlier events: " + left, on.word);
-  if (on.of.targets.empty()) return finish(k.cursor);
-  const auto erase = [&](Track& track, Type type, int, const Target&) -> Result<Changed> {
-    return Changed{erase_before(track, t, row_of(type).changes), 0};
-  };
-  return operate(k, on, erase, false);
-}
-
-bool clear(Command& k) {
-  Cursor& c = k.cursor;
-  Stretch on;
-  const bool notes = accept_notes(k, on.word);
-  if (!notes) on.word = c.next_word();
-  if (!notes && !targets(k, on.word, on.of, Meant::any)) return false;
-  if (c.accept_word("before")) return clear_before(k, on, notes);
-  const char* const start = (c.space(), c.at);
-  if (!c.time(on.segment.from)) return false;
-  on.segment.to = on.segment.from;
-  if (c.end - c.at > 1 && c.at[0] == '.' && c.at[1] == '.') {
-    c.at += 2;
-    if (!c.time(on.segment.to)) return false;
-    if (on.segment.to < on.segment.from)
-      return c.fail(ErrorCode::range, "this segment ends before it begins", c.since(start));
-  }
-  if (notes) return retime_notes(k, on.word, on.segment, [](Time, auto&) {});
-  const auto erase = [&](Track& t, Type, int, const Target&) -> Result<Changed> {
-    return Changed{t.events.erase(on.segment.from, on.segment.to), 0};
-  };
-  return operate_and_say(k, on, erase, false);
-}
-
 constexpr Verb segments_rows[] = {
     {"move", "move TARGET|notes A..B by LENGTH", "Moves the events of a segment, or notes, in time.",
      "move ball.position 1f..24f by 12f", Verb::layered, move, "TARGET; NUMBER; by"},
@@ -344,10 +263,6 @@ constexpr Verb segments_rows[] = {
      "translate ball.position 1f..24f (0 1 0)", Verb::layered, translate},
     {"rotate", "rotate TARGET A..B ANGLE AXIS [@ (X Y Z)]", "Turns the values of a segment about an axis.",
      "rotate ball.position 1f..24f 90deg y", Verb::layered, rotate},
-    {"clear", "clear TARGET|notes A..B, clear TARGET|notes TIME or clear TARGET|notes before TIME",
-     "Removes events, or notes: those of a segment, those at one time, or, with `before`, those that no later value "
-     "needs.",
-     "clear ball.position 6f..18f", Verb::layered, clear, "TARGET; before"},
 };
 
 }  // namespace
@@ -358,6 +273,20 @@ bool on_segment(Command& k, Stretch& on, Meant meant) {
   Cursor& c = k.cursor;
   on.word = c.next_word();
   return targets(k, on.word, on.of, meant) && c.segment(on.segment.from, on.segment.to);
+}
+
+bool operate(Command& k, const Stretch& on, const Work& work, bool along) {
+  Changed sum{0, 0};
+  if (!change(k, on, work, along, sum)) return false;
+  say_changed(k, on, sum);
+  return true;
+}
+
+bool operate_and_say(Command& k, const Stretch& on, const Work& work, bool along) {
+  const Scene before = k.scene;
+  if (!operate(k, on, work, along)) return false;
+  say_lasting(k, before, on.of, on.word);
+  return true;
 }
 
 bool reaches(Command& k, const Stretch& on, const Target& t, const Value& by, const char* changed) {

@@ -4,6 +4,8 @@
 // Helpers of the commands on segments of tracks.
 #pragma once
 
+#include <functional>
+
 #include "commands/command.h"
 
 namespace betwixt {
@@ -18,6 +20,12 @@ struct Stretch {
   Type type() const { return of.component < 0 ? spec().type : component_type(spec().type); }
 };
 bool on_segment(Command&, Stretch&, Meant = Meant::any);
+
+// Runs f(track, type, component, target) on all tracks of all targets, or on none. With `along` it also runs on the
+// velocity beside each track. operate_and_say() also reports changed durations of motions.
+using Work = std::function<Result<Changed>(Track&, Type, int component, const Target&)>;
+bool operate(Command&, const Stretch&, const Work&, bool along = true);
+bool operate_and_say(Command&, const Stretch&, const Work&, bool along = true);
 
 // Fails unless every component that the value changes has events there; otherwise a component without events would be
 // left out silently.

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "betwixt/language.h"
-#include "editor/history.h"
+#include "editor/next_history.h"
 
 namespace betwixt {
 

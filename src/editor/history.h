@@ -5,7 +5,6 @@
 // journal beside it, in the format of a session. Then an acknowledged step survives any end of the process.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,18 +13,10 @@
 
 #include "betwixt/result.h"
 #include "editor/journal.h"
-#include "editor/step.h"
+#include "editor/next_history.h"
+#include "editor/step_list.h"
 
 namespace betwixt {
-
-// Steps without their documents.
-struct StepList {
-  std::vector<Step> all;     // standing steps, then the undone ones; the next redo comes first
-  std::size_t standing = 0;  // the number of standing steps
-  std::span<const Step> stand() const { return {all.data(), standing}; }
-  std::span<const Step> undone() const { return std::span(all).subspan(standing); }
-  void count(Did what, Step step = {});
-};
 
 // The history that a script and its journal make together.
 struct StoredHistory {
@@ -35,38 +26,6 @@ struct StoredHistory {
   bool goes_on = false;  // the journal has these steps, and can be appended to
   std::string script;    // the whole text of the file
 };
-
-// Finishes a checkpoint that was interrupted after the script was replaced and before the journal was: rewrites the
-// journal.
-Status finish_checkpoint(Journal&, const std::string& script);
-
-// A new script on the disk that has not replaced the old one yet.
-struct PendingScript {
-  std::string part, place;
-  Fingerprint print;
-  // The old script when the new one was written, and the identity of its file as the system gives it.
-  std::optional<Fingerprint> seen;
-  std::string seen_file;
-};
-Result<PendingScript> write_beside(const std::string& path, std::string_view script);
-void drop_beside(const std::string& path);  // removes what an interrupted one has left
-
-// Called after each step of a checkpoint, with the name of the step, by the thread that took it. A test can look at the
-// files then, as if the process had been killed at that moment.
-using CheckpointStep = std::function<void(const char* step)>;
-
-// What replaces script and journal at a checkpoint: on the disk already, under other names.
-struct NextHistory {
-  PendingScript script;
-  std::unique_ptr<Journal> journal;
-  JournalText copied;                // of the present journal, without the records: the later ones are to be copied
-  std::size_t before = 0, gone = 0;  // steps that are in the script now, and the bytes of their text
-  std::size_t length = 0;            // bytes of the steps in the new journal
-};
-// Writes script and journal beside those of `path`: the script has the first `before` steps, the journal all others.
-// Reads those from the present journal, which another thread may append to. Errors: file, machine.
-Result<NextHistory> write_next(const std::string& path, std::string_view script, std::size_t before,
-                               const CheckpointStep& done);
 
 // A sink of an editor, which gets every step before it is taken.
 class History {
@@ -121,16 +80,15 @@ class History {
   std::string journal() const { return journal_path(path_); }
 
  private:
-  struct Change;
   bool in_place() const;
 
   const std::size_t longest_;
   const CheckpointStep step_;
   std::string path_;
   std::unique_ptr<Journal> journal_;
-  std::optional<Fingerprint> known_;  // of the file when it was last read or written; nullopt if there was none
-  bool others_ = false;               // the file existed before this history
-  std::unique_ptr<Change> change_;    // while a checkpoint's files are being put in place
+  std::optional<Fingerprint> known_;     // of the file when it was last read or written; nullopt if there was none
+  bool others_ = false;                  // the file existed before this history
+  std::unique_ptr<Replacement> change_;  // while a checkpoint's files are being put in place
   std::size_t bytes_ = 0, length_ = 0;
 };
 

@@ -7,12 +7,10 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "base/files.h"
 #include "exchange/assimp_model.h"
-#include "exchange/scene_file.h"
-#include "exchange/scene_names.h"
+#include "exchange/scene_maker.h"
 #include "exchange/unpacking.h"
 
 namespace betwixt {
@@ -21,7 +19,7 @@ namespace {
 Vec3 vec(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 bool same(Vec3 a, Vec3 b) { return length(a - b) <= 1e-6 * (1 + length(b)); }
 
-class AssimpScene {
+class AssimpScene : SceneMaker {
  public:
   explicit AssimpScene(AssimpModel& file) : file_(file), scene_(file.scene()) {}
 
@@ -34,10 +32,6 @@ class AssimpScene {
   }
 
  private:
-  void leave_out(std::string sentence) {
-    if (said_.insert(sentence).second) out_.left_out.push_back(std::move(sentence));
-  }
-
   Status nodes() {
     std::vector<std::pair<const aiNode*, std::int32_t>> open{{scene_.mRootNode, -1}};
     while (!open.empty()) {
@@ -255,19 +249,14 @@ class AssimpScene {
 
   AssimpModel& file_;
   const aiScene& scene_;
-  SceneFile out_;
-  SceneNames names_;
   std::vector<const aiNode*> nodes_;           // by number
   std::map<std::string, std::int32_t> known_;  // by the file's names, the first of each
-  std::set<std::string> said_;
 };
 
 }  // namespace
 
 Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string& path, FileSource& files) {
-  auto file = AssimpModel::open(path, files, "scene");
-  if (!file) return file.error();
-  return AssimpScene(**file).read();
+  return read_scene<AssimpModel, AssimpScene>(path, files);
 }
 
 }  // namespace betwixt

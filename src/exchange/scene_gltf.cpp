@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "exchange/gltf_model.h"
-#include "exchange/scene_file.h"
-#include "exchange/scene_names.h"
+#include "exchange/scene_maker.h"
 #include "exchange/unpacking.h"
 #include "scene/functions.h"
 #include "scene/kinds.h"
@@ -20,7 +18,7 @@ namespace {
 
 namespace gltf = tinygltf;
 
-class GltfScene {
+class GltfScene : SceneMaker {
  public:
   explicit GltfScene(GltfModel& file) : file_(file), model_(file.model()) {}
 
@@ -39,10 +37,6 @@ class GltfScene {
   }
 
  private:
-  void leave_out(std::string sentence) {
-    if (said_.insert(sentence).second) out_.left_out.push_back(std::move(sentence));
-  }
-
   // ---- nodes
 
   Status nodes() {
@@ -386,19 +380,15 @@ class GltfScene {
 
   GltfModel& file_;
   const gltf::Model& model_;
-  SceneFile out_;
-  SceneNames names_, mesh_names_;
+  SceneNames mesh_names_;
   std::vector<std::int32_t> number_;                    // by the file's nodes; -1: not in its scene
   std::map<std::pair<int, int>, std::int32_t> meshes_;  // by mesh and skin; -1: nothing visible
-  std::set<std::string> said_;
 };
 
 }  // namespace
 
 Result<std::shared_ptr<const SceneFile>> load_gltf_scene(const std::string& path, FileSource& files) {
-  auto file = GltfModel::open(path, files, "scene");
-  if (!file) return file.error();
-  return GltfScene(**file).read();
+  return read_scene<GltfModel, GltfScene>(path, files);
 }
 
 }  // namespace betwixt

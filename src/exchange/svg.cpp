@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <pugixml.hpp>
 
 #include "base/names.h"
@@ -14,7 +13,7 @@
 #include "exchange/outlines.h"
 #include "exchange/scene_names.h"
 #include "exchange/svg_elements.h"
-#include "exchange/svg_gradients.h"
+#include "exchange/svg_look.h"
 #include "exchange/svg_outlines.h"
 #include "exchange/svg_path.h"
 #include "exchange/svg_style.h"
@@ -27,17 +26,12 @@ using pugi::xml_node;
 
 constexpr double svg_stray = 1e-4;           // the largest error of a flattened curve, relative to the drawing's height
 constexpr std::size_t deepest_in_svg = 128;  // nested elements, including `use`
-constexpr std::size_t most_elements = 500'000, most_named = 5;
+constexpr std::size_t most_elements = 500'000;
 
-// The state that an element inherits.
-struct Around {
-  Affine to;
-  SvgStyle style;
-  double opacity = 1;
-  std::uint32_t group = DrawnThing::nothing;
-  Viewport viewport;
-  std::size_t depth = 0;
-};
+std::string_view name_in_file(xml_node node) {
+  const std::string_view id = said_in(node, "id");
+  return id.empty() ? local_name(node) : id;
+}
 
 class SvgReader {
  public:
@@ -59,7 +53,7 @@ class SvgReader {
     if (!walk_root(root)) return *error_;
     if (out_.things.empty()) return broken("it draws nothing");
     place_in_middles(out_.things);
-    say_all();
+    left_out_.say(out_.left_out);
     return std::make_shared<const DrawingFile>(std::move(out_));
   }
 
@@ -87,22 +81,9 @@ class SvgReader {
       while (n != root && !n.next_sibling()) n = n.parent();
       n = n == root ? xml_node() : n.next_sibling();
     }
-    if (rules_.passed_over()) left_out("a style rule with a selector other than tag, classes and id is left out", {});
+    if (rules_.passed_over())
+      left_out_.add("a style rule with a selector other than tag, classes and id is left out", {});
     return true;
-  }
-
-  void left_out(const std::string& what, std::string_view of) {
-    auto& [count, names] = left_out_[what];
-    if (++count <= most_named && !of.empty()) names.emplace_back(of.substr(0, 60));
-  }
-  void say_all() {
-    for (const auto& [what, of] : left_out_) {
-      const auto& [count, names] = of;
-      std::string all;
-      for (const std::string& name : names) all += fmt::format("{}'{}'", all.empty() ? "" : ", ", name);
-      if (count > names.size() && !names.empty()) all += fmt::format(" and {} more", count - names.size());
-      out_.left_out.push_back(what + (all.empty() ? "" : fmt::format(" (in {})", all)));
-    }
   }
 
   // ---- From element to element
@@ -115,13 +96,13 @@ class SvgReader {
     if (!(width > 0) || !(height > 0)) return refuse(broken("its size is 0"));
     if (!(width / height <= farthest_drawn)) return refuse(broken("its size is not valid"));
     out_.width = width / height;
-    Around around;
+    SvgAround around;
     around.to =
         Affine{1 / height, 0, 0, -1 / height, -width / height / 2, 0.5} * fitted(root, around.viewport, width, height);
     return style_of(root, around) && walk_inside(root, around);
   }
 
-  bool walk_inside(xml_node node, const Around& around) {
+  bool walk_inside(xml_node node, const SvgAround& around) {
     const bool first_only = local_name(node) == "switch";
     for (const xml_node child : node.children()) {
       if (child.type() != pugi::node_element) continue;
@@ -132,7 +113,7 @@ class SvgReader {
   }
 
   // Applies the element's own style. Sets `shown` to false if nothing of it is drawn.
-  bool style_of(xml_node node, Around& around, bool* shown = nullptr) {
+  bool style_of(xml_node node, SvgAround& around, bool* shown = nullptr) {
     SvgStyle style = around.style.inherited();
     for (const pugi::xml_attribute a : node.attributes()) style.set(a.name(), a.value());
     rules_.apply({local_name(node), said_in(node, "id"), said_in(node, "class")}, style);
@@ -141,22 +122,17 @@ class SvgReader {
     around.opacity *= svg_opacity(style[Property::opacity]);
     if (shown) *shown = style[Property::display] != "none";
     const auto own = transform_in(said_in(node, "transform"));
-    if (!own) left_out("a transform that is not valid is left out", name_in_file(node));
+    if (!own) left_out_.add("a transform that is not valid is left out", name_in_file(node));
     around.to = around.to * own.value_or(Affine{});
     const std::string_view name = name_in_file(node);
     for (const Property p : {Property::clip_path, Property::mask, Property::filter})
-      if (!style[p].empty() && style[p] != "none") left_out(fmt::format("{} is left out", name_of(p)), name);
+      if (!style[p].empty() && style[p] != "none") left_out_.add(fmt::format("{} is left out", name_of(p)), name);
     if (!style[Property::blend].empty() && style[Property::blend] != "normal")
-      left_out("mix-blend-mode is left out", name);
+      left_out_.add("mix-blend-mode is left out", name);
     return around.to.sane() || refuse(broken("a number in it is too large"));
   }
 
-  static std::string_view name_in_file(xml_node node) {
-    const std::string_view id = said_in(node, "id");
-    return id.empty() ? local_name(node) : id;
-  }
-
-  bool walk(xml_node node, Around around) {
+  bool walk(xml_node node, SvgAround around) {
     const std::string_view tag = local_name(node);
     if (tag.find(':') != std::string_view::npos) return true;  // an element of another program
     if (any_of_these(tag, {"defs", "symbol", "style", "title", "desc", "metadata", "linearGradient", "radialGradient",
@@ -178,13 +154,13 @@ class SvgReader {
                  "turn texts into paths (in Inkscape: Path > Object to Path), or write them as create title text …"));
     if (const auto d = path_of(node, tag, around.viewport)) return path(node, *d, around);
     if (any_of_these(tag, {"animate", "animateTransform", "animateMotion", "set"}))
-      left_out("SVG animation is left out", name_in_file(node.parent()));
+      left_out_.add("SVG animation is left out", name_in_file(node.parent()));
     else
-      left_out(fmt::format("<{}> is left out", tag.substr(0, 40)), said_in(node, "id"));
+      left_out_.add(fmt::format("<{}> is left out", tag.substr(0, 40)), said_in(node, "id"));
     return true;
   }
 
-  bool group(xml_node node, Around& around) {
+  bool group(xml_node node, SvgAround& around) {
     // A group without a name is not kept: its contents belong to the group around it.
     const bool named = !said_in(node, "id").empty();
     const auto own = static_cast<std::uint32_t>(out_.things.size());
@@ -194,11 +170,11 @@ class SvgReader {
     if (named && out_.things.size() == own + 1) out_.things.pop_back();  // the group is empty
     if (around.style[Property::opacity].empty() || drawn_ < before + 2) return true;
     if (svg_opacity(around.style[Property::opacity]) < 1)
-      left_out("the elements of a transparent group show through each other", name_in_file(node));
+      left_out_.add("the elements of a transparent group show through each other", name_in_file(node));
     return true;
   }
 
-  void add_group(xml_node node, Around& around) {
+  void add_group(xml_node node, SvgAround& around) {
     DrawnThing thing;
     thing.name = names_.give(said_in(node, "id").substr(0, 100), local_name(node));
     thing.above = around.group;
@@ -208,7 +184,7 @@ class SvgReader {
   }
 
   // Draws an inner svg or a symbol. `wanted`: the size from `use`.
-  bool nested(xml_node node, Around& around, std::array<std::string_view, 2> wanted) {
+  bool nested(xml_node node, SvgAround& around, std::array<std::string_view, 2> wanted) {
     const auto side = [&](std::string_view said, const char* own, double whole) {
       const auto size = svg_length(said.empty() ? said_in(node, own) : said, whole);
       return std::max(0.0, size.value_or(whole));
@@ -223,11 +199,11 @@ class SvgReader {
     return around.to.sane() ? group(node, around) : refuse(broken("a number in it is too large"));
   }
 
-  bool use(xml_node node, Around& around) {
+  bool use(xml_node node, SvgAround& around) {
     const std::string_view of = reference_of(node);
     const auto found = ids_.find(of);
     if (found == ids_.end()) {
-      left_out(fmt::format("a use of '{}', which does not exist, is left out", of.substr(0, 60)), {});
+      left_out_.add(fmt::format("a use of '{}', which does not exist, is left out", of.substr(0, 60)), {});
       return true;
     }
     const xml_node meant = found->second;
@@ -242,7 +218,7 @@ class SvgReader {
     const std::string_view tag = local_name(meant);
     bool fine = true, shown = true;
     if (tag == "symbol" || tag == "svg") {
-      Around inside = around;
+      SvgAround inside = around;
       fine = style_of(meant, inside, &shown) &&
              (!shown || nested(meant, inside, {said_in(node, "width"), said_in(node, "height")}));
     } else {
@@ -255,87 +231,13 @@ class SvgReader {
 
   // ---- Shapes
 
-  SvgPaint paint_of(Property which, std::string_view otherwise, Property opacity, const Around& around, xml_node node) {
-    std::string_view said = around.style[which];
-    if (said.empty()) said = otherwise;
-    const double seen = around.opacity * svg_opacity(around.style[opacity]);
-    if (said == "none") return {};
-    if (const std::string_view of = svg_reference(said); !of.empty()) {
-      if (const auto middle = middle_of_gradient(of, ids_, rules_)) {
-        left_out("gradients are not supported: the middle colour is used", name_in_file(node));
-        return {true, middle->color, middle->opacity * seen};
-      }
-      const std::string_view behind = trimmed(said.substr(std::min(said.find(')') + 1, said.size())));
-      if (behind.empty() || behind == "none") {
-        left_out(fmt::format("a {} by '{}', which is not a gradient, is left out", name_of(which), of.substr(0, 60)),
-                 name_in_file(node));
-        return {};
-      }
-      said = behind;
-    }
-    const auto color = svg_color(said, around.style[Property::color]);
-    if (!color) {
-      left_out(fmt::format("a {} of '{}' is left out", name_of(which), said.substr(0, 40)), name_in_file(node));
-      return {};
-    }
-    return {color->opacity > 0, color->color, color->opacity * seen};
-  }
-
-  SvgLook look_of(xml_node node, const Around& around) {
-    SvgLook look;
-    const SvgStyle& style = around.style;
-    const auto said = [&](Property p, std::string_view word) { return style[p] == word; };
-    look.fill = paint_of(Property::fill, "black", Property::fill_opacity, around, node);
-    look.stroke = paint_of(Property::stroke, "none", Property::stroke_opacity, around, node);
-    look.even_odd = said(Property::fill_rule, "evenodd");
-    // A stroke has a single width, so take the average scale.
-    const Affine& m = around.to;
-    const double stretch = std::sqrt(std::abs(m.a * m.d - m.b * m.c));
-    const double across = std::hypot(m.a, m.b), up = std::hypot(m.c, m.d);
-    const double whole = around.viewport.diagonal();
-    look.width = svg_length(style[Property::stroke_width], whole).value_or(1) * stretch;
-    look.width = std::min(look.width, farthest_drawn);
-    look.stroke.there = look.stroke.there && look.width > 0;
-    if (!look.stroke.there) return look;
-    if (std::max(std::abs(across - up) / stretch, std::abs(m.a * m.c + m.b * m.d) / (stretch * stretch)) > 0.02)
-      left_out("a stretched stroke is drawn with the same width everywhere", name_in_file(node));
-    const std::string_view name = name_in_file(node);
-    const bool round_ends = said(Property::linecap, "round"), round_joins = said(Property::linejoin, "round");
-    look.round = round_ends || round_joins;
-    look.square = said(Property::linecap, "square");
-    if (said(Property::linejoin, "bevel")) left_out("bevelled corners of strokes are drawn mitred", name);
-    dashes_of(style, stretch, whole, look, name);
-    for (const Property p : {Property::marker_start, Property::marker_mid, Property::marker_end})
-      if (!style[p].empty() && style[p] != "none") left_out("markers are left out", name);
-    return look;
-  }
-  void dashes_of(const SvgStyle& style, double stretch, double whole, SvgLook& look, std::string_view name) {
-    std::string_view all = style[Property::dasharray];
-    std::vector<double> lengths;
-    while (!(all = trimmed(all)).empty() && lengths.size() < 1000) {
-      const std::size_t end = std::min(all.find_first_of(" ,\t\r\n"), all.size());
-      if (const auto one = svg_length(all.substr(0, end), whole)) lengths.push_back(std::max(0.0, *one));
-      all.remove_prefix(std::min(end + 1, all.size()));
-    }
-    if (lengths.empty()) return;
-    look.dash = std::min(lengths[0] * stretch, farthest_drawn);
-    look.gap = std::min(lengths[lengths.size() > 1 ? 1 : 0] * stretch, farthest_drawn);
-    for (std::size_t i = 2; i < lengths.size(); ++i)
-      if (lengths[i] != lengths[i % 2] || lengths.size() % 2 != 0) {
-        left_out("dashes of several lengths are all drawn with the first length", name);
-        break;
-      }
-    if (svg_length(style[Property::dashoffset], whole).value_or(0) != 0)
-      left_out("the offset of dashes is left out", name);
-  }
-
-  bool path(xml_node node, const std::string& d, const Around& around) {
+  bool path(xml_node node, const std::string& d, const SvgAround& around) {
     if (any_of_these(around.style[Property::visibility], {"hidden", "collapse"})) return true;
-    const SvgLook look = look_of(node, around);
+    const SvgLook look = svg_look(around, name_in_file(node), ids_, rules_, left_out_);
     if (!look.fill.there && !look.stroke.there) return true;
     Flattener lines(svg_stray);
     if (!PathReader(around.to, lines).read(d))
-      left_out("a path with an error is drawn up to the error", name_in_file(node));
+      left_out_.add("a path with an error is drawn up to the error", name_in_file(node));
     const auto runs = lines.take_runs();
     std::size_t count = 0;
     for (const auto& run : runs) {
@@ -357,10 +259,10 @@ class SvgReader {
     return true;
   }
 
-  void add(xml_node node, const Around& around, std::vector<DrawnThing> parts) {
+  void add(xml_node node, const SvgAround& around, std::vector<DrawnThing> parts) {
     if (parts.empty()) return;
     ++drawn_;
-    Around inside = around;
+    SvgAround inside = around;
     if (parts.size() > 1) {
       add_group(node, inside);
       std::size_t number = 0;
@@ -381,7 +283,7 @@ class SvgReader {
   SvgIds ids_;
   SvgRules rules_;
   DrawingFile out_;
-  std::map<std::string, std::pair<std::size_t, std::vector<std::string>>> left_out_;
+  SvgLeftOut left_out_;
   std::vector<xml_node> used_;
   SceneNames names_;
   std::size_t elements_ = 0, points_ = 0, drawn_ = 0;

@@ -7,14 +7,12 @@
 
 #include <algorithm>
 #include <set>
-#include <unordered_map>
 
 #include "base/base64.h"
-#include "betwixt/picture.h"
-#include "betwixt/pose.h"
 #include "export/fit.h"
 #include "export/formats.h"
 #include "export/gltf_surfaces.h"
+#include "export/gltf_views.h"
 #include "export/seen.h"
 #include "program/compiled.h"
 
@@ -29,22 +27,24 @@ class Maker {
         options_(std::move(options)),
         made_(made),
         film_{options_.from, 1, options_.keys.style != KeyStyle::linear, made, {}},
-        surfaces_(program, options_, film_) {
+        surfaces_(program, options_, film_),
+        nodes_(film_),
+        views_(program, options_, film_, nodes_) {
     options_.keys.in_floats = true;
     film_.frames = static_cast<std::size_t>(std::max(
         1.0, document_.rate().frame_number(options_.until) - document_.rate().frame_number(options_.from) + 1));
   }
 
   Status make() {
-    place_objects();
+    made_.objects = nodes_.place_objects(program_, options_);
     if (options_.keys.go_on && !options_.keys.go_on(1)) return fail(ErrorCode::machine, "stopped");
     Result<std::vector<Seen>> seen =
         all_seen(program_, options_, made_, [&](const Skin& skin) { return one_tree(skin); });
     if (!seen) return seen.error();
     for (const Seen& s : *seen)
       if (Status ok = draw(s); !ok) return ok;
-    lights();
-    cameras();
+    views_.add_lights();
+    views_.add_cameras();
     finish();
     return Nothing{};
   }
@@ -54,64 +54,22 @@ class Maker {
   const std::string& bytes() const { return film_.buffer.bytes; }
 
  private:
-  std::size_t add_node(Json node) {
-    nodes_.push_back(std::move(node));
-    children_.emplace_back();
-    return nodes_.size() - 1;
-  }
-  // Sets a property of a node, constant or with keys. `rest`: the default in glTF.
-  void put(std::size_t node, const char* path, const Channel& c, const std::array<double, 4>& rest) {
-    const auto& first = c.pieces.front().begin;
-    const auto same = [&](double a, double b) { return static_cast<float>(a) == static_cast<float>(b); };
-    if (!std::equal(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(c.width), rest.begin(), same))
-      nodes_[node][path] = gltf::numbers(first, c.width);
-    if (!c.constant()) film_.animate(c, {{"node", node}, {"path", path}});
-  }
-  void place_objects() {
-    std::vector<ObjectKeys> all = motion_keys(program_, options_.from, options_.until, options_.keys);
-    keep_asked(all, options_.objects);
-    for (const ObjectKeys& k : all) {
-      const std::size_t node = add_node({{"name", document_.name(k.id)}});
-      inner_of_[k.id.index] = node_of_[k.id.index] = node;
-      put(node, "translation", k.translation, {});
-      put(node, "rotation", k.rotation, {0, 0, 0, 1});
-      put(node, "scale", k.scale, {1, 1, 1});
-      if (!k.sheared) continue;
-      const std::size_t inner = add_node({{"name", document_.name(k.id) + " turned"}});
-      put(inner, "rotation", k.inner, {0, 0, 0, 1});
-      children_[node].push_back(inner);
-      inner_of_[k.id.index] = inner;
-    }
-    for (const ObjectKeys& k : all) {
-      const auto parent = k.parent ? inner_of_.find(k.parent.index) : inner_of_.end();
-      parent == inner_of_.end() ? roots_.push_back(node_of_[k.id.index])
-                                : children_[parent->second].push_back(node_of_[k.id.index]);
-    }
-    made_.objects = all.size();
-    parent_.assign(nodes_.size(), nodes_.size());
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      for (const std::size_t child : children_[i]) parent_[child] = i;
-  }
-
-  bool asked(ObjectId id) const { return is_asked(id, options_.objects); }
-
   // ---- skins
 
   std::size_t joint(const Skin& skin, std::size_t i) const {
     const std::int32_t node = skin.joints[i];
     const std::uint32_t object =
         program_.compiled().nodes[node < 0 ? skin.drawable : static_cast<std::uint32_t>(node)].object;
-    return inner_of_.at(object);
+    return nodes_.of({object});
   }
   // Returns whether all joints have a common root, as glTF requires.
   bool one_tree(const Skin& skin) const {
     for (const std::int32_t joint : skin.joints)
-      if (joint >= 0 && !inner_of_.contains(program_.compiled().nodes[static_cast<std::uint32_t>(joint)].object))
+      if (joint >= 0 && !nodes_.has({program_.compiled().nodes[static_cast<std::uint32_t>(joint)].object}))
         return false;
     std::optional<std::size_t> root;
     for (std::size_t i = 0; i < skin.joints.size(); ++i) {
-      std::size_t top = joint(skin, i);
-      while (parent_[top] < parent_.size()) top = parent_[top];
+      const std::size_t top = nodes_.root_above(joint(skin, i));
       if (root.value_or(top) != top) return false;
       root = top;
     }
@@ -120,7 +78,7 @@ class Maker {
   // A node with a skin has no effect itself, so it is at the root of the scene. Returns its number.
   std::size_t add_skin(const Seen& s, const std::string& name) {
     const Skin& skin = program_.compiled().skins[static_cast<std::size_t>(s.skin)];
-    if (skin.joints.empty()) return inner_of_[s.id.index];
+    if (skin.joints.empty()) return nodes_.of(s.id);
     std::vector<float> inverse_bind;
     Json joints = Json::array();
     for (std::size_t i = 0; i < skin.joints.size(); ++i) {
@@ -128,8 +86,7 @@ class Maker {
       for (const double x : m.m) inverse_bind.push_back(static_cast<float>(x));
       joints.push_back(joint(skin, i));
     }
-    const std::size_t node = add_node({{"name", name + " skin"}});
-    roots_.push_back(node);
+    const std::size_t node = nodes_.add_root({{"name", name + " skin"}});
     nodes_[node]["skin"] = skins_.size();
     skins_.push_back({{"name", name},
                       {"joints", joints},
@@ -172,19 +129,19 @@ class Maker {
   // ---- objects
 
   Status draw(const Seen& s) {
-    if (s.forms.empty() || !inner_of_.contains(s.id.index) || !asked(s.id)) return Nothing{};
+    if (s.forms.empty() || !nodes_.has(s.id) || !is_asked(s.id, options_.objects)) return Nothing{};
     const std::string name = document_.name(s.id);
     const bool always = s.when.size() == 1 && s.when[0].form == 0;
     const bool stretched = !s.stretch.pieces.empty();
     for (std::size_t form = 0; form < s.forms.size(); ++form) {
       const Result<std::size_t> mesh = surfaces_.add_mesh(s, form, name);
       if (!mesh) return mesh.error();
-      std::size_t node = s.skin >= 0 ? add_skin(s, name) : inner_of_[s.id.index];
+      std::size_t node = s.skin >= 0 ? add_skin(s, name) : nodes_.of(s.id);
       if (s.skin >= 0) add_weights(s, node);
       if (s.skin < 0 && (!always || stretched)) {
-        node = add_node({{"name", s.forms.size() > 1 ? fmt::format("{} shape {}", name, form + 1) : name + " shape"}});
-        children_[inner_of_[s.id.index]].push_back(node);
-        put(node, "scale", always ? s.stretch : sizes(s, static_cast<int>(form)), {1, 1, 1});
+        node = nodes_.add_below(
+            node, {{"name", s.forms.size() > 1 ? fmt::format("{} shape {}", name, form + 1) : name + " shape"}});
+        nodes_.put(node, "scale", always ? s.stretch : sizes(s, static_cast<int>(form)), {1, 1, 1});
       }
       nodes_[node]["mesh"] = *mesh;
     }
@@ -231,133 +188,8 @@ class Maker {
     return out;
   }
 
-  // ---- lights and cameras
-
-  void lights() {
-    std::unordered_map<std::uint32_t, Light> all;
-    for (double share : {0.0, 0.5, 1.0})
-      for (const Light& l :
-           program_
-               .frame({options_.from.flicks +
-                       static_cast<std::int64_t>(share * static_cast<double>((options_.until - options_.from).flicks))})
-               .lights)
-        if (l.id) all.try_emplace(l.id.index, l);
-    for (const auto& [index, l] : std::map(all.begin(), all.end())) {
-      if (!inner_of_.contains(index) || !asked({index})) continue;
-      const Target intensity{{index}, fn::intensity}, color{{index}, fn::color};
-      Channel power = value_keys(program_, intensity, options_.from, options_.until, options_.keys);
-      const Channel tint = value_keys(program_, color, options_.from, options_.until, options_.keys);
-      // Full light is pi lux. At the end of a lamp's range a twentieth of that is left, as when scenes are read.
-      const double unit = l.sun ? pi : pi * l.range * l.range / 20;
-      for (KeyPiece& p : power.pieces)
-        for (auto* v : {&p.begin, &p.end, &p.leaving, &p.arriving}) (*v)[0] *= unit;
-      Json light{{"type", l.sun ? "directional" : "point"},
-                 {"color", gltf::numbers(gltf::within_one(tint.pieces.front().begin), 3)},
-                 {"intensity", static_cast<float>(power.pieces.front().begin[0])}};
-      if (!l.sun && l.range > 0) light["range"] = static_cast<float>(l.range);
-      const std::size_t number = lights_.size();
-      lights_.push_back(light);
-      film_.use("KHR_lights_punctual");
-      std::size_t node = inner_of_[index];
-      if (l.sun) node = sun(l.id);
-      nodes_[node]["extensions"] = {{"KHR_lights_punctual", {{"light", number}}}};
-      if (!power.constant())
-        film_.point(fmt::format("/extensions/KHR_lights_punctual/lights/{}/intensity", number), power);
-      if (!tint.constant()) film_.point(fmt::format("/extensions/KHR_lights_punctual/lights/{}/color", number), tint);
-    }
-  }
-  // A sun shines towards the world's origin, whatever its rotation.
-  std::size_t sun(ObjectId id) {
-    const std::size_t node = add_node({{"name", document_.name(id) + " rays"}});
-    roots_.push_back(node);
-    Followed f = followed(document_, 4, options_.keys.radians, [&](Time t) -> KeyValue {
-      const Vec3 from = translation_of(pose(program_, id, t).world);
-      const Quat q = from_matrix(look_at({}, normalize(-from, {0, -1, 0})));
-      return {q.x, q.y, q.z, q.w};
-    });
-    f.turn = true;
-    const auto knots =
-        knots_between(program_.discontinuities(options_.from, options_.until), options_.from, options_.until);
-    put(node, "rotation", follow(f, knots, options_.keys), {0, 0, 0, 1});
-    return node;
-  }
-
-  void cameras() {
-    const Evaluation first = [&] {
-      Evaluation e(program_);
-      e.to(options_.from);
-      return e;
-    }();
-    const double aspect = document_.aspect();
-    bool any = false;
-    for (const ObjectId id : objects(document_)) {
-      if (kind(document_, id) != Kind::camera || !inner_of_.contains(id.index) || !asked(id)) continue;
-      const auto number = [&](FunctionId f) { return betwixt::numbers(program_.read({id, f}, options_.from))[0]; };
-      any = true;
-      if (const double height = number(fn::camera_height); height > 0) {
-        add_camera(inner_of_[id.index], document_.name(id), orthographic(height, aspect));
-        continue;
-      }
-      const auto view = [&](Time t) {
-        const double fov = betwixt::numbers(program_.read({id, fn::fov}, t))[0];
-        const double lens = betwixt::numbers(program_.read({id, fn::lens}, t))[0];
-        const double wide = fov > 0 ? std::min(fov, 3.1) : 2 * std::atan(18 / std::max(lens, 0.1));
-        return 2 * std::atan(std::tan(wide / 2) / aspect);
-      };
-      const std::size_t number_of =
-          add_camera(inner_of_[id.index], document_.name(id), perspective(view(options_.from), aspect));
-      Channel lens = value_keys(program_, {id, fn::lens}, options_.from, options_.until, options_.keys);
-      Channel fov = value_keys(program_, {id, fn::fov}, options_.from, options_.until, options_.keys);
-      if (lens.constant() && fov.constant()) continue;
-      const Followed f = followed(document_, 1, options_.keys.radians, [&](Time t) -> KeyValue { return {view(t)}; });
-      film_.point(fmt::format("/cameras/{}/perspective/yfov", number_of),
-                  follow(f, gltf::keys_of({&lens, &fov}, options_.from, options_.until), options_.keys));
-    }
-    if (!any && options_.objects.empty()) {
-      const Camera& c = first.camera();
-      const std::size_t node = add_node({{"name", "camera"}});
-      roots_.push_back(node);
-      const Quat q = from_matrix(c.world);
-      const Vec3 at = translation_of(c.world);
-      nodes_[node]["translation"] = gltf::numbers({at.x, at.y, at.z}, 3);
-      nodes_[node]["rotation"] = gltf::numbers({q.x, q.y, q.z, q.w}, 4);
-      add_camera(node, "camera",
-                 c.orthographic ? orthographic(c.height, aspect)
-                                : perspective(2 * std::atan(std::tan(c.fov / 2) / aspect), aspect));
-    }
-    if (document_.cuts().size() > 1) leave_out(made_, "cuts between cameras are only in the extras of the scene");
-  }
-  static Json perspective(double yfov, double aspect) {
-    return {{"type", "perspective"},
-            {"perspective",
-             {{"yfov", static_cast<float>(yfov)},
-              {"aspectRatio", static_cast<float>(aspect)},
-              {"znear", 0.01},
-              {"zfar", 10000}}}};
-  }
-  static Json orthographic(double height, double aspect) {
-    return {{"type", "orthographic"},
-            {"orthographic",
-             {{"xmag", static_cast<float>(height / 2 * aspect)},
-              {"ymag", static_cast<float>(height / 2)},
-              {"znear", 0.01},
-              {"zfar", 10000}}}};
-  }
-  std::size_t add_camera(std::size_t node, const std::string& name, Json camera) {
-    camera["name"] = name;
-    cameras_.push_back(std::move(camera));
-    nodes_[node]["camera"] = cameras_.size() - 1;
-    return cameras_.size() - 1;
-  }
-
   // ---- the file
 
-  // The node that assimp has read first: it reads the children of a node before the node itself.
-  std::size_t first_read() const {
-    std::size_t node = roots_.front();
-    while (!children_[node].empty()) node = children_[node].front();
-    return node;
-  }
   // assimp takes a channel without a node for the translation of the node that it read first, and refuses files where
   // it does not fit. The last channel of a node counts there: so these come first, and that translation is said behind
   // them.
@@ -366,7 +198,7 @@ class Maker {
     auto& all = film_.channels.get_ref<Json::array_t&>();
     const auto rest = std::stable_partition(all.begin(), all.end(), points);
     if (rest == all.begin()) return;
-    const std::size_t first = first_read();
+    const std::size_t first = nodes_.first_read();
     const Json target{{"node", first}, {"path", "translation"}};
     if (std::any_of(rest, all.end(), [&](const Json& c) { return c["target"] == target; })) return;
     const auto place = nodes_[first].value("translation", std::vector<float>{0, 0, 0});
@@ -375,28 +207,26 @@ class Maker {
 
   void finish() {
     put_pointers_first();
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (!children_[i].empty()) nodes_[i]["children"] = children_[i];
     Json cuts = Json::array();
     for (const auto& [t, id] : document_.cuts())
       cuts.push_back({{"at", (t - options_.from).seconds()}, {"camera", document_.name(id)}});
-    Json scene{{"nodes", roots_},
+    Json scene{{"nodes", nodes_.roots()},
                {"extras",
                 {{"rate", document_.rate().per_second()},
                  {"first_frame", document_.rate().frame_number(options_.from)},
                  {"frames", film_.frames}}}};
     if (!cuts.empty()) scene["extras"]["cuts"] = cuts;
-    if (roots_.empty()) scene.erase("nodes");
+    if (nodes_.roots().empty()) scene.erase("nodes");
     file_ = {{"asset", {{"version", "2.0"}, {"generator", "Betwixt"}}}, {"scene", 0}, {"scenes", Json::array({scene})}};
     const auto add = [&](const char* name, const Json& all) {
       if (!all.empty()) file_[name] = all;
     };
     add("extensionsUsed", film_.used);
-    add("nodes", nodes_), add("meshes", surfaces_.meshes), add("materials", surfaces_.materials);
+    add("nodes", nodes_.all()), add("meshes", surfaces_.meshes), add("materials", surfaces_.materials);
     add("textures", surfaces_.textures), add("images", surfaces_.images);
     if (!surfaces_.textures.empty()) file_["samplers"] = Json::array({{{"wrapS", 10497}, {"wrapT", 10497}}});
-    add("skins", skins_), add("cameras", cameras_);
-    if (!lights_.empty()) file_["extensions"] = {{"KHR_lights_punctual", {{"lights", lights_}}}};
+    add("skins", skins_), add("cameras", views_.cameras);
+    if (!views_.lights.empty()) file_["extensions"] = {{"KHR_lights_punctual", {{"lights", views_.lights}}}};
     if (!film_.channels.empty())
       file_["animations"] =
           Json::array({{{"name", "film"}, {"channels", film_.channels}, {"samplers", film_.samplers}}});
@@ -410,12 +240,10 @@ class Maker {
   Exported& made_;
   gltf::Timeline film_;
   gltf::Surfaces surfaces_;
+  gltf::Nodes nodes_;
+  gltf::Views views_;
 
-  Json file_, nodes_ = Json::array(), skins_ = Json::array(), cameras_ = Json::array(), lights_ = Json::array();
-  std::vector<std::vector<std::size_t>> children_;
-  std::vector<std::size_t> roots_, parent_;  // parents of objects' nodes; their number if there is none
-  std::unordered_map<std::uint32_t, std::size_t> node_of_,
-      inner_of_;  // by object: its node, and the node of its children
+  Json file_, skins_ = Json::array();
 };
 
 void put_word(std::string& to, std::uint32_t word) {

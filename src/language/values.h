@@ -72,6 +72,7 @@ struct ValueReader {
 // The reverse. `name_of` returns the names of objects.
 std::string write_number(double v);  // shortest form that reads back to the same double
 std::string write_seconds(Time);     // a time that reads back to the same flick
+std::string write_time(Time, Rate);  // the same, in frames if it is on a frame
 std::string write_color(Color);
 std::string write_vector(Vec3, int numbers = 3);
 std::string write_angles(Vec3 radians);
@@ -79,6 +80,7 @@ std::string write_angle(double radians);     // in degrees if that reads back to
 std::string write_matrix(const Mat4&);       // row by row
 std::string write_appearance(const Scene&);  // commands
 std::string write_rows(const DisplayList&);  // indented lines
+std::string write_lists(const Scene&);       // the display lists at the beginning, then their later versions
 std::string write_environment(const std::string& name, const Environment&);  // all commands about it, a line each
 // write_rows(): the target's rows; for a component, its part of the rows of the whole. write_besides(): everything else
 // that determines its value, one command or sheet each: `set`, twerper, extend, velocity, filters, layers.

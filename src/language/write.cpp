@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "betwixt/language.h"
 #include "language/formula.h"
@@ -41,10 +40,7 @@ struct Writer {
     if (frames == std::round(frames) && document.rate().span(frames) == t) return write_number(frames) + "f";
     return write_seconds(t);
   }
-  std::string point(Time t) const {
-    const std::string f = format_time(t, s.rate);
-    return f.back() == 'f' ? f : write_seconds(t);
-  }
+  std::string point(Time t) const { return write_time(t, s.rate); }
   static std::string stops(const Stops& stops) {
     std::string out;
     for (const SaidStop& s : as_said(stops)) {
@@ -251,7 +247,7 @@ struct Writer {
     for (std::uint32_t i : living)
       if (!files.makes(i) && flat_name(s.objects[i].name) != s.objects[i].name)
         out += "rename " + flat_name(s.objects[i].name) + " " + s.objects[i].name + "\n";
-    lists();
+    out += write_lists(s);
     // References to other objects come after all objects.
     for (std::uint32_t i : living)
       for (const Slot& slot : s.objects[i].slots)
@@ -267,42 +263,6 @@ struct Writer {
         strand(slot.velocity, t);
         for (const Filter& f : slot.filters) filter(f, {{i}, slot.function, f.component}, slot.layer);
       }
-  }
-
-  // Writes the display lists at the beginning, then their later versions.
-  void lists() {
-    lists(*s.lists, *s.lists, "make ");
-    DisplayLists now = *s.lists;
-    for (const auto& [from, changed] : *s.later_lists) {
-      change(now, changed);
-      const std::string at = "at " + point(from) + " ";
-      lists(changed, now, at + "make ");
-      for (const auto& [name, list] : changed)
-        if (!list->there) out += at + "delete " + name + "\n";
-    }
-    if (!s.main.empty()) out += "start " + s.main + "\n";
-  }
-
-  // Writes called lists before their callers.
-  void lists(const DisplayLists& meant, const DisplayLists& now, const std::string& make) {
-    std::set<std::string, std::less<>> written;
-    std::vector<std::pair<const std::string*, bool>> todo;
-    for (auto list = meant.rbegin(); list != meant.rend(); ++list) todo.push_back({&list->first, false});
-    while (!todo.empty()) {
-      const auto [name, called] = todo.back();
-      todo.pop_back();
-      const auto list = now.find(*name);
-      if (list == now.end() || written.contains(*name)) continue;
-      if (called) {
-        written.insert(*name);
-        if (meant.contains(*name)) out += make + *name + "\n" + write_rows(*list->second);
-        continue;
-      }
-      todo.push_back({name, true});
-      const DisplayCommands& commands = list->second->commands;
-      for (std::size_t i = 0; i < commands.size(); ++i)
-        if (commands[i].what == Drawing::call) todo.push_back({&*std::get<Text>(commands[i].value), false});
-    }
   }
 
   std::string on(ObjectId layer) const { return layer ? "on " + name_of(layer) + " " : ""; }

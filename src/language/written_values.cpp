@@ -10,6 +10,7 @@
 #include "scene/colors.h"
 #include "scene/environment.h"
 #include "scene/flat_shapes.h"
+#include "scene/names.h"
 #include "scene/power.h"
 #include "track/along.h"
 #include "track/procedure.h"
@@ -62,6 +63,11 @@ std::string write_seconds(Time t) {
                      trim(fmt::format("{:013.10f}", Time{flicks % (60 * flicks_per_second)}.seconds())));
 }
 
+std::string write_time(Time t, Rate rate) {
+  const std::string frames = format_time(t, rate);
+  return frames.back() == 'f' ? frames : write_seconds(t);
+}
+
 std::string write_vector(Vec3 v, int numbers) {
   std::string out = "(";
   for (int i = 0; i < numbers; ++i) out += (i ? " " : "") + write_number(v[i]);
@@ -99,37 +105,6 @@ std::string write_matrix(const Mat4& m) {
 
 namespace {
 
-// The rows that are written like values of these functions.
-constexpr std::pair<Drawing, FunctionId> written_as[] = {
-    {Drawing::text, fn::text},         {Drawing::color, fn::color},     {Drawing::texture, fn::texture},
-    {Drawing::font, fn::font},         {Drawing::perspective, fn::fov}, {Drawing::orthographic, fn::camera_height},
-    {Drawing::multiply, fn::transform}};
-
-std::string write_row(const DisplayCommand& c) {
-  const auto word = std::string(drawing_names[static_cast<std::size_t>(c.what)]);
-  for (const auto& [what, f] : written_as)
-    if (what == c.what) return word + " " + write_value(c.value, built_in_functions()[f], -1, {});
-  switch (c.what) {
-    case Drawing::point:
-    case Drawing::vector:
-    case Drawing::polygon: {
-      std::string out = word;
-      for (const Vec3& p : *std::get<Points>(c.value)) out += " " + write_vector(p, p.z == 0 ? 2 : 3);
-      return out;
-    }
-    case Drawing::call:
-      return word + " " + *std::get<Text>(c.value);
-    case Drawing::begin:
-      return word + " " + *std::get<Text>(c.value) + (c.since ? " since " + std::to_string(*c.since) + "t" : "");
-    case Drawing::view: {
-      const auto& ends = *std::get<Points>(c.value);
-      return word + " from " + write_vector(ends[0]) + " to " + write_vector(ends[1]);
-    }
-    default:
-      return word;
-  }
-}
-
 std::string write_points(const std::vector<Vec3>& list) {
   const bool flat = std::all_of(list.begin(), list.end(), [](Vec3 p) { return p.z == 0; });
   std::string out = "(";
@@ -149,24 +124,6 @@ std::string write_holes(const std::vector<Vec3>& list) {
 }
 
 }  // namespace
-
-std::string write_rows(const DisplayList& list) {
-  std::string out;
-  std::size_t depth = 1;
-  const auto tags = [&](std::size_t i) {
-    for (const auto& [tag, at] : list.tags)
-      if (at == i) out += std::string(2 * depth, ' ') + "tag " + tag + "\n";
-  };
-  for (std::size_t i = 0; i < list.commands.size(); ++i) {
-    const Drawing what = list.commands[i].what;
-    if ((what == Drawing::pop || what == Drawing::end) && depth > 1) --depth;
-    tags(i);
-    out += std::string(2 * std::min<std::size_t>(depth, 40), ' ') + write_row(list.commands[i]) + "\n";
-    if (what == Drawing::push || what == Drawing::begin) ++depth;
-  }
-  tags(list.commands.size());
-  return out;
-}
 
 std::string write_value(const Value& v, const FunctionSpec& spec, int component,
                         const std::function<std::string(ObjectId)>& name_of) {

@@ -99,6 +99,7 @@ int stop(lua_State*, const char* why);
 void charge(lua_State*, double steps);
 
 inline constexpr int failed = -1;
+inline int fail_with(lua_State* l, std::string_view why) { return lua_pushlstring(l, why.data(), why.size()), failed; }
 template <int (*function)(lua_State*, Machine&)>
 int guarded(lua_State* l) {
   Machine& m = Machine::of(l);

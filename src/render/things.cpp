@@ -34,14 +34,6 @@ bool usable(const Thing& t) {
          std::isfinite(l.shininess) && std::isfinite(l.blend) && l.transparency < 1;
 }
 
-Bounds bounds_of(const Box& box, const Mat4& m) {
-  const Vec3 half = box.half();
-  Bounds b{transform_point(m, box.middle()), {}};
-  for (int i = 0; i < 3; ++i)
-    b.half[i] = std::abs(m(i, 0)) * half.x + std::abs(m(i, 1)) * half.y + std::abs(m(i, 2)) * half.z;
-  return b;
-}
-
 double largest_measure(const Box& box, const Mat4& m) {
   const Vec3 half = box.half();
   return std::max({length(column(m, 0)) * half.x, length(column(m, 1)) * half.y, length(column(m, 2)) * half.z});

@@ -12,14 +12,6 @@ constexpr std::uint64_t kept_for = 2;  // pictures
 constexpr std::uint64_t hairlines_first = std::uint64_t{1} << 63;
 constexpr double hairline_reach = 0.7;  // half the width in pixels
 
-Bounds bounds_in(const Box& box, const Mat4& m) {
-  const Vec3 half = box.half();
-  Bounds b{transform_point(m, box.middle()), {}};
-  for (int i = 0; i < 3; ++i)
-    b.half[i] = std::abs(m(i, 0)) * half.x + std::abs(m(i, 1)) * half.y + std::abs(m(i, 2)) * half.z;
-  return b;
-}
-
 // The inverse transpose up to its length: the cross products of the columns.
 std::array<Vec3, 3> normal_matrix_of(const Mat4& m) {
   const Vec3 x = column(m, 0), y = column(m, 1), z = column(m, 2);
@@ -190,7 +182,7 @@ std::optional<World::TracedObject> World::object_of(const Columns& c, std::uint3
   Geometry g = ball ? Geometry{nullptr, scaling({shape.radius, shape.radius, shape.radius})}
                     : realised(detailed ? Detail{24, true} : Detail{});
   std::shared_ptr<MeshScene> object = mesh_scene(g.mesh);
-  const Bounds bounds = bounds_in(object->box, world * g.local);
+  const Bounds bounds = bounds_of(object->box, world * g.local);
   const double radius = bounds.radius(), away = length(bounds.center);
   if (!(radius > 0 && radius < far_away && away < far_away) || (!ball && g.mesh->positions.empty())) return {};
   if (detailed && !ball) {

@@ -12,6 +12,14 @@ std::array<float, 16> to_float(const Mat4& a) {
   return r;
 }
 
+Bounds bounds_of(const Box& box, const Mat4& m) {
+  const Vec3 half = box.half();
+  Bounds b{transform_point(m, box.middle()), {}};
+  for (int i = 0; i < 3; ++i)
+    b.half[i] = std::abs(m(i, 0)) * half.x + std::abs(m(i, 1)) * half.y + std::abs(m(i, 2)) * half.z;
+  return b;
+}
+
 View make_view(const Camera& camera, int width, int height, bool& good) {
   View v;
   v.width = width, v.height = height;

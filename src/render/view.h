@@ -17,6 +17,9 @@ struct Bounds {
   double radius() const { return length(half); }
 };
 
+// Returns the bounds of a box that a matrix moves.
+Bounds bounds_of(const Box&, const Mat4&);
+
 struct View {
   Vec3 eye;                  // world
   Vec3 right, up, backward;  // world, the camera's x, y and z

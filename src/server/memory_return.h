@@ -1,33 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Returns freed memory to the system, because each thread's heap keeps it otherwise. Waits a second first, so that the
-// work that used the memory has freed it. Runs on a thread of its own at ordinary priority: a low-priority thread that
-// holds a heap's lock would block all others.
+// Frees large things on a thread of its own, so that no other thread waits for it: a document of a million objects
+// takes half a second. Then returns freed memory to the system, because each thread's heap keeps it otherwise. The
+// thread starts with this object, at its maker's ordinary priority: a low-priority thread that holds a heap's lock
+// would block all others.
 #pragma once
 
-#include <condition_variable>
-#include <mutex>
-#include <thread>
+#include <memory>
 
 namespace betwixt {
 
 class MemoryReturn {
  public:
-  MemoryReturn() = default;
-  ~MemoryReturn();
+  MemoryReturn();
+  ~MemoryReturn();  // does not wait until everything is freed
   MemoryReturn(const MemoryReturn&) = delete;
   MemoryReturn& operator=(const MemoryReturn&) = delete;
 
+  // Frees the object soon, or at once if no thread can be started.
+  void take(std::shared_ptr<const void>);
+  // Returns memory in a second, when the work that used it has freed it.
   void soon();
 
  private:
-  void serve();
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool wanted_ = false, ended_ = false;
-  std::thread thread_;  // started by the first call
+  struct Shared;
+  const std::shared_ptr<Shared> shared_;  // owned by the thread too, which may outlive this object
 };
 
 }  // namespace betwixt

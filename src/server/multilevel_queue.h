@@ -33,7 +33,8 @@ class MultilevelQueue {
   static constexpr Patience usual{{std::chrono::milliseconds(20), std::chrono::milliseconds(100),
                                    std::chrono::seconds(2), std::chrono::seconds(5)}};
 
-  explicit MultilevelQueue(Patience patience = usual) : patience_(patience) {}
+  // After each job, lets `memory` return what it used.
+  explicit MultilevelQueue(MemoryReturn& memory, Patience patience = usual) : memory_(memory), patience_(patience) {}
   ~MultilevelQueue();
   MultilevelQueue(const MultilevelQueue&) = delete;
   MultilevelQueue& operator=(const MultilevelQueue&) = delete;
@@ -84,11 +85,11 @@ class MultilevelQueue {
   void serve(std::size_t lane, Worker&);
   Job::State work(Job&, std::size_t lane);
 
+  MemoryReturn& memory_;
   std::mutex mutex_;
   std::array<Lane, 4> lanes_;
   const Patience patience_;
   std::atomic<bool> ended_{false};
-  MemoryReturn memory_;
 };
 
 }  // namespace betwixt

@@ -3,8 +3,6 @@
 #include "server/serve.h"
 
 #include <fmt/format.h>
-#include <sys/epoll.h>
-#include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -20,8 +18,9 @@
 #include "base/tell_user.h"
 #include "server/answers.h"
 #include "server/clock_link.h"
-#include "server/deferred_free.h"
+#include "server/file_watch.h"
 #include "server/guest.h"
+#include "server/memory_return.h"
 #include "server/multilevel_queue.h"
 
 namespace betwixt {
@@ -40,30 +39,22 @@ constexpr std::size_t most_strangers = 64;  // connections that have sent no tok
 class Server {
  public:
   Server(Imaging& imaging, FrameClock& clock, const std::vector<Listener>& listeners, const ServeOptions& options)
-      : imaging_(imaging),
-        listeners_(listeners),
-        options_(options),
-        epoll_(::epoll_create1(EPOLL_CLOEXEC)),
-        wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
-        clock_(imaging, clock, leaders_, options.report) {}
+      : imaging_(imaging), listeners_(listeners), options_(options), clock_(imaging, clock, leaders_, options.report) {}
   ~Server() {
-    if (wake_ >= 0) ::close(wake_);
     for (auto& [file, guest] : guests_) ::close(file);
-    if (epoll_ >= 0) ::close(epoll_);
   }
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
   Status run() {
-    if (epoll_ < 0 || wake_ < 0)
+    if (!watch_.works())
       return fail(ErrorCode::machine, fmt::format("cannot start the server: {}", std::strerror(errno)));
-    for (const Listener& l : listeners_) watch(l.file(), EPOLLIN, EPOLL_CTL_ADD);
-    if (options_.stop >= 0) watch(options_.stop, EPOLLIN, EPOLL_CTL_ADD);
-    watch(clock_.shown(), EPOLLIN, EPOLL_CTL_ADD);
-    watch(wake_, EPOLLIN, EPOLL_CTL_ADD);
+    for (const Listener& l : listeners_) watch_.add(l.file());
+    if (options_.stop >= 0) watch_.add(options_.stop);
+    watch_.add(clock_.shown());
     clock_.begin();
     imaging_.work_beside([this](const auto& work, Imaging::Claim claim) { return beside(work, claim); },
-                         [this](std::shared_ptr<const void> gone) { discarded_.take(std::move(gone)); });
+                         [this](std::shared_ptr<const void> gone) { memory_.take(std::move(gone)); });
     const bool served = leaders_.run(options_.give_up ? [this] {
       (void)imaging_.sync(monotonic_now());
       options_.give_up();
@@ -81,7 +72,7 @@ class Server {
     Guest* const g = served;
     // No host asked, so this does not queue behind hosts' questions.
     if (!g) return leaders_.beside(work), !leaders_.stopped();
-    g->in_hand = true, watch(g->file, g->watched = EPOLLRDHUP, EPOLL_CTL_MOD);
+    g->in_hand = true, watch_.change(g->file, g->watched = EPOLLRDHUP);
     bool done = true;
     leaders_.beside([&] {
       if (claim == Imaging::Claim::first)
@@ -90,19 +81,13 @@ class Server {
         done = lanes_.run(work, g->gone);
     });
     g->in_hand = false, parting_.erase(g->file);
-    if (!g->gone) watch(g->file, g->watched = EPOLLIN, EPOLL_CTL_MOD);
+    if (!g->gone) watch_.change(g->file, g->watched = EPOLLIN);
     return done && !leaders_.stopped() && !g->gone;
   }
 
   void stop() {
     lanes_.end();
     leaders_.stop();
-  }
-
-  // Wakes the leader out of epoll_wait().
-  void wake() {
-    const std::uint64_t one = 1;
-    [[maybe_unused]] const ssize_t n = ::write(wake_, &one, sizeof one);
   }
 
   void round(LeaderFollowerPool::Lock& lock) {
@@ -118,7 +103,7 @@ class Server {
     // The answers must not go out before their commands are on the disk.
     if (Status s = imaging_.sync(monotonic_now()); !s) {
       failed_ = s.error();
-      return stop(), wake();
+      return stop(), watch_.wake();
     }
     for (auto it = guests_.begin(); it != guests_.end();) {
       const auto next = std::next(it);
@@ -126,15 +111,9 @@ class Server {
       it = next;
     }
     if (!imaging_.waits()) let_on();
-    if (!busy_.empty() && !leaders_.leads()) wake();
+    if (!busy_.empty() && !leaders_.leads()) watch_.wake();
     clock_.publish();  // after the answers are sent, because a large film takes long to compile
     clock_.report();
-  }
-
-  void watch(int file, std::uint32_t events, int how) {
-    epoll_event e{};
-    e.events = events, e.data.fd = file;
-    ::epoll_ctl(epoll_, how, file, &e);
   }
 
   // Returns the milliseconds until the next timed work, or -1 if there is none.
@@ -150,27 +129,22 @@ class Server {
   }
 
   void wait(LeaderFollowerPool::Lock& lock) {
-    std::array<epoll_event, 256> events;
+    std::array<epoll_event, 256> room;
     const int timeout = patience_now();
     lock.unlock();
-    const int n = ::epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), timeout);
+    const std::span<const epoll_event> events = watch_.wait(room, timeout);
     lock.lock();
     if (resting_) rest(false);
     bool shown = false;
-    for (int i = 0; i < n; ++i) {
-      const int file = events[static_cast<std::size_t>(i)].data.fd;
+    for (const epoll_event& e : events) {
+      const int file = e.data.fd;
       if (file == options_.stop) return stop();
-      if (file == wake_) {
-        std::uint64_t rung;
-        [[maybe_unused]] const ssize_t ignored = ::read(wake_, &rung, sizeof rung);
-        continue;
-      }
       if (file == clock_.shown()) {
         shown = true;
         continue;
       }
       if (const auto guest = guests_.find(file); guest != guests_.end())
-        hear(guest->second, events[static_cast<std::size_t>(i)].events);
+        hear(guest->second, e.events);
       else
         for (const Listener& l : listeners_)
           if (l.file() == file) welcome(l);
@@ -189,7 +163,7 @@ class Server {
     else if (events & (EPOLLHUP | EPOLLERR))
       leave(g);
     else if (g.in_hand && events & EPOLLRDHUP)
-      g.parting = monotonic_now(), parting_.insert(g.file), watch(g.file, g.watched = 0, EPOLL_CTL_MOD);
+      g.parting = monotonic_now(), parting_.insert(g.file), watch_.change(g.file, g.watched = 0);
   }
 
   // A host that has closed its side may still wait for answers, or be gone. Only a failed send tells, so sends a probe.
@@ -224,7 +198,7 @@ class Server {
         ++strangers_;
       else
         admit(g);
-      watch(file, g.watched = EPOLLIN, EPOLL_CTL_ADD);
+      watch_.add(file), g.watched = EPOLLIN;
     }
   }
 
@@ -237,7 +211,7 @@ class Server {
   // Out of file descriptors: stops accepting for a moment instead of spinning.
   void rest(bool on) {
     resting_ = on;
-    for (const Listener& l : listeners_) watch(l.file(), on ? 0u : static_cast<std::uint32_t>(EPOLLIN), EPOLL_CTL_MOD);
+    for (const Listener& l : listeners_) watch_.change(l.file(), on ? 0u : static_cast<std::uint32_t>(EPOLLIN));
   }
 
   void admit(Guest& g) {
@@ -248,7 +222,7 @@ class Server {
     if (g.in_hand) {  // cancels its work; the thread that does it cleans up
       g.gone = true, parting_.erase(g.file);
       lanes_.look();
-      watch(g.file, 0, EPOLL_CTL_DEL);
+      watch_.remove(g.file);
       return;
     }
     if (g.host)
@@ -313,13 +287,13 @@ class Server {
   // Holds back the host's next line, and reads no more from it until then.
   void keep(Guest& g) {
     g.kept = true, kept_.insert(g.file);
-    watch(g.file, g.watched = 0, EPOLL_CTL_MOD);
+    watch_.change(g.file, g.watched = 0);
   }
   void let_on() {
     for (const int file : std::exchange(kept_, {})) {
       Guest& g = guests_.at(file);
       g.kept = false, busy_.insert(file);
-      watch(file, g.watched = EPOLLIN, EPOLL_CTL_MOD);
+      watch_.change(file, g.watched = EPOLLIN);
     }
   }
 
@@ -369,7 +343,7 @@ class Server {
     const bool deaf = g.last_word || g.half_closed || g.kept || g.full();
     const std::uint32_t wanted = (deaf ? 0u : static_cast<std::uint32_t>(EPOLLIN)) |
                                  (g.waiting() > 0 ? static_cast<std::uint32_t>(EPOLLOUT) : 0u);
-    if (wanted != g.watched) watch(g.file, g.watched = wanted, EPOLL_CTL_MOD);
+    if (wanted != g.watched) watch_.change(g.file, g.watched = wanted);
   }
 
   // Back-pressure: reads no more from a host until it has read its waiting answers. A single answer may exceed the
@@ -386,15 +360,15 @@ class Server {
   Imaging& imaging_;
   const std::vector<Listener>& listeners_;
   const ServeOptions& options_;
-  const int epoll_, wake_;
+  FileWatch watch_;
   std::unordered_map<int, Guest> guests_;  // by file descriptor
   std::unordered_map<Imaging::Host, int> files_;
   std::set<int> busy_;     // may have lines to process
   std::set<int> kept_;     // hold back their next line
   std::set<int> full_;     // must read their answers before they may send more
   std::set<int> parting_;  // closed their side while a thread works for them
-  MultilevelQueue lanes_;
-  DeferredFree discarded_;
+  MemoryReturn memory_;
+  MultilevelQueue lanes_{memory_};
   LeaderFollowerPool leaders_{[this](LeaderFollowerPool::Lock& lock) { round(lock); }};
   ClockLink clock_;
   std::optional<Error> failed_;

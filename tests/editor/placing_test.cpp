@@ -47,6 +47,14 @@ std::string with(std::string text, const std::string& was, const std::string& is
   return text.replace(at, was.size(), is);
 }
 
+// A session that goes on from a journal which is kept beside it as `journal`, as after a crash; null if it cannot.
+std::unique_ptr<Session> after_a_crash(const Folder& folder) {
+  folder.put(".film.bx.journal", folder.get("journal"));
+  auto again = std::make_unique<Session>();
+  again->edit_in_place();
+  return again->open(folder / "film.bx", Session::Earlier::recover).done ? std::move(again) : nullptr;
+}
+
 TEST(Placing, AnEventThatIsChangedChangesItsRow) {
   EXPECT_EQ(placed(ball, {"at 1f ball.position (0 1 0)"}), with(ball, "(0 0 0) ", "(0 1 0) "));
   EXPECT_EQ(placed(ball, {"at 12f ball.position (5 4 0) hold"}), with(ball, "(5 3 0) linear", "(5 4 0) hold"));
@@ -232,14 +240,12 @@ TEST(Placing, IsRecovered) {
       text = s->text(), document = s->document();
       folder.put("journal", folder.get(".film.bx.journal"));
     }
-    folder.put(".film.bx.journal", folder.get("journal"));
-    Session again;
-    again.edit_in_place();
-    ASSERT_TRUE(again.open(folder / "film.bx", Session::Earlier::recover).done);
-    EXPECT_EQ(again.text(), text);
-    EXPECT_TRUE(again.document() == document);
-    expect_done(again, "undo");
-    EXPECT_NE(again.text(), text);
+    const auto again = after_a_crash(folder);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->text(), text);
+    EXPECT_TRUE(again->document() == document);
+    expect_done(*again, "undo");
+    EXPECT_NE(again->text(), text);
   }
 }
 // Somebody else wrote into the file: what is here and not there is not saved, and comes back.
@@ -262,14 +268,12 @@ TEST(Placing, GoesOnFromAFileThatOthersChanged) {
     EXPECT_EQ(s.unsaved(), 1u);
     folder.put("journal", folder.get(".film.bx.journal"));
   }
-  folder.put(".film.bx.journal", folder.get("journal"));
-  Session again;
-  again.edit_in_place();
-  ASSERT_TRUE(again.open(folder / "film.bx", Session::Earlier::recover).done);
-  EXPECT_EQ(again.text(), text);
-  expect_done(again, "save");
+  const auto again = after_a_crash(folder);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->text(), text);
+  expect_done(*again, "save");
   EXPECT_EQ(folder.get("film.bx"), text);
-  EXPECT_EQ(again.unsaved(), 0u);
+  EXPECT_EQ(again->unsaved(), 0u);
 }
 
 // A shell that finds such a journal goes on in the same way.

@@ -235,18 +235,22 @@ TEST(Gltf, WhatIsUsualIsPlayedAlikeByThoseWhoKnowValuesOnly) {
   }
 }
 
+// The whole film of a text as glTF, with the usual keys.
+Glb as_glb(const std::string& text) {
+  const Folder folder;
+  const Loaded loaded = load_text(text, "test.bx");
+  ExportOptions options;
+  options.path = folder / "x.glb";
+  std::tie(options.from, options.until) = loaded.document.range();
+  options.keys = usual_keys(options.path);
+  EXPECT_TRUE(export_film(Program::compile(loaded.document), options));
+  return Glb(options.path);
+}
+
 // Steps of code, of which no track knows: each has its own pair of keys, wherever others end.
 TEST(Gltf, StepsThatOnlyCodeKnowsAreAllThere) {
-  const Folder folder;
   for (const double rate : {23.1, 31.7, 36.57, 47.3, 61.1}) {
-    const Loaded loaded =
-        load_text(fmt::format("range 1f 97f\ncreate b box\nset b.position.x = \"floor(t * {})\"\n", rate), "test.bx");
-    ExportOptions options;
-    options.path = folder / "x.glb";
-    std::tie(options.from, options.until) = loaded.document.range();
-    options.keys = usual_keys(options.path);
-    ASSERT_TRUE(export_film(Program::compile(loaded.document), options));
-    const Glb file(options.path);
+    const Glb file = as_glb(fmt::format("range 1f 97f\ncreate b box\nset b.position.x = \"floor(t * {})\"\n", rate));
     for (double frame = 0; frame <= 96; frame += 0.37) {
       const double t = frame / 24, steps = t * rate;
       if (std::ceil(steps) - steps < 0.02 * rate / 24) continue;  // it is on its way
@@ -257,16 +261,9 @@ TEST(Gltf, StepsThatOnlyCodeKnowsAreAllThere) {
 
 // What jumps just behind a frame has not begun to do so in that frame.
 TEST(Gltf, WholeFramesAreThereHoweverSoonAJumpFollows) {
-  const Folder folder;
   for (const double late : {0.0004, 0.003, 0.006, 0.0104, 0.02, 0.5}) {
-    const Loaded loaded = load_text(
-        fmt::format("range 1f 49f\ncreate b box\nset b.position.x = \"floor(t * 24 - {})\"\n", late), "test.bx");
-    ExportOptions options;
-    options.path = folder / "x.glb";
-    std::tie(options.from, options.until) = loaded.document.range();
-    options.keys = usual_keys(options.path);
-    ASSERT_TRUE(export_film(Program::compile(loaded.document), options));
-    const Glb file(options.path);
+    const Glb file =
+        as_glb(fmt::format("range 1f 49f\ncreate b box\nset b.position.x = \"floor(t * 24 - {})\"\n", late));
     for (int frame = 0; frame <= 48; ++frame)
       EXPECT_NEAR(by_values(file, 0, frame / 24.0)(0, 3), frame - 1, 1e-3) << late << " behind frame " << 1 + frame;
   }

@@ -163,7 +163,7 @@ def check(name, film, last, rate, folder):
 
 with tempfile.TemporaryDirectory() as folder:
     if os.path.exists("/usr/include/rlottie_capi.h"):
-        run("cc", "-O1", here + "/lottie_pictures.c", "-o", folder + "/lottie", "-lrlottie")
+        run("cc", "-O1", "-DPICTURES", here + "/lottie.c", "-o", folder + "/lottie", "-lrlottie")
     if not browser and not os.path.exists(folder + "/lottie"):
         sys.exit(print("left out: there is neither rlottie (librlottie-dev) nor a browser\n0 passed, 0 failed"))
     # With its last frame and its rate; only a part of a film with much code.

@@ -7,6 +7,7 @@
 #   run.sh --install          only installs the programs
 root=$(cd -P -- "$(dirname -- "$0")/../.." && pwd)
 . "$root/tools/setup.sh"
+. "$root/tests/counts.sh"
 program=$1 peers=$root/build/peers
 shift
 command -v npm >/dev/null || need "$root/tools/peers-packages.txt"
@@ -31,12 +32,6 @@ fi
 program=$(realpath -- "$program")
 [ $# -gt 0 ] || set -- gltf usda lottie drawings web typescript editor
 passed=0 failed=0
-for script; do
-  said=$(/usr/bin/python3 "$root/tests/peers/$script.py" "$program" "$peers" 2>&1)
-  printf '%s\n' "$said" | grep -vE '^[0-9]+ passed, [0-9]+ failed$'
-  counts=$(printf '%s\n' "$said" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p' | tail -n 1)
-  [ -n "$counts" ] || counts="0 1"
-  passed=$((passed + ${counts% *})) failed=$((failed + ${counts#* }))
-done
+for script; do count "" /usr/bin/python3 "$root/tests/peers/$script.py" "$program" "$peers"; done
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -28,7 +28,8 @@ void toil(std::chrono::nanoseconds much) {
 }
 
 TEST(MultilevelQueue, WhatIsShortGoesBeforeWhatIsLong) {
-  MultilevelQueue lanes;
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory);
   std::atomic<bool> over{false};
   std::atomic<int> begun{0};
   std::vector<std::future<bool>> long_ones;
@@ -59,7 +60,8 @@ TEST(MultilevelQueue, WhatIsShortGoesBeforeWhatIsLong) {
 // … but only where somebody waits for its place. No thread is overdue, so two jobs hold the places of the first lane
 // until a third comes, however late that is.
 TEST(MultilevelQueue, WhatIsLongGivesWayOnlyWhereSomebodyWaits) {
-  MultilevelQueue lanes(MultilevelQueue::Patience{1h, 1h, 1h, 1h});
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory, MultilevelQueue::Patience{1h, 1h, 1h, 1h});
   std::atomic<int> begun{0}, gave_way{0};
   EXPECT_TRUE(lanes.run([&] { ++begun, toil(100ms); }, stays));
   EXPECT_EQ(begun, 1);
@@ -82,7 +84,8 @@ TEST(MultilevelQueue, WhatIsLongGivesWayOnlyWhereSomebodyWaits) {
 
 TEST(MultilevelQueue, FewWorkAtATime) {
   constexpr auto never = 1h;
-  MultilevelQueue lanes(MultilevelQueue::Patience{never, never, never, never});
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory, MultilevelQueue::Patience{never, never, never, never});
   std::atomic<int> working{0}, most{0};
   std::vector<std::future<bool>> all;
   for (int i = 0; i < 100; ++i)
@@ -101,7 +104,8 @@ TEST(MultilevelQueue, FewWorkAtATime) {
 
 // Work that never asks Cancellation, such as compiling: other work does not wait for it.
 TEST(MultilevelQueue, WhatCannotBeInterruptedKeepsNobodyWaiting) {
-  MultilevelQueue lanes(MultilevelQueue::Patience{0ms, 0ms, 0ms, 0ms});
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory, MultilevelQueue::Patience{0ms, 0ms, 0ms, 0ms});
   std::promise<void> ends;
   const std::shared_future<void> end(ends.get_future());
   std::atomic<int> begun{0};
@@ -119,7 +123,8 @@ TEST(MultilevelQueue, WhatCannotBeInterruptedKeepsNobodyWaiting) {
 }
 
 TEST(MultilevelQueue, EndWithAllThatWaits) {
-  MultilevelQueue lanes;
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory);
   std::vector<std::future<bool>> all;
   std::atomic<int> begun{0};
   for (int i = 0; i < 20; ++i)
@@ -138,7 +143,8 @@ TEST(MultilevelQueue, EndWithAllThatWaits) {
 }
 
 TEST(MultilevelQueue, WhatIsThrownComesOut) {
-  MultilevelQueue lanes;
+  MemoryReturn memory;
+  MultilevelQueue lanes(memory);
   EXPECT_THROW(lanes.run([] { throw std::bad_alloc(); }, stays), std::bad_alloc);
   EXPECT_TRUE(lanes.run([] {}, stays));
 }

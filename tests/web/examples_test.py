@@ -6,14 +6,10 @@
 #   examples_test.py PROGRAM [FILM…]     the variable LOOK=FOLDER keeps the pictures
 import base64, glob, math, os, random, subprocess, sys, tempfile
 from browser import Browser, Served
-from checks import check, done, same
+from checks import check, done, player, root, same, there_is_a_player
 
 program = os.path.abspath(sys.argv[1])
-root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-player = os.environ.get("BETWIXT_PLAYER", f"{root}/build/web/betwixt-player.js")
-if not os.path.exists(player):
-    print("left out: what plays is not built (./betwixt web)\n0 passed, 0 failed")
-    sys.exit()
+there_is_a_player()
 wide, high = 1280, 720
 rand = random.Random(7)
 scratch = tempfile.TemporaryDirectory()

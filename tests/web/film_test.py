@@ -6,16 +6,12 @@
 #   film_test.py PROGRAM
 import json, os, re, shutil, subprocess, sys, tempfile
 from browser import Browser, Served
-from checks import check, done, same
+from checks import check, done, player, root, same, there_is_a_player
 
 program = os.path.abspath(sys.argv[1])
-root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 folder_of_test = tempfile.TemporaryDirectory()
 folder = folder_of_test.name
-player = os.environ.get("BETWIXT_PLAYER", f"{root}/build/web/betwixt-player.js")
-if not os.path.exists(player):
-    print("left out: what plays is not built (./betwixt web)\n0 passed, 0 failed")
-    sys.exit()
+there_is_a_player()
 environment = {**os.environ, "BETWIXT_PLAYER": player}
 
 ball = "# ball.bx — a ball\nrate 24\nrange 1f 48f\nsize 320x180\nfilm flat\ncreate ball circle radius=3 color=red\nball.position\n  1f (0 0 0) linear\n  25f (4 0 0)\nat 13f note \"half way\"\n"

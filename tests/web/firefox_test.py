@@ -7,11 +7,9 @@
 #   firefox_test.py PROGRAM
 import json, os, shutil, subprocess, sys, tempfile, threading
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from checks import check, done, same
+from checks import check, done, player, root, same
 
 program = os.path.abspath(sys.argv[1])
-root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-player = os.environ.get("BETWIXT_PLAYER", f"{root}/build/web/betwixt-player.js")
 firefox = shutil.which("firefox-esr") or shutil.which("firefox")
 for there, words in ((firefox and shutil.which("Xvfb"), "there is no Firefox, or no Xvfb (apt-get install firefox-esr xvfb)"),
                      (os.path.exists(player), "what plays is not built (./betwixt web)")):

@@ -7,12 +7,10 @@
 #   site_test.py PROGRAM [FOLDER for pictures]
 import glob, os, re, shutil, subprocess, sys, tempfile
 from browser import Browser, Served
-from checks import check, done, same
+from checks import check, done, player, root, same
 
 program = os.path.abspath(sys.argv[1])
 pictures = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else None
-root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-player = os.environ.get("BETWIXT_PLAYER", f"{root}/build/web/betwixt-player.js")
 for there, what in ((shutil.which("mkdocs"), "MkDocs is not installed (tools/site-packages.txt)"),
                     (os.path.exists(player), "the player for pages is not built (./betwixt web)")):
     if not there:

@@ -6,14 +6,10 @@
 #   strict_test.py PROGRAM
 import os, re, shutil, subprocess, sys, tempfile
 from browser import Browser, Served
-from checks import check, done, same
+from checks import check, done, player, root, same, there_is_a_player
 
 program = os.path.abspath(sys.argv[1])
-root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-player = os.environ.get("BETWIXT_PLAYER", f"{root}/build/web/betwixt-player.js")
-if not os.path.exists(player):
-    print("left out: what plays is not built (./betwixt web)\n0 passed, 0 failed")
-    sys.exit()
+there_is_a_player()
 with open(f"{root}/docs/web.md", encoding="utf-8") as page:
     policy = " ".join(re.search(r"Content-Security-Policy: (.*?)```", page.read(), re.S)[1].split())
 folder_of_test = tempfile.TemporaryDirectory()

@@ -18,7 +18,6 @@ class CurvePane : public TimePane {
   Q_OBJECT
  public:
   explicit CurvePane(Workspace&, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {40 * line_height(), 8 * line_height()}; }
 
   const std::vector<CurveLine>& lines() const { return lines_; }
   const CurveSamples& samples() const { return samples_; }

@@ -19,7 +19,6 @@ class SheetPane : public TimePane {
   Q_OBJECT
  public:
   explicit SheetPane(Workspace&, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {40 * line_height(), 8 * line_height()}; }
 
   const std::vector<SheetRow>& rows() const { return rows_; }
   void show_only_selected(bool);

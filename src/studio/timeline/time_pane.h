@@ -19,6 +19,7 @@ class TimePane : public QWidget {
   Q_OBJECT
  public:
   explicit TimePane(Workspace&, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {40 * line_height(), 8 * line_height()}; }
 
   double x_of(Time t) const { return axis_.gutter() + axis_.x_of(t); }
   Time time_at(double x) const { return axis_.time_at(x - axis_.gutter()); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Tests that another thread frees discarded data.
-#include "server/deferred_free.h"
+#include "server/memory_return.h"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +14,13 @@
 namespace betwixt {
 namespace {
 
-TEST(DeferredFree, FreesOnAThreadOfItsOwn) {
+TEST(MemoryReturn, FreesOnAThreadOfItsOwn) {
   struct Thing {
     std::promise<std::thread::id>& freed;
     ~Thing() { freed.set_value(std::this_thread::get_id()); }
   };
   std::promise<std::thread::id> first, second;
-  auto all = std::make_unique<DeferredFree>();
+  auto all = std::make_unique<MemoryReturn>();
   auto kept = std::make_shared<Thing>(first);
   all->take(std::exchange(kept, nullptr));
   const std::thread::id there = first.get_future().get();

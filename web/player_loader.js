@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Loads the film of a <betwixt-player>: finds its source and the engine, and opens it, again when the page changes it.
+class FilmLoader {
+  source = null;       // a FilmSource
+  #player;
+  #inside;             // functions of the player that pages do not have: begin, stay_empty, take, fail
+  #engine = null;
+  #given_text = null;  // set by the page; overrides its own text
+  #given_files = {};
+  #loading = null;     // an AbortController
+
+  constructor(player, inside) {
+    this.#player = player;
+    this.#inside = inside;
+  }
+
+  // The film's text. Setting it shows the new film at the same time; if it has errors, the last good film stays.
+  get text() {
+    if (this.#given_text !== null) return this.#given_text;
+    const inline = this.source || this.#player.hasAttribute("src") ? null : this.#player.querySelector(script_query);
+    return this.source ? this.source.text : inline ? text_of(inline) : "";
+  }
+  set text(text) {
+    if (this.#given_text === String(text)) return;
+    this.#given_text = String(text);
+    if (!this.#engine || !this.source || this.#loading) {
+      this.load();
+      return;
+    }
+    this.source.text = this.#given_text;
+    this.#open_again();
+  }
+
+  get files() { return { ...(this.source ? Object.fromEntries(this.source.files) : this.#given_files) }; }
+  set files(all) {
+    this.#given_files = {};
+    for (const [name, held] of Object.entries(all ?? {})) this.#given_files[name] = as_bytes(held);
+    if (this.source && this.#engine && !this.#loading) {
+      this.source.files = new Map(Object.entries(this.#given_files));
+      this.#open_again();
+    }
+  }
+
+  stop() {
+    if (this.#loading) this.#loading.abort();
+    this.#loading = null;
+  }
+  // Goes back to the page's own source.
+  forget() {
+    this.#given_text = null;
+    this.source = null;
+  }
+
+  async load() {
+    this.stop();
+    const loading = (this.#loading = new AbortController());
+    const { signal } = loading;
+    this.#inside.begin();
+    try {
+      const engine = Betwixt.engine();  // loads in parallel with the source
+      engine.catch(() => {});
+      const source = await FilmSource.find(this.#player, this.#given_text, this.#given_files, signal);
+      if (signal.aborted) return;
+      if (!source) {
+        this.#loading = null;
+        this.#inside.stay_empty();
+        return;
+      }
+      this.source = source;
+      this.#engine = await engine;
+      if (signal.aborted) return;
+      const film = await source.open(this.#engine, signal);
+      if (signal.aborted) film.dispose();
+      else this.#inside.take(film);
+    } catch (error) {
+      if (!signal.aborted) this.#inside.fail(4, has_words(error));
+    } finally {
+      if (this.#loading === loading) this.#loading = null;
+    }
+  }
+
+  // Opens a new text: at once, unless files must be fetched first.
+  #open_again() {
+    let film;
+    try {
+      film = this.source.open_now(this.#engine);
+    } catch (error) {
+      this.#inside.fail(3, has_words(error));
+      return;
+    }
+    if (!this.source.missing(film).length) {
+      this.#inside.take(film);
+      return;
+    }
+    film.dispose();
+    const loading = (this.#loading = new AbortController());
+    this.source.open(this.#engine, loading.signal)
+      .then((film) => (loading.signal.aborted ? film.dispose() : this.#inside.take(film)))
+      .catch((error) => loading.signal.aborted || this.#inside.fail(3, has_words(error)))
+      .finally(() => this.#loading === loading && (this.#loading = null));
+  }
+}
