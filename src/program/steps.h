@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "betwixt/program.h"
 #include "program/asking.h"
 #include "scene/document.h"
 #include "track/state.h"

@@ -9,6 +9,7 @@
 #include <random>
 #include <thread>
 
+#include "scene/functions.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {
