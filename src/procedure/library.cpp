@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/diagnostic.h"
 #include "procedure/arithmetic.h"
 #include "procedure/machine.h"
 #include "procedure/nested.h"
@@ -287,7 +288,7 @@ int call_routine(lua_State* l, Machine& m) {
   }
   const auto result = routine->value(*m.call->questions, arguments, m.call->steps);
   if (!result) {  // endless mutual calls are named once each
-    const std::string& why = result.error().message;
+    const std::string why = with_line(result.error().place.line, result.error().message);
     const bool round = why.ends_with(Nested::error().message) && why.find(name + ": ") != std::string::npos;
     return fail_with(l, round ? why : name + ": " + why);
   }
