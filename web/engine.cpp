@@ -71,18 +71,14 @@ struct Film {
   const Document& document() const { return loaded.document; }
   // Code errs while frames are made. What it does has its place where it stands in the text.
   void hear() {
-    const auto& errors = evaluation->errors();
-    const auto keep = [&](Severity severity, const std::string& words, const std::string& code) {
+    for (Problem p : evaluation->reports()) {
       Diagnostic d;
-      d.severity = severity;
-      d.what = fail(ErrorCode::type, words);
-      if (!code.empty()) point_at(d, text, code);
+      d.severity = p.source ? Severity::error : Severity::warning;
+      d.what.code = ErrorCode::type;
+      if (p.source) point_at(d, p, text, *p.source);
+      d.what.message = to_string(p);
       if (problems.size() < 100) problems.insert(json(d));
-    };
-    for (const auto& e : errors) keep(Severity::error, e.message, e.source);
-    for (const std::string& p : evaluation->problems())
-      if (std::none_of(errors.begin(), errors.end(), [&](const auto& e) { return p == e.message; }))
-        keep(Severity::warning, p, "");
+    }
   }
   void compile() {
     if (program) return;

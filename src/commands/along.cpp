@@ -12,7 +12,7 @@
 
 #include "betwixt/program.h"
 #include "commands/command.h"
-#include "program/compiled.h"
+#include "program/along.h"
 #include "scene/kinds.h"
 #include "scene/line.h"
 #include "scene/names.h"
@@ -197,7 +197,7 @@ void keep_ways(const Command& k, const std::vector<ObjectId>& leaving, const std
     if (!a || !leaves.contains(a->road.index)) return std::nullopt;
     if (!program) program = Program::compile(Document(std::make_shared<const Scene>(before)));
     Asking asking;
-    const auto place = program->compiled().along(object, f, a->road, a->share, t, asking);
+    const auto place = value_along(program->compiled(), object, f, a->road, a->share, t, asking);
     return place ? *place : spec_of(s, f).rest;
   };
   for (const std::uint32_t i : speaking) {

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "commands/segments.h"
-#include "program/compiled.h"
+#include "program/evaluator.h"
 #include "scene/names.h"
 
 namespace betwixt {
@@ -111,7 +111,7 @@ bool bake_reach(Command& k, const Selected& on, const Baking& how, std::string_v
     std::map<std::uint32_t, std::vector<Value>> turns;
     for (std::size_t i = 0; i < times.size(); ++i) {
       Asking asking;
-      for (const auto& [joint, turn] : program.compiled().reached_turns(hand.object, times[i], asking)) {
+      for (const auto& [joint, turn] : reached_turns(program.compiled(), hand.object, times[i], asking)) {
         auto& all = turns[joint.index];
         all.resize(i, turn);  // no joint bore it before
         all.push_back(turn);

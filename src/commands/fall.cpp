@@ -49,8 +49,8 @@ CommandOutcome carried(const Program& program, ObjectId id, Time t) {
   Asking asking;
   const std::uint32_t node = compiled.node_of[id.index];
   // The steps of environments have no speed.
-  const Mat4 around = linear_part(compiled.placement(node, t, asking).around);
-  const auto place = [&](Time when) { return translation_of(compiled.placement(node, when, asking).world); };
+  const Mat4 around = linear_part(placement(compiled, node, t, asking).around);
+  const auto place = [&](Time when) { return translation_of(placement(compiled, node, when, asking).world); };
   const auto speed = [&](int side) {
     const auto beside = [&](int steps) { return Time{t.flicks + side * steps * (flicks_per_second / 2000)}; };
     const auto slope = [&](auto&& f) {  // exact for cubics

@@ -180,9 +180,9 @@ class Stage {
     bool flat = false, sheared = false;
     const auto matrix = [&, node](Time t) {
       Asking asking;
-      const Mat4 world = compiled_.placement(node, t, asking).in_world();
+      const Mat4 world = placement(compiled_, node, t, asking).in_world();
       if (!parent) return world;
-      const auto above = inverse(compiled_.placement(compiled_.node_of[parent.index], t, asking).in_world());
+      const auto above = inverse(placement(compiled_, compiled_.node_of[parent.index], t, asking).in_world());
       flat = flat || !above;
       return above ? *above * world : world;
     };

@@ -13,7 +13,7 @@
 
 namespace betwixt {
 
-struct Skin;  // program/compiled.h
+struct Skin;  // program/compiled_film.h
 
 struct Seen {
   ObjectId id;

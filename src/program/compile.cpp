@@ -51,7 +51,7 @@ Value like_events(const Track& t, Value v) {
 using Compiled = Program::Compiled;
 
 // Records where the piece of the next object begins.
-void begin_piece(Compiled& compiled) {
+void begin_piece(CompiledFilm& compiled) {
   ObjectPiece piece;
   piece.binding = static_cast<std::uint32_t>(compiled.bindings.size());
   piece.curve = static_cast<std::uint32_t>(compiled.curves.size());
@@ -61,7 +61,7 @@ void begin_piece(Compiled& compiled) {
 }
 
 // Binds the functions' defaults. Returns the author's functions whose default is code.
-std::vector<FunctionId> bind_defaults(Compiled& compiled) {
+std::vector<FunctionId> bind_defaults(CompiledFilm& compiled) {
   const Scene& scene = compiled.document.scene();
   const auto functions = static_cast<FunctionId>(built_in_functions().size() + scene.defined->size());
   std::vector<FunctionId> computed;
@@ -105,7 +105,7 @@ void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<Function
 }
 
 // Copies an object's piece from the last program, and shifts its offsets.
-void share_object(Compiled& compiled, const Compiled& before, std::uint32_t i) {
+void share_object(CompiledFilm& compiled, const CompiledFilm& before, std::uint32_t i) {
   const ObjectPiece &from = before.pieces[i], &end = before.pieces[i + 1];
   ObjectPiece& piece = compiled.pieces.back();
   piece.columns = from.columns, piece.alone = true;
@@ -126,7 +126,7 @@ void share_object(Compiled& compiled, const Compiled& before, std::uint32_t i) {
   compiled.rest.insert(compiled.rest.end(), before.rest.begin() + from.number, before.rest.begin() + end.number);
 }
 
-void bind_all(Compiled& compiled, const Compiled* before) {
+void bind_all(Compiled& compiled, const CompiledFilm* before) {
   const Scene& scene = compiled.document.scene();
   const std::vector<FunctionId> computed = bind_defaults(compiled);
   compiled.pieces.reserve(scene.objects.size() + 1);
@@ -188,7 +188,7 @@ bool has_events(const Strand& s) {
   return any;
 }
 
-Binding bind_constant(Program::Compiled& compiled, FunctionId f, const Value& v, Type type) {
+Binding bind_constant(CompiledFilm& compiled, FunctionId f, const Value& v, Type type) {
   Binding b;
   b.function = f;
   b.constant = v;
@@ -202,7 +202,7 @@ Binding bind_constant(Program::Compiled& compiled, FunctionId f, const Value& v,
   return b;
 }
 
-Binding bind_track(Program::Compiled& compiled, const Slot& slot) {
+Binding bind_track(CompiledFilm& compiled, const Slot& slot) {
   const FunctionSpec& spec = spec_of(compiled.document.scene(), slot.function);
   Binding b = bind_constant(compiled, slot.function, slot.set.value_or(spec.rest), spec.type);
   b.first_curve = static_cast<std::uint32_t>(compiled.curves.size());
@@ -238,19 +238,13 @@ Binding bind_track(Program::Compiled& compiled, const Slot& slot) {
   return marked();
 }
 
-const Binding& Program::Compiled::find(std::uint32_t object, FunctionId f) const {
-  const auto first = bindings.begin() + pieces[object].binding, last = bindings.begin() + pieces[object + 1].binding;
-  const auto at = std::lower_bound(first, last, f, [](const Binding& b, FunctionId id) { return b.function < id; });
-  return at != last && at->function == f ? *at : defaults[f];
-}
-
 Program Program::compile(const Document& document) { return compile(document, {}); }
 
 Program Program::compile(const Document& document, const Program& before) {
   auto compiled = std::make_shared<Compiled>(document);
   const Scene& scene = document.scene();
   // Pieces can be shared only if functions and procedures are the same.
-  const Compiled* shared = before.code_.get();
+  const CompiledFilm* shared = before.code_.get();
   if (shared && (!shared->document.scene().defined.same(scene.defined) ||
                  !shared->document.scene().procedures.same(scene.procedures)))
     shared = nullptr;

@@ -10,16 +10,24 @@
 namespace betwixt {
 
 // Stores a constant of a type in the array of numbers; colours become linear light.
-Binding bind_constant(Program::Compiled&, FunctionId, const Value&, Type);
-Binding bind_track(Program::Compiled&, const Slot&);
+Binding bind_constant(CompiledFilm&, FunctionId, const Value&, Type);
+Binding bind_track(CompiledFilm&, const Slot&);
 // Returns the slot with its set value placed before the first event of each track, so that it holds until that event.
 Slot with_beginning(const Scene&, const Slot&);
 Binding bind_live(Program::Compiled&, std::uint32_t object, FunctionId);
 // Compiles nodes, their environments and parents. All bindings must exist.
-void compile_nodes(Program::Compiled&, const Program::Compiled* before);
+void compile_nodes(Program::Compiled&, const CompiledFilm* before);
 // Compiles the drawables and when each value changes. Nodes, attachments and motions exist, but not the transforms that
 // they keep.
-void compile_schedule(Program::Compiled&, const Program::Compiled* before);
+void compile_schedule(Program::Compiled&, const CompiledFilm* before);
+// Returns the skin of a drawable whose mesh has an animated rig, or nullopt.
+std::optional<Skin> compile_skin(const CompiledFilm&, std::uint32_t drawable);
+// Marks all nodes that inverse kinematics may turn at any time.
+void find_joints(CompiledFilm&);
+// Compiles the motions of all nodes. settle() later fills in their centres and the transforms that attachments keep.
+void compile_motions(CompiledFilm&);
+// `frozen`: indices of let-go and kept attachments, by time.
+void settle(Program::Compiled&, const std::vector<std::int32_t>& frozen);
 
 inline bool scripted(const Value& v) { return std::holds_alternative<Procedure>(v); }
 bool scripted(const Track&);

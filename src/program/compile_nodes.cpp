@@ -14,8 +14,7 @@ namespace betwixt {
 namespace {
 
 struct NodeCompiler {
-  Program::Compiled& compiled;
-  const Program::Compiled* before;  // the last program, to share with; may be null
+  CompiledFilm& compiled;
   const Scene& scene = compiled.document.scene();
 
   // Returns the environments that a function of the object names, one entry for each event that changes them.
@@ -69,10 +68,9 @@ struct NodeCompiler {
     const auto said = [&](FunctionId f) { return &compiled.find(object, f) != &compiled.defaults[f]; };
     n.looks = said(fn::look_at) || said(fn::roll);
     if (said(fn::reach)) {  // for the whole film, because the number of joints does not change
-      Asking asking;
       double bones[4] = {2};
       const Binding& chain = compiled.find(object, fn::reach_chain);
-      if (chain.live < 0) compiled.evaluate(chain, {}, asking, bones);
+      if (chain.live < 0) compiled.evaluate_curves(chain, {}, bones);
       n.reaches = static_cast<std::uint8_t>(std::clamp(std::round(bones[0]), 1.0, 64.0));
     }
     compiled.looks = compiled.looks || n.looks || n.reaches;
@@ -86,8 +84,6 @@ struct NodeCompiler {
     for (const bool drawn : {true, false})
       for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
         if (Cancellation::check(); !scene.objects[i].removed && drawable(scene.objects[i].kind) == drawn) node(i);
-    constexpr std::size_t many = 1024;  // for fewer, the setup costs more than it saves
-    if (members.size() >= many && !scene.smooth_ticks) compiled.many.emplace(std::move(members));
     spans();
   }
 
@@ -137,38 +133,43 @@ struct NodeCompiler {
       }
       above[h.node] = span.parent;
       if (h.what.kind == AttachmentKind::letgo || (h.takes && h.what.keep_world)) {
-        span.frozen = static_cast<std::int32_t>(compiled.frozen.size());
-        compiled.frozen.emplace_back();
-        compiled.frozen.back().node = h.node;
+        span.frozen = static_cast<std::int32_t>(frozen.size());
+        frozen.emplace_back();
+        frozen.back().node = h.node;
       }
       compiled.turning = compiled.turning || span.frozen >= 0 || span.kind == AttachmentKind::attach || h.computed;
       kept.push_back({h.node, span});
     }
-    std::vector<std::int32_t> in_time;  // indices of frozen ones, by time
     for (const auto& k : kept)
-      if (k.second.frozen >= 0) in_time.push_back(k.second.frozen);
+      if (k.second.frozen >= 0) frozen_by_time.push_back(k.second.frozen);
     std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [node, span] : kept) {
       Node& n = compiled.nodes[node];
       if (n.spans == 0) n.first_span = static_cast<std::uint32_t>(compiled.spans.size());
-      if (span.frozen >= 0)
-        compiled.frozen[static_cast<std::size_t>(span.frozen)].span = static_cast<std::int32_t>(n.spans);
+      if (span.frozen >= 0) frozen[static_cast<std::size_t>(span.frozen)].span = static_cast<std::int32_t>(n.spans);
       ++n.spans;
       if (span.computed && (compiled.held_by_code.empty() || compiled.held_by_code.back() != node))
         compiled.held_by_code.push_back(node);
       compiled.spans.push_back(span);
     }
-    compiled.find_joints();
-    compile_motions(compiled);
-    compile_schedule(compiled, before);
-    settle(compiled, in_time);
   }
+  std::vector<Frozen> frozen{};
+  std::vector<std::int32_t> frozen_by_time{};  // indices
 };
 
 }  // namespace
 
-void compile_nodes(Program::Compiled& compiled, const Program::Compiled* before) {
-  NodeCompiler{compiled, before}.nodes();
+void compile_nodes(Program::Compiled& compiled, const CompiledFilm* before) {
+  NodeCompiler made{compiled};
+  made.nodes();
+  constexpr std::size_t many = 1024;  // for fewer, the setup costs more than it saves
+  if (made.members.size() >= many && !made.scene.smooth_ticks)
+    compiled.caches.environments.set.emplace(std::move(made.members));
+  compiled.frozen = std::move(made.frozen);
+  find_joints(compiled);
+  compile_motions(compiled);
+  compile_schedule(compiled, before);
+  settle(compiled, made.frozen_by_time);
 }
 
 }  // namespace betwixt

@@ -63,7 +63,7 @@ std::size_t hash_of(const Shape& s) {
 
 struct ScheduleCompiler {
   Compiled& compiled;
-  const Compiled* before;  // the last program, to share with; may be null
+  const CompiledFilm* before;  // the last program, to share with; may be null
   const Scene& scene = compiled.document.scene();
   Schedule& schedule = compiled.schedule;
 
@@ -81,7 +81,7 @@ struct ScheduleCompiler {
     if (source.activities > 0) return keep(source);
     if (source.what != Schedule::Source::curve) return;
     const CurveUse& use = compiled.curves[source.index];  // constant
-    compiled.evaluate(use, {}, &compiled.rest[use.offset]);
+    compiled.evaluate_curve(use, {}, &compiled.rest[use.offset]);
   }
 
   // Returns true if the object's columns come from the last program; then its sources do too.
@@ -247,8 +247,7 @@ struct ScheduleCompiler {
         d.shape = shape_number(n.object);
       d.plain = !d.material->varies() && !d.texture->varies();
       if (d.plain)
-        d.material_number = Compiled::material(d.material->constant),
-        d.texture_number = compiled.texture(d.texture->constant);
+        d.material_number = material_of(d.material->constant), d.texture_number = compiled.texture(d.texture->constant);
       if (d.geometry != &compiled.defaults[fn::geometry]) compiled.borrowers.push_back(i);
       compiled.drawables.push_back(d);
     }
@@ -320,29 +319,7 @@ struct ScheduleCompiler {
 
 }  // namespace
 
-Material Compiled::material(const Value& v) {
-  const std::string& word = *std::get<Text>(v);
-  return word == "matte"   ? Material::matte
-         : word == "metal" ? Material::metal
-         : word == "glow"  ? Material::glow
-                           : Material::plastic;
-}
-
-std::uint32_t Compiled::texture(const Value& v) const {
-  const auto& pictures = *document.scene().pictures;
-  const auto picture = pictures.find(*std::get<Text>(v));
-  return picture == pictures.end() ? Evaluation::Look::none
-                                   : static_cast<std::uint32_t>(std::distance(pictures.begin(), picture));
-}
-
-const Activity* Schedule::active(const Source& s, std::int64_t t) const {
-  const Activity *first = activities.data() + s.first_activity, *last = first + s.activities;
-  const Activity* next =
-      std::upper_bound(first, last, t, [](std::int64_t time, const Activity& a) { return time < a.from; });
-  return next != first && t < next[-1].until ? next - 1 : nullptr;
-}
-
-void compile_schedule(Compiled& compiled, const Compiled* before) {
+void compile_schedule(Compiled& compiled, const CompiledFilm* before) {
   ScheduleCompiler c{compiled, before};
   c.drawables();
   for (std::uint32_t i = 0; i <= compiled.node_of.size(); ++i) {

@@ -5,31 +5,39 @@
 // shapes. So a colour may depend on contacts, but a value that moves things may not: that cycle is cut.
 #include <algorithm>
 
+#include "program/contacts.h"
 #include "program/evaluator.h"
+#include "program/placing.h"
+#include "program/stage.h"
 
 namespace betwixt {
-Frame Program::Compiled::solids(Time t, Asking& asking) const {
+namespace {
+
+// Returns the input of contacts: items without their looks, and the film's camera, if any.
+Frame solids(const Program::Compiled& c, Time t, Asking& asking) {
   Frame f;
   f.time = t;
-  for (const Node& n : nodes)  // for calls during compiling, before all attachments are settled
-    if (const CompiledSpan* h = span(n, t); h && h->frozen >= 0) thaw(h->frozen, asking);
-  Evaluator all(*this);
+  for (const Node& n : c.nodes)  // for calls during compiling, before all attachments are settled
+    if (const CompiledSpan* h = c.span(n, t); h && h->frozen >= 0) thaw(c, h->frozen, asking);
+  Evaluator all(c);
   all.to(t, asking, true);
   all.add_items(f);
-  if (!sees_all(t)) f.camera = all.camera();
+  if (!c.sees_all(t)) f.camera = all.camera();
   return f;
 }
 
-std::shared_ptr<const Contacts> Program::Compiled::contacts(Time t, Asking& asking) const {
+}  // namespace
+
+std::shared_ptr<const Contacts> contacts(const Program::Compiled& c, Time t, Asking& asking) {
   const auto known = asking.found_contacts.find(t.flicks);
   if (known != asking.found_contacts.end() && !asking.is_open(known->second.taken)) {
     asking.take(known->second.taken);
     return known->second.value;
   }
   Working working(asking);
-  const Frame f = solids(t, asking);
-  auto made = std::make_shared<Contacts>(betwixt::contacts(f));
-  if (sees_all(t))  // the default camera sees everything
+  const Frame f = solids(c, t, asking);
+  auto made = std::make_shared<Contacts>(contacts(f));
+  if (c.sees_all(t))  // the default camera sees everything
     for (ContactBox& b : made->boxes) b.sight = Sight::in;
   asking.cost += 10 * f.items.size();
   if (auto taken = working.done(); taken && asking.found_contacts.size() < 1000)
@@ -40,8 +48,8 @@ std::shared_ptr<const Contacts> Program::Compiled::contacts(Time t, Asking& aski
 
 Contacts Program::contacts(Time t, const ContactOptions& options) const {
   Asking asking;
-  Frame f = code_->solids(t, asking);
-  if (code_->sees_all(t)) f.camera = code_->own_camera();
+  Frame f = solids(*code_, t, asking);
+  if (code_->sees_all(t)) f.camera = own_camera(*code_);
   return betwixt::contacts(f, options);
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "program/placing.h"
 #include "program/splined.h"
+#include "program/stage.h"
 
 namespace betwixt {
 namespace {
@@ -42,7 +44,7 @@ struct Blender {
 
 void answer_track(const Program::Compiled& c, const Schedule::LiveSource& s, Time t, Asking& asking, Answer& a) {
   if (s.binding->function == fn::motion)
-    a.motion = c.moved(c.nodes[s.node], t, asking);
+    a.motion = moved(c, c.nodes[s.node], t, asking);
   else if (s.binding->steps >= 0)
     a.between = c.between(*s.binding, t, asking);
   else
@@ -51,7 +53,7 @@ void answer_track(const Program::Compiled& c, const Schedule::LiveSource& s, Tim
 
 }  // namespace
 
-std::vector<Question> questions_of(const Program::Compiled& c) {
+std::vector<Question> questions_of(const CompiledFilm& c) {
   std::vector<Question> all;
   const auto add = [&](Question::What what, std::size_t count) {
     for (std::uint32_t i = 0; i < count; ++i) all.push_back({what, i});
@@ -64,7 +66,7 @@ std::vector<Question> questions_of(const Program::Compiled& c) {
   return all;
 }
 
-std::pair<std::uint32_t, FunctionId> subject_of(const Program::Compiled& c, const Question& q) {
+std::pair<std::uint32_t, FunctionId> subject_of(const CompiledFilm& c, const Question& q) {
   switch (q.what) {
     case Question::live:
       return {c.lives[q.index].object, c.lives[q.index].function};
@@ -80,7 +82,7 @@ std::pair<std::uint32_t, FunctionId> subject_of(const Program::Compiled& c, cons
   return {0, 0};
 }
 
-bool may_take_long(const Program::Compiled& c, const Question& q, Time t) {
+bool may_take_long(const CompiledFilm& c, const Question& q, Time t) {
   if (q.what == Question::track) return c.runs_code(c.schedule.coded[q.index], t);
   if (q.what != Question::blend) return true;
   const Binding& geometry = *c.drawables[c.slow_blends[q.index]].geometry;
@@ -98,13 +100,12 @@ Answer work_out(const Program::Compiled& c, const Question& q, Time t) {
   if (q.what == Question::track) answer_track(c, c.schedule.coded[q.index], t, asking, a);
   if (q.what == Question::shape) a.shape = c.drawn_shape(c.slow_shapes[q.index], t, asking);
   if (q.what == Question::blend) Blender{c, c.slow_blends[q.index], t, asking}.answer(a);
-  if (q.what == Question::camera) a.camera = c.own_camera();
-  c.say(failed, asking);
+  if (q.what == Question::camera) a.camera = own_camera(c);
+  asking.say_all(failed, c.document.scene());
   for (const Target& read : asking.read) a.read.push_back(read.object.index);
   std::sort(a.read.begin(), a.read.end());
   a.read.erase(std::unique(a.read.begin(), a.read.end()), a.read.end());
   a.problems = std::move(asking.problems);
-  a.errors = std::move(asking.errors);
   return a;
 }
 

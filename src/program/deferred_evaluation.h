@@ -13,7 +13,7 @@ namespace betwixt {
 struct Question {
   // track: the blend of a track with coded twerpers. blend: between the shapes of `geometry`.
   enum What : std::uint8_t { live, track, shape, blend, camera } what = live;
-  std::uint32_t index = 0;  // into Compiled::lives, Schedule::coded, Compiled::slow_shapes or Compiled::slow_blends
+  std::uint32_t index = 0;  // into lives, Schedule::coded, slow_shapes or slow_blends
   static constexpr std::size_t kinds = camera + 1;
 };
 
@@ -27,16 +27,15 @@ struct Answer {
   std::shared_ptr<const void> mesh;  // keeps the shape's mesh, so that drawing finds it
   Camera camera;
   std::vector<std::uint32_t> read;  // objects that its code has read, sorted
-  std::vector<std::string> problems;
-  std::vector<Frame::CodeError> errors;
+  std::vector<Problem> problems;
 };
 
 // All questions of a program's frames, in the order of their kinds.
-std::vector<Question> questions_of(const Program::Compiled&);
+std::vector<Question> questions_of(const CompiledFilm&);
 // Returns the object and the function that a question is about. Function 0 for a shape; object 0 too for the camera.
-std::pair<std::uint32_t, FunctionId> subject_of(const Program::Compiled&, const Question&);
+std::pair<std::uint32_t, FunctionId> subject_of(const CompiledFilm&, const Question&);
 // Returns true if the value may take long at this time; otherwise the evaluator computes it itself.
-bool may_take_long(const Program::Compiled&, const Question&, Time);
+bool may_take_long(const CompiledFilm&, const Question&, Time);
 // Computes the answer of the film as a pure function. Throws Cancelled if the thread's work is cancelled.
 Answer work_out(const Program::Compiled&, const Question&, Time);
 

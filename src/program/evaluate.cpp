@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "program/deferred_evaluation.h"
+#include "program/traces.h"
 
 namespace betwixt {
 namespace {
@@ -10,11 +11,6 @@ namespace {
 Vec3 mix(Vec3 a, Vec3 b, double s) { return a + s * (b - a); }
 
 }  // namespace
-
-void Program::Compiled::evaluate(const CurveUse& use, Time t, double* out) const {
-  set.evaluate(use.curve, t, out);
-  use.bound(out);
-}
 
 void Program::Compiled::evaluate(const Binding& b, Time t, Asking& asking, double* out) const {
   if (b.live >= 0) {
@@ -30,26 +26,6 @@ void Program::Compiled::evaluate(const Binding& b, Time t, Asking& asking, doubl
         return n;
       });
   std::copy(numbers.begin(), numbers.end(), out);
-}
-
-void Program::Compiled::evaluate_curves(const Binding& b, Time t, double* out) const {
-  std::copy_n(&rest[b.offset], 4, out);
-  for (std::uint32_t i = 0; i < b.curves; ++i) {
-    const CurveUse& use = curves[b.first_curve + i];
-    evaluate(use, t, out + (use.offset - b.offset));
-  }
-}
-
-bool Program::Compiled::runs_code(const Schedule::LiveSource& coded, Time t) const {
-  const Binding& b = *coded.binding;
-  if (b.function == fn::motion) {
-    const std::int32_t moving = nodes[coded.node].moving;
-    const auto at = moving < 0 ? std::nullopt : movings[static_cast<std::size_t>(moving)].place(t);
-    return at && !at->piece->open && CurveSet::runs_code(at->piece->progress, at->time);
-  }
-  if (b.steps >= 0) return steps_of(b).runs_code(t);
-  const auto uses = std::span(curves).subspan(b.first_curve, b.curves);
-  return std::any_of(uses.begin(), uses.end(), [&](const CurveUse& u) { return CurveSet::runs_code(u.curve, t); });
 }
 
 Between Program::Compiled::between(const Binding& b, Time t, Asking& asking) const {
@@ -131,7 +107,7 @@ Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbe
   if (described == shaping.end()) return s;
   for (const FunctionId f : described->second)
     spec_of(scene, f).shape(s, shape_part(find(object, f), t, numbers, asking), scene);
-  if (s.kind == Kind::trace) s.points = trace(object, t, asking);
+  if (s.kind == Kind::trace) s.points = trace(*this, object, t, asking);
   return s;
 }
 

@@ -146,7 +146,7 @@ bool Evaluator::seek(std::uint32_t i, std::int64_t t) {
     for (std::uint32_t c = 0; c < s.channels; ++c) n[c] = s.at(c, t);
     if (s.bounded) use().bound(n);
   } else {
-    compiled_.evaluate(use(), {t}, n);
+    compiled_.evaluate_curve(use(), {t}, n);
   }
   std::uint64_t other = 0;  // bits that differ
   for (std::uint32_t c = 0; c < s.channels; ++c) {
@@ -192,16 +192,13 @@ void Evaluator::environments(bool own_set) {
   const std::int64_t tick = scene.smooth_ticks ? now_.flicks : scene.ticks.whole(now_);
   if (tick == tick_) return;
   tick_ = tick;
-  if (compiled_.many && own_set) {
-    if (!many_) {
-      const std::lock_guard lock(compiled_.many_in_use);
-      many_ = compiled_.many;
-    }
+  if (SharedEnvironments& many = compiled_.caches.environments; many.set && own_set) {
+    if (!many_) many_ = many.copy();
     if (many_->tick() != tick) many_->advance(tick);
   }
   // Many nodes may share a product, so each is computed once.
   for (std::size_t i = 0; i < products_.size(); ++i) {
-    const Mat4 m = compiled_.product(static_cast<std::int32_t>(i), now_, many_ ? &*many_ : nullptr);
+    const Mat4 m = product(compiled_, static_cast<std::int32_t>(i), now_, many_ ? &*many_ : nullptr);
     turned_[i] = fresh_ || !same_bits(m, products_[i]);
     products_[i] = m;
   }
@@ -385,7 +382,7 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
       now.transparency = std::clamp(numbers_[d.transparency], 0.0, 1.0);
       now.shininess = std::clamp(numbers_[d.shininess], 0.0, 1.0);
       now.casts = numbers_[d.casts] != 0;
-      now.material = d.plain ? d.material_number : compiled_.material(compiled_.value(*d.material, now_, asking));
+      now.material = d.plain ? d.material_number : material_of(compiled_.value(*d.material, now_, asking));
       now.texture = d.plain ? d.texture_number : compiled_.texture(compiled_.value(*d.texture, now_, asking));
     }
   }

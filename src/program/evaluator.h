@@ -4,7 +4,7 @@
 // The state of a compiled document at a time. It is kept from one time to the next, so that unchanged values are not
 // computed again. It depends only on the program and the time, not on earlier times.
 //
-// A step in time: the sources that are due (compiled.h, Schedule) write their numbers and mark the nodes they affect.
+// A step in time: the sources that are due (Schedule) write their numbers and mark the nodes they affect.
 // Marked nodes get their own matrices. One walk in depth-first order, where a subtree is an interval, then updates the
 // nodes below them. At last, marked drawables get their looks.
 #pragma once
@@ -12,8 +12,8 @@
 #include <span>
 
 #include "betwixt/evaluation.h"
-#include "program/compiled.h"
 #include "program/needed.h"
+#include "program/placing.h"
 #include "program/playing.h"
 
 namespace betwixt {
@@ -163,5 +163,8 @@ class Evaluator {
   std::vector<std::uint32_t> renewed_;  // the step of its last change
   playing::Marks flags_;                // nodes that have changed; `changed` lists the drawables among them
 };
+
+// Returns the joints of an inverse-kinematics chain, with the rotations that give the same pose.
+std::vector<std::pair<ObjectId, Quat>> reached_turns(const Program::Compiled&, ObjectId hand, Time, Asking&);
 
 }  // namespace betwixt

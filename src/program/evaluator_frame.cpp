@@ -7,6 +7,7 @@
 
 #include "program/deferred_evaluation.h"
 #include "program/evaluator.h"
+#include "program/stage.h"
 #include "scene/camera_functions.h"
 
 namespace betwixt {
@@ -61,15 +62,6 @@ std::vector<Light> Evaluator::lights(Asking& asking) const {
   return out;
 }
 
-std::optional<std::uint32_t> Program::Compiled::camera_at(Time t) const {
-  const Scene& scene = document.scene();
-  for (const auto* by_time : {&*scene.cuts, &*scene.views}) {
-    const auto next = by_time->upper_bound(t);
-    if (next != by_time->begin() && std::prev(next)->second) return std::prev(next)->second.index;
-  }
-  return first_camera;  // cameras of display lists are active only through `views`
-}
-
 Camera Evaluator::camera() const {
   const auto through = compiled_.camera_at(now_);
   if (!through && deferred_ && compiled_.asks_for_camera()) {
@@ -78,7 +70,7 @@ Camera Evaluator::camera() const {
     somewhere.aspect = compiled_.document.aspect();
     return known ? known->camera : somewhere;
   }
-  if (!through) return compiled_.own_camera();
+  if (!through) return own_camera(compiled_);
   const std::uint32_t object = *through;
   const auto number = [&](FunctionId f) { return numbers_[compiled_.find(object, f).offset]; };
   Camera c;

@@ -100,8 +100,8 @@ Own Evaluator::own_of(std::uint32_t node, Asking& asking) const {
   OwnTransform said = said_by(n, numbers_.data());
   if (n.transform || n.drive >= 0)
     said.own =
-        compiled_.driven(n, now_, asking, n.drive >= 0 ? &products_[static_cast<std::size_t>(n.drive)] : nullptr);
-  if (n.moving >= 0) said.motion = compiled_.moved(n, now_, asking);
+        driven(compiled_, n, now_, asking, n.drive >= 0 ? &products_[static_cast<std::size_t>(n.drive)] : nullptr);
+  if (n.moving >= 0) said.motion = moved(compiled_, n, now_, asking);
   return own_of_placed(own_place(said));
 }
 
@@ -248,7 +248,7 @@ void Evaluator::turn_eyes(Asking& asking) {
     const Mat4 around = compiled_.sited ? around_[eye] : Mat4{};
     const Mat4 before = around * worlds_[eye];
     const Quat was = turn_of(before);
-    Quat turn = looks ? compiled_.turned(n, *target - place, now_, asking) : was;
+    Quat turn = looks ? turned_to(compiled_, n, *target - place, now_, asking) : was;
     if (roll != 0) turn = turn * axis_angle({0, 0, 1}, roll);
     // Keeps the object's scale; a camera has none.
     Mat4 turned = n.kind == Kind::camera ? rotation(turn) : rotation(turn * conjugate(was)) * linear_part(before);

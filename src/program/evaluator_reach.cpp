@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "program/compile.h"
 #include "program/evaluator.h"
 #include "program/ik.h"
 #include "program/placing.h"
@@ -59,7 +60,7 @@ void Evaluator::reach(std::uint32_t hand, Asking& asking) {
   // If the hand has picked up its goal, the goal moves with it. Then the hand reaches for the place where the goal was.
   const auto in_world = [&](std::uint32_t i) {
     const auto since = held_since(i, hand, chain);
-    return translation_of(since ? compiled_.placement(i, *since - Time{1}, asking).in_world() : world(i));
+    return translation_of(since ? placement(compiled_, i, *since - Time{1}, asking).in_world() : world(i));
   };
   const auto aim = [&](FunctionId f) { return compiled_.aim(object, f, now_, numbers_.data(), in_world, asking); };
   const double share = std::clamp(numbers_[compiled_.find(object, fn::reach_share).offset], 0.0, 1.0);
@@ -110,23 +111,8 @@ void Evaluator::arrange_reaches() {
   eyes_ = std::move(order);
 }
 
-// Returns the nodes that an aim may name at any time.
-std::vector<std::uint32_t> Program::Compiled::goals(std::uint32_t object, FunctionId f) const {
-  const Binding& b = find(object, f);
-  std::vector<std::uint32_t> out;
-  const auto add = [&](const Value& v) {
-    const auto* id = std::get_if<ObjectId>(&v);
-    if (id && find_object(document.scene(), *id)) out.push_back(node_of[id->index]);
-  };
-  if (b.channels > 0 || b.live >= 0) return out;
-  if (b.steps < 0) add(b.constant);
-  if (b.steps >= 0)
-    for (const Value& v : steps_of(b).values()) add(v);
-  return out;
-}
-
-// Marks all nodes that inverse kinematics may turn at any time.
-void Program::Compiled::find_joints() {
+void find_joints(CompiledFilm& film) {
+  std::vector<Node>& nodes = film.nodes;
   const auto mark_all = [&] {
     for (Node& n : nodes) n.bends = true;
   };
@@ -137,7 +123,7 @@ void Program::Compiled::find_joints() {
       std::vector<std::uint32_t> above;
       for (const std::uint32_t node : level)
         for (std::uint32_t k = 0; k < nodes[node].spans; ++k) {
-          const CompiledSpan& span = spans[nodes[node].first_span + k];
+          const CompiledSpan& span = film.spans[nodes[node].first_span + k];
           if (span.computed) return mark_all();  // code may choose any parent
           if (span.kind < AttachmentKind::hang || span.parent < 0) continue;
           above.push_back(static_cast<std::uint32_t>(span.parent));
@@ -162,12 +148,13 @@ Quat Evaluator::own_turn(std::uint32_t node) const {
   return normalize(own * conjugate(turn_of(bare.world)) * turn_of(worlds_[node]));
 }
 
-std::vector<std::pair<ObjectId, Quat>> Program::Compiled::reached_turns(ObjectId hand, Time t, Asking& asking) const {
-  Evaluator all(*this);
+std::vector<std::pair<ObjectId, Quat>> reached_turns(const Program::Compiled& c, ObjectId hand, Time t,
+                                                     Asking& asking) {
+  Evaluator all(c);
   all.to(t, asking);
   std::vector<std::pair<ObjectId, Quat>> out;
-  for (const std::uint32_t joint : all.joints_of(node_of[hand.index]))
-    out.emplace_back(ObjectId{nodes[joint].object}, all.own_turn(joint));
+  for (const std::uint32_t joint : all.joints_of(c.node_of[hand.index]))
+    out.emplace_back(ObjectId{c.nodes[joint].object}, all.own_turn(joint));
   return out;
 }
 

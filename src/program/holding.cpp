@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "program/evaluator.h"
+#include "program/placing.h"
 
 namespace betwixt {
 namespace {
@@ -20,36 +21,28 @@ std::string source_of(const Object& o, Time from) {
   return code ? code->code->source : std::string();
 }
 
-}  // namespace
-
-// Returns true if an object forms one body with its parent: if the parent is drawn, or if the object's name makes it a
-// part of the parent (car/wheel on car).
-bool Program::Compiled::one_body(std::uint32_t node, std::uint32_t parent) const {
-  const auto& objects = document.scene().objects;
-  const std::string &name = objects[nodes[node].object].name, &whole = objects[nodes[parent].object].name;
-  return drawable(nodes[parent].kind) ||
-         (name.size() > whole.size() && name[whole.size()] == '/' && name.starts_with(whole));
-}
-
-CompiledSpan Program::Compiled::said_to_hold(std::uint32_t node, Time t, Asking& asking) const {
-  const CompiledSpan* const said = span(nodes[node], t);
+// May be a cycle.
+CompiledSpan said_to_hold(const Program::Compiled& c, std::uint32_t node, Time t, Asking& asking) {
+  const CompiledSpan* const said = c.span(c.nodes[node], t);
   CompiledSpan now;
   now.from = {INT64_MIN};
   if (said) now = *said;
   if (!now.computed) return now;
-  const Value v = live_value(find(nodes[node].object, fn::attachment).live, t, asking);
+  const Value v = c.live_value(c.find(c.nodes[node].object, fn::attachment).live, t, asking);
   const auto* by = std::get_if<Attachment>(&v);
-  if (!by || by->kind < AttachmentKind::hang || !find_object(document.scene(), by->parent)) return now;
-  const std::uint32_t parent = node_of[by->parent.index];
-  now.kind = by->kind, now.parent = static_cast<std::int32_t>(parent), now.one_body = one_body(node, parent);
+  if (!by || by->kind < AttachmentKind::hang || !find_object(c.document.scene(), by->parent)) return now;
+  const std::uint32_t parent = c.node_of[by->parent.index];
+  now.kind = by->kind, now.parent = static_cast<std::int32_t>(parent), now.one_body = c.one_body(node, parent);
   return now;
 }
 
+}  // namespace
+
 // If code closes a cycle, each object whose code takes part in it is free, in whatever order they are evaluated.
-CompiledSpan Program::Compiled::held(std::uint32_t node, Time t, Asking& asking) const {
-  const CompiledSpan now = said_to_hold(node, t, asking);
+CompiledSpan held(const Program::Compiled& c, std::uint32_t node, Time t, Asking& asking) {
+  const CompiledSpan now = said_to_hold(c, node, t, asking);
   if (!now.computed || now.parent < 0) return now;
-  const auto above = [&](std::int32_t at) { return said_to_hold(static_cast<std::uint32_t>(at), t, asking).parent; };
+  const auto above = [&](std::int32_t at) { return said_to_hold(c, static_cast<std::uint32_t>(at), t, asking).parent; };
   const auto self = static_cast<std::int32_t>(node);
   std::int32_t seen = -1;  // detects a cycle of others (Brent 1980)
   std::size_t steps = 0;
@@ -58,13 +51,15 @@ CompiledSpan Program::Compiled::held(std::uint32_t node, Time t, Asking& asking)
     if (std::has_single_bit(++steps)) seen = at;
   }
   const auto name = [&](std::int32_t at) -> const std::string& {
-    return document.scene().objects[nodes[static_cast<std::size_t>(at)].object].name;
+    return c.document.scene().objects[c.nodes[static_cast<std::size_t>(at)].object].name;
   };
   std::string way = name(self);
   for (std::int32_t at = now.parent; at != self && way.size() < 200; at = above(at)) way += " → " + name(at);
-  asking.err(fmt::format("{}.attachment: its code would make a cycle, {} → {}, so the object has no parent", name(self),
-                         way, name(self)),
-             source_of(document.scene().objects[nodes[node].object], now.from));
+  asking.say({Problem::other,
+              name(self) + ".attachment",
+              {},
+              fmt::format(": its code would make a cycle, {} → {}, so the object has no parent", way, name(self)),
+              source_of(c.document.scene().objects[c.nodes[node].object], now.from)});
   CompiledSpan free;
   free.from = now.from, free.computed = true;
   return free;
@@ -75,7 +70,7 @@ void Evaluator::take_hold(Asking& asking) {
   for (std::size_t k = 0; k < by_code_.size(); ++k) {
     const std::uint32_t node = compiled_.held_by_code[k];
     if (only_ && !only_->held[node]) continue;
-    const CompiledSpan now = compiled_.held(node, now_, asking);
+    const CompiledSpan now = betwixt::held(compiled_, node, now_, asking);
     CompiledSpan& was = by_code_[k];
     if (!now.computed || (held_[node] == &was && was.kind == now.kind && was.parent == now.parent)) continue;
     was = now;

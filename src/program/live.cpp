@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Live values: velocities in force, procedures, filters and layers.
+// Live values: filters and layers on top of the tracks (live_parts.h), and the limits of evaluating them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,297 +11,15 @@
 #include <utility>
 
 #include "base/cancellation.h"
-#include "base/utf8.h"
 #include "program/deferred_evaluation.h"
-#include "scene/kinds.h"
-#include "track/along.h"
+#include "program/live_parts.h"
 #include "track/operations.h"
 
 namespace betwixt {
 namespace {
 
-using Numbers = std::array<double, 4>;
-
-Quat quat(const double* n) { return {n[0], n[1], n[2], n[3]}; }
-
-using Compiled = Program::Compiled;
-
 // Evaluates one function of one object at any time.
-struct Worker {
-  const Compiled& c;
-  const Live& live;
-  Asking& asking;
-  const Scene& scene = c.document.scene();
-
-  std::string name(int component) const { return c.document.name(Target{{live.object}, live.function, component}); }
-
-  // What procedures can read of the film.
-  struct Talk : Questions {
-    const Worker& w;
-    Time t;
-    bool lacking = false;     // the object lacks a function that objects of other kinds have
-    bool called_off = false;  // the work was cancelled; Cancelled is thrown after the code returns
-    Talk(const Worker& worker, Time time) : w(worker), t(time) {}
-    double seconds() const override { return t.seconds(); }
-    Rate rate() const override { return w.scene.rate; }
-    std::string_view self() const override { return w.scene.objects[w.live.object].name; }
-    const Routine* procedure(std::string_view name) override {
-      const NamedProcedure* p = find_procedure(w.scene, name);
-      return p && p->role == Role::value ? p->code.get() : nullptr;
-    }
-    template <class Work>
-    auto or_called_off(Work&& work) -> decltype(work()) {
-      try {
-        return work();
-      } catch (const Cancelled&) {
-        called_off = true;
-        return fail(ErrorCode::machine, "cancelled: a newer change replaces this one");
-      }
-    }
-    Result<Value> value(std::string_view text, double seconds, std::uint64_t& cost) override {
-      return or_called_off([&] { return value_of(text, seconds, cost); });
-    }
-    Result<Value> value_of(std::string_view text, double seconds, std::uint64_t& cost) {
-      if (!std::isfinite(seconds) || std::abs(seconds) > longest_seconds)
-        return fail(ErrorCode::range, fmt::format("value('{}', {}): the time is out of range", text, seconds));
-      const auto target = find_target(w.scene, text, {w.live.object});
-      if (!target) return lacking = lacking || w.others_have(text), target.error();
-      auto& trace = w.asking.read;
-      if (trace.size() < 10'000 && std::find(trace.begin(), trace.end(), *target) == trace.end())
-        trace.push_back(*target);
-      // The answer's cost counts once, in the asking procedure.
-      const std::uint64_t before = w.asking.cost;
-      Value r = w.c.read(*target, from_seconds(seconds), w.asking);
-      cost += w.asking.cost - before + 20;
-      w.asking.cost = before;
-      if (w.asking.given_up) return fail(ErrorCode::range, "stopped: reading this value took too much work");
-      return r;
-    }
-    Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) override {
-      const std::uint64_t before = w.asking.cost;
-      auto at = or_called_off([&] { return w.c.place_on(line, share, seconds, w.asking); });
-      cost += w.asking.cost - before + 20;
-      w.asking.cost = before;
-      return at;
-    }
-  };
-
-  // Returns true if a target of its own names a function that this kind lacks and other kinds have.
-  bool others_have(std::string_view target) const {
-    const Object& self = scene.objects[live.object];
-    if (target.starts_with(self.name)) target.remove_prefix(self.name.size());
-    if (!target.starts_with('.')) return false;
-    target.remove_prefix(1);
-    const std::string_view function = target.substr(0, target.find('.'));
-    const auto known = built_in_functions();
-    return !find_function(scene, self.kind, function) &&
-           std::any_of(known.begin(), known.end(), [&](const FunctionSpec& f) { return f.name == function; });
-  }
-  // Returns true if the code is the default of the author's function.
-  bool by_definition(const Procedure& p) const {
-    const auto* rest = std::get_if<Procedure>(&spec_of(scene, live.function).rest);
-    return rest && rest->code == p.code;
-  }
-
-  // Returns enough of the first line to recognise it.
-  static std::string brief(std::string_view source) {
-    source.remove_prefix(std::min(source.find_first_not_of(" \t\r\n"), source.size()));
-    const std::string_view line = source.substr(0, source.find('\n'));
-    const bool more = source.find_first_not_of(" \t\r\n", line.size()) != std::string_view::npos;
-    return std::string(line.substr(0, 60)) + (more ? " …" : "");
-  }
-
-  // Returns nullopt on an error, which is added to `problems`.
-  std::optional<Value> run(const Procedure& p, const LivePart& part, Time t) const {
-    if (asking.work(0)) return std::nullopt;
-    if (const Along* place = along(Value(p)))
-      return c.along(live.object, live.function, place->road, place->share, t, asking);
-    if (asking.in_haste() && asking.work(asking.most + 1)) return std::nullopt;  // code may always take long
-    Talk talk(*this, t);
-    std::uint64_t cost = 0;
-    const auto answer = p.code->value(talk, {}, cost);
-    if (talk.called_off) throw Cancelled{};
-    if (asking.work(cost + 300)) return std::nullopt;                      // starting the code costs something too
-    if (!answer && talk.lacking && by_definition(p)) return std::nullopt;  // the object has no such value
-    const auto say = [&](const std::string& why) {
-      asking.err(
-          fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component), brief(p.code->source), why),
-          p.code->source);
-      return std::nullopt;
-    };
-    if (!answer) return say(answer.error().message);
-    const Type type = part.value_type();
-    const auto fitting = fit(*answer, type, scene);
-    if (!fitting) return say(fitting.error().message);
-    double n[4];
-    if (!finite({n, static_cast<std::size_t>(to_numbers(*fitting, n))})) return say("it is not finite");
-    const auto* text = std::get_if<Text>(&*fitting);
-    if (const FunctionSpec& spec = spec_of(scene, live.function); text && !spec.words.empty()) {
-      const auto words = choices(spec);
-      if (std::find(words.begin(), words.end(), **text) == words.end())
-        return say(fmt::format("'{}' is not one of {}", (*text)->substr(0, 40), fmt::join(words, ", ")));
-    }
-    if (text && live.function == fn::text && (*text)->size() > most_letters && count_characters(**text) > most_letters)
-      return say(fmt::format("its text has more than {} letters", most_letters));
-    return *fitting;
-  }
-
-  // Returns the last value at or before t that is not a procedure.
-  Value settled(const LivePart& part, Time t) const {
-    Value v = part.rest;
-    part.track.events.each([&](const Event& e) {
-      if (e.time <= t && !e.keep && !std::holds_alternative<Procedure>(e.value)) v = e.value;
-    });
-    return std::holds_alternative<Procedure>(v) ? at_rest(part) : v;
-  }
-  // Returns the default of a function that only has code.
-  Value at_rest(const LivePart& part) const {
-    const FunctionSpec& spec = spec_of(scene, live.function);
-    const Value v = std::holds_alternative<Procedure>(spec.rest) ? row_of(spec.type).example() : spec.rest;
-    return part.component < 0 ? v : Value(component_of(v, part.component));
-  }
-
-  Value event_value(const Value& v, const LivePart& part, Time t, Time at) const {
-    const auto* p = std::get_if<Procedure>(&v);
-    if (!p) return v;
-    if (auto made = run(*p, part, at)) return *std::move(made);
-    return settled(part, t);
-  }
-
-  // Moves along a line between two places on it, by the blend of their fractions. `near`: the events about t, those
-  // from index `after` on behind t. Returns nullopt if they are not on one line.
-  std::optional<Value> along_line(const Track& track, const std::vector<const Event*>& near, std::size_t after,
-                                  Time t) const {
-    const auto reaches = [](const Event& e) { return along(e.detail->before ? *e.detail->before : e.value); };
-    const Along* const from = along(near[after - 1]->value);
-    if (!from || after == near.size() || near[after - 1]->keep || near[after]->keep) return std::nullopt;
-    const auto here = [&](const Along* other) { return other && other->road == from->road; };
-    if (!here(reaches(*near[after]))) return std::nullopt;
-    std::size_t first = after - 1, end = after + 1;
-    while (first > 0 && !near[first]->detail->before && here(along(near[first - 1]->value))) --first;
-    while (end < near.size() && !near[end - 1]->detail->before && here(reaches(*near[end]))) ++end;
-    Track shares;
-    shares.global = track.global, shares.arguments = track.arguments;
-    for (std::size_t i = first; i < end; ++i) {
-      Event e = *near[i];
-      e.value = (i + 1 == end ? reaches(e) : along(e.value))->share;
-      if (e.detail->before) e.detail.edit().before.reset();
-      shares.events.put(std::move(e));
-    }
-    CurveSet small;
-    small.own = c.set.own;
-    double share = 0;
-    small.evaluate(small.add(shares, Type::scalar), t, &share);
-    return c.along(live.object, live.function, from->road, share, t, asking);
-  }
-
-  // Repeats a track of places on lines like a track of plain values. Code is never repeated: it always gets the true
-  // time.
-  static Time repeated(const Track& track, Time t) {
-    if (track.events.size() < 2) return t;
-    const Time first = track.events.front().time, last = track.events.back().time;
-    const bool over = t > last || (t == last && track.after == Extrapolation::cycle);
-    const Extrapolation how = t < first ? track.before : over ? track.after : Extrapolation::hold;
-    if (how < Extrapolation::cycle) return t;
-    bool code = false;
-    track.events.each(
-        [&](const Event& e) { code = code || (std::holds_alternative<Procedure>(e.value) && !along(e.value)); });
-    return code ? t : Time{fold(t.flicks, first.flicks, last.flicks, how == Extrapolation::bounce)};
-  }
-
-  // Evaluates a track that contains procedures. A segment that begins with a procedure takes its value throughout. With
-  // a twerper, it blends from the procedure's value to the next one.
-  Value scripted(const LivePart& part, Time t) const {
-    t = repeated(part.track, t);
-    std::vector<const Event*> near;  // three before and three behind, which is all that splines use
-    std::size_t before = 0;
-    const Event* last = nullptr;
-    const bool holds = part.type == Type::attachment;  // before its first event, the initial value holds
-    part.track.events.each([&](const Event& e) {
-      if (holds && (e.keep || e.time > t)) return;
-      if (e.time <= t) {
-        near.push_back(&e), last = &e;
-        if (near.size() > 3) near.erase(near.begin());
-        before = near.size();
-      } else if (near.size() < before + 3) {
-        near.push_back(&e);
-      }
-    });
-    if (near.empty()) return event_value(part.rest, part, t, t);
-    if (!last && near[0]->detail->before) return event_value(*near[0]->detail->before, part, t, t);
-    if (!last) return event_value(near[0]->value, part, t, near[0]->time);
-    const Twerper twerper = part.track.global != Twerper::unset ? part.track.global : last->twerper;
-    if (twerper != Twerper::hold)
-      if (auto place = along_line(part.track, near, before, t)) return *std::move(place);
-    const bool alone = near.back() == last || twerper == Twerper::hold || !has_velocity(part.type) ||
-                       (twerper == Twerper::unset && std::holds_alternative<Procedure>(last->value));
-    if (alone && !last->keep) return event_value(last->value, part, t, t);
-    // No blend crosses a cut or a hold, so values beyond it are not evaluated.
-    const auto parts = [&](std::size_t i) {
-      const Twerper to_here = part.track.global != Twerper::unset ? part.track.global : near[i - 1]->twerper;
-      return !near[i]->keep && (near[i]->detail->before || to_here == Twerper::hold);
-    };
-    std::size_t first = before - 1, end = std::min(before + 1, near.size());
-    while (first > 0 && !parts(first)) --first;
-    while (end < near.size() && !parts(end - 1)) ++end;
-    Track few;
-    few.global = part.track.global, few.arguments = part.track.arguments, few.srgb = part.track.srgb;
-    for (std::size_t i = first; i < end; ++i) {
-      const Event* e = near[i];
-      Event made = *e;
-      if (e->detail->before && i > first) {
-        made.value = *(made.detail.edit().before = event_value(*e->detail->before, part, t, e->time));
-      } else {
-        if (e->detail->before) made.detail.edit().before.reset();
-        made.value = event_value(e->value, part, t, e == last ? t : e->time);
-      }
-      few.events.put(std::move(made));
-    }
-    CurveSet small;
-    small.own = c.set.own;
-    const Curve curve = small.add(few, part.type, part.component >= 0);
-    if (curve.count == 0) return at_rest(part);
-    Numbers n{};
-    small.evaluate(curve, t, n.data());
-    return as_written(part, n.data(), curve.orientation);
-  }
-
-  Value as_written(const LivePart& part, double* n, bool orientation) const {
-    if (part.value_type() != part.type) return to_srgb(n[0]);
-    return written_value(part.type, n, orientation);
-  }
-
-  Value piece_value(const LivePart& part, std::size_t i, Time t) const {
-    const Piece& p = part.pieces[i];
-    if (p.reign < 0) {
-      if (p.scripted) {  // the value reached at the release holds until the track's next event
-        bool any = i == 0;
-        part.track.events.each([&](const Event& e) { any = any || (e.time > p.from && e.time <= t); });
-        return any ? scripted(part, t) : piece_value(part, i - 1, p.from);
-      }
-      if (p.primary.count == 0) return i > 0 ? piece_value(part, i - 1, p.from) : event_value(part.rest, part, t, t);
-      Numbers n{};
-      c.set.evaluate(p.primary, t, n.data());
-      return as_written(part, n.data(), p.primary.orientation);
-    }
-    const Reign& reign = c.reigns[static_cast<std::size_t>(p.reign)];
-    // The value of the track at that time, also before its first event.
-    const Value anchor = piece_value(part, i - 1, p.from);
-    Numbers sum{};
-    reign.sum(c.set, t, sum.data());
-    if (part.orientation) {
-      const auto* q = std::get_if<Quat>(&anchor);
-      const auto* a = std::get_if<Angles>(&anchor);
-      return normalize(quat(sum.data()) * (q ? *q : from_angles(a ? a->xyz : Vec3{})));
-    }
-    const auto both = add_scaled(anchor, value_of_numbers(part.value_type(), sum.data()), 1);
-    return both ? *both : anchor;
-  }
-
-  Value part_value(const LivePart& part, Time t) const {
-    return part.pieces.empty() ? scripted(part, t) : piece_value(part, part.piece_at(t), t);
-  }
-
+struct Worker : LiveParts {
   // The input of a filter.
   struct Through : Input {
     const Worker& w;
@@ -387,12 +105,12 @@ struct Worker {
     Through input(*this, s, stage - 1, f.component);
     const auto made = apply(f, input, t.seconds());
     if (input.called_off) throw Cancelled{};
-    const auto pass = [&](const std::string& why) {
-      std::string said = fmt::format("{}: the filter '{}' is left out: {}", name(f.component), f.name, why);
-      f.code ? asking.err(std::move(said), f.code->source) : asking.say(std::move(said));
+    const auto pass = [&](const std::string& why, int line = 0) {
+      const auto source = f.code ? std::optional(f.code->source) : std::nullopt;
+      asking.say({Problem::filter, name(f.component), f.name, why, source, line});
       return plain;
     };
-    if (!made) return pass(made.error().message);
+    if (!made) return pass(made.error().message, made.error().place.line);
     double n[4];
     if (!finite({n, static_cast<std::size_t>(to_numbers(*made, n))}))
       return pass("it returns a value that is not finite");
@@ -407,9 +125,9 @@ struct Worker {
 
   Value plain_value(const Binding& b, Time t) const {
     if (b.channels == 0) return c.value(b, t, asking);
-    Numbers n{};
-    c.evaluate(b, t, asking, n.data());
-    return written_value(spec_of(scene, b.function).type, n.data(), b.orientation);
+    double n[4] = {};
+    c.evaluate(b, t, asking, n);
+    return written_value(spec_of(scene, b.function).type, n, b.orientation);
   }
 
   const LivePart* part_of(int component) const {
@@ -443,26 +161,13 @@ struct Worker {
 
 }  // namespace
 
-std::size_t LivePart::piece_at(Time t) const {
-  const auto at =
-      std::upper_bound(pieces.begin(), pieces.end(), t, [](Time time, const Piece& p) { return time < p.from; });
-  return at == pieces.begin() ? 0 : static_cast<std::size_t>(at - pieces.begin()) - 1;
-}
-
-bool Program::Compiled::parted(std::int32_t index, int component) const {
-  const Live& live = lives[static_cast<std::size_t>(index)];
-  if (component < 0 || live.strands.size() != 1 || !live.strands[0].filters.empty()) return false;
-  return std::any_of(live.strands[0].parts.begin(), live.strands[0].parts.end(),
-                     [&](const LivePart& part) { return part.component == component; });
-}
-
 namespace {
 
 std::string too_far_back(const std::string& name, std::size_t steps, bool adds_up) {
   std::string said = fmt::format(
-      "{} reads its own past through more than {} earlier times. Beyond them it uses its last value without code, so "
+      " reads its own past through more than {} earlier times. Beyond them it uses its last value without code, so "
       "from here on the result is wrong: read the past in longer steps, or compute the value from t alone",
-      name, steps);
+      steps);
   return adds_up ? said + fmt::format("; to sum up changes, compute {}.velocity instead", name) : said;
 }
 
@@ -470,7 +175,7 @@ std::string too_far_back(const std::string& name, std::size_t steps, bool adds_u
 
 Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, int component) const {
   const Live& live = lives[static_cast<std::size_t>(index)];
-  const Worker worker{*this, live, asking};
+  const Worker worker{{*this, live, asking}};
   Cancellation::check();
   if (const auto deferred = asking.deferred_answer({Question::live, static_cast<std::uint32_t>(index)}, t);
       deferred.yes) {
@@ -490,9 +195,9 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
     asking.cut = std::min(asking.cut, circle ? static_cast<std::size_t>(again - asking.open.begin()) : 0);
     const std::string name = document.name(Target{{live.object}, live.function, -1});
     if (circle)
-      asking.say(name + " depends on itself: it uses its last value without code there");
+      asking.say(name, " depends on itself: it uses its last value without code there");
     else
-      asking.say(too_far_back(name, deepest, has_velocity(spec_of(document.scene(), live.function).type)));
+      asking.say(name, too_far_back(name, deepest, has_velocity(spec_of(document.scene(), live.function).type)));
     return worker.without_asking(t, component);
   }
   if (const auto known = asking.found.find(key); known != asking.found.end()) {
@@ -506,8 +211,8 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
   const bool outermost = asking.open.empty();
   if (outermost && asking.cost > Asking::most_of_a_frame) {
     asking.say(
-        fmt::format("one frame takes more than {} steps: the remaining values are shown without code and filters",
-                    Asking::most_of_a_frame));
+        {}, fmt::format("one frame takes more than {} steps: the remaining values are shown without code and filters",
+                        Asking::most_of_a_frame));
     return worker.without_asking(t, component);
   }
   if (outermost) asking.begun = asking.cost, asking.given_up = false;
@@ -517,8 +222,9 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
   Value v = worker.value(t, component);
   asking.open.pop_back();
   if (outermost && std::exchange(asking.given_up, false)) {
-    asking.say(fmt::format("{} takes more than {} steps: its value is shown without code and filters",
-                           document.name(Target{{live.object}, live.function, -1}), Asking::most_work));
+    asking.say(
+        document.name(Target{{live.object}, live.function, -1}),
+        fmt::format(" takes more than {} steps: its value is shown without code and filters", Asking::most_work));
     working.done();
     return worker.without_asking(t, component);
   }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "program/compile.h"
 #include "program/deferred_evaluation.h"
+#include "program/placing.h"
 
 namespace betwixt {
 namespace {
@@ -22,8 +24,8 @@ void place_centres(Program::Compiled& compiled, const Node& node, Motion& motion
                                  "', which does not exist: it moves about the origin instead");
     f.about.clear();
     if (!id || compiled.node_of[id.index] == ObjectId::nothing) continue;
-    const Vec3 place = translation_of(compiled.placement(compiled.node_of[id.index], t, asking).in_world());
-    if (const auto centre = compiled.carried(node, t, asking).seen(place))
+    const Vec3 place = translation_of(placement(compiled, compiled.node_of[id.index], t, asking).in_world());
+    if (const auto centre = carrier_of(compiled, node, t, asking).seen(place))
       f.centre = *centre;
     else
       compiled.notices.push_back("'" + compiled.document.name(ObjectId{node.object}) +
@@ -67,7 +69,7 @@ Moving moving(CurveSet& set, const Track& track) {
 
 }  // namespace
 
-void compile_motions(Program::Compiled& compiled) {
+void compile_motions(CompiledFilm& compiled) {
   const Scene& scene = compiled.document.scene();
   for (Node& n : compiled.nodes) {
     const Slot* slot = scene.objects[n.object].find(fn::motion);
@@ -95,12 +97,12 @@ void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen
   // In the order of time, because a motion's start depends on earlier motions and releases. Motions that start at this
   // time have done nothing yet.
   auto next = frozen.begin();
-  const auto thaw = [&](Time until) {
+  const auto thaw_until = [&](Time until) {
     for (; next != frozen.end(); ++next) {
       const Frozen& f = compiled.frozen[static_cast<std::size_t>(*next)];
       if (compiled.spans[compiled.nodes[f.node].first_span + static_cast<std::uint32_t>(f.span)].from > until) return;
       Asking asking;
-      compiled.thaw(*next, asking);
+      thaw(compiled, *next, asking);
     }
   };
   const auto moving_of = [&](const Start& s) -> Moving& {
@@ -113,14 +115,14 @@ void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen
       const std::size_t k = starts[end].piece;
       if (k > 0) pieces[k].before = at(pieces[k - 1].motion, 1) * pieces[k - 1].before;
     }
-    thaw(starts[i].time);
+    thaw_until(starts[i].time);
     for (std::size_t k = i; k < end; ++k)
       place_centres(compiled, compiled.nodes[starts[k].node], moving_of(starts[k]).pieces[starts[k].piece].motion,
                     starts[k].time);
     for (; i < end; ++i) ++moving_of(starts[i]).placed;
   }
-  thaw({INT64_MAX});
-  compiled.tracers.clear();  // their cached positions may be too early
+  thaw_until({INT64_MAX});
+  compiled.caches.tracers.all.clear();  // their cached positions may be too early
 }
 
 std::vector<Motion> Program::motions(ObjectId object) const {
@@ -130,17 +132,6 @@ std::vector<Motion> Program::motions(ObjectId object) const {
   if (n.moving >= 0)
     for (const Moving::Piece& p : code_->movings[static_cast<std::size_t>(n.moving)].pieces) all.push_back(p.motion);
   return all;
-}
-
-std::optional<Moving::Place> Moving::place(Time t) const {
-  const Extrapolation how = t < first ? extend_before : t > last ? extend_after : Extrapolation::hold;
-  if (how >= Extrapolation::cycle) t = {fold(t.flicks, first.flicks, last.flicks, how == Extrapolation::bounce)};
-  const auto later =
-      std::upper_bound(pieces.begin(), pieces.end(), t, [](Time time, const Piece& p) { return time < p.from; });
-  if (later != pieces.begin()) return Place{&later[-1], t, how};
-  // Linear extrapolation continues backwards before the first piece.
-  const bool ahead = how == Extrapolation::linear && pieces[0].from == first;
-  return ahead ? std::optional(Place{&pieces[0], t, how}) : std::nullopt;
 }
 
 namespace {
@@ -166,12 +157,12 @@ std::optional<Mat4> whole_motion(const CurveSet& set, const Moving& m, Time t) {
 
 }  // namespace
 
-std::optional<Mat4> Program::Compiled::moved(const Node& n, Time t, Asking& asking) const {
+std::optional<Mat4> moved(const Program::Compiled& c, const Node& n, Time t, Asking& asking) {
   if (n.moving < 0) return std::nullopt;
-  const Moving& m = movings[static_cast<std::size_t>(n.moving)];
+  const Moving& m = c.movings[static_cast<std::size_t>(n.moving)];
   return coded_value(
-      *this, find(n.object, fn::motion), t, asking, [](const Answer& a) { return &a.motion; },
-      [&] { return whole_motion(set, m, t); });
+      c, c.find(n.object, fn::motion), t, asking, [](const Answer& a) { return &a.motion; },
+      [&] { return whole_motion(c.set, m, t); });
 }
 
 }  // namespace betwixt

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "program/placing.h"
+
 namespace betwixt {
 namespace {
 
@@ -19,7 +21,7 @@ struct Following {
   std::vector<std::pair<std::uint32_t, bool>> left;  // nodes to visit, and whether their rotation is needed
 
   std::int32_t above(std::uint32_t node) const {
-    const CompiledSpan h = c.held(node, t, asking);
+    const CompiledSpan h = held(c, node, t, asking);
     return h.kind >= AttachmentKind::hang ? h.parent : -1;
   }
   void need(std::uint32_t node, bool turned) {
@@ -94,7 +96,7 @@ struct Following {
 
 }  // namespace
 
-bool turns_in_place(const Program::Compiled& c, const Node& n) {
+bool turns_in_place(const CompiledFilm& c, const Node& n) {
   if (n.transform || n.drive >= 0) return false;
   const Binding& pivot = c.find(n.object, fn::pivot);
   return !pivot.varies() && vec3(&c.rest[pivot.offset]) == Vec3{};

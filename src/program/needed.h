@@ -24,6 +24,6 @@ struct Needed {
 // Returns the needs of the nodes' whole matrices, or of their positions alone if not `turned`.
 Needed needed(const Program::Compiled&, std::span<const std::uint32_t> nodes, bool turned, Time, Asking&);
 // Returns true if a node's rotation and scale do not affect its position.
-bool turns_in_place(const Program::Compiled&, const Node&);
+bool turns_in_place(const CompiledFilm&, const Node&);
 
 }  // namespace betwixt

@@ -5,7 +5,7 @@
 // slot)
 #include <algorithm>
 
-#include "program/compiled.h"
+#include "program/traces.h"
 
 namespace betwixt {
 namespace {
@@ -24,7 +24,7 @@ std::optional<Time> Program::next_change(Time t) const {
   const Compiled& compiled = *code_;
   const Scene& scene = compiled.document.scene();
   if (!compiled.lives.empty()) return t;  // code may change at any time
-  if (compiled.traces && compiled.tracing_at(t)) return t;
+  if (compiled.traces && tracing_at(compiled, t)) return t;
   Next next{t, std::nullopt};
   for (const CurveUse& use : compiled.curves) {
     const auto [first, last] = compiled.set.span(use.curve);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "program/evaluator.h"
+#include "program/facing.h"
 #include "program/needed.h"
 #include "program/placing.h"
 
@@ -87,34 +88,26 @@ OwnTransform own_transform_at(const Program::Compiled& compiled, const Node& n, 
   }
   said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
   said.attach = numbers(fn::attach_position);
-  said.own = compiled.driven(n, t, asking), said.motion = compiled.moved(n, t, asking);
+  said.own = driven(compiled, n, t, asking), said.motion = moved(compiled, n, t, asking);
   return said;
 }
 
-const CompiledSpan* Program::Compiled::span(const Node& n, Time t) const {
-  const CompiledSpan *first = spans.data() + n.first_span, *last = first + n.spans;
-  const CompiledSpan* next =
-      std::upper_bound(first, last, t, [](Time time, const CompiledSpan& h) { return time < h.from; });
-  return next == first ? nullptr : next - 1;
-}
-
-// Computes the transforms that a letgo or keep-world keeps: once, from the world at its time.
-void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
-  Frozen& f = frozen[static_cast<std::size_t>(index)];
+void thaw(const Program::Compiled& c, std::int32_t index, Asking& asking) {
+  Frozen& f = c.frozen[static_cast<std::size_t>(index)];
   if (f.state != Frozen::asleep) return;
   f.state = Frozen::busy;
-  const Node& n = nodes[f.node];
-  const CompiledSpan& now = spans[n.first_span + static_cast<std::uint32_t>(f.span)];
+  const Node& n = c.nodes[f.node];
+  const CompiledSpan& now = c.spans[n.first_span + static_cast<std::uint32_t>(f.span)];
   const CompiledSpan* before = f.span > 0 ? &now - 1 : nullptr;
   CompiledSpan by_code;  // just before this time
-  if (before && before->computed) by_code = held(f.node, {now.from.flicks - 1}, asking), before = &by_code;
+  if (before && before->computed) by_code = held(c, f.node, {now.from.flicks - 1}, asking), before = &by_code;
   const Time t = now.from.flicks == INT64_MIN ? Time{} : now.from;
-  const OwnTransform said = own_transform_at(*this, n, t, asking);
-  const Frozen* kept = before && before->frozen >= 0 ? &frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
-  if (kept) thaw(before->frozen, asking);
+  const OwnTransform said = own_transform_at(c, n, t, asking);
+  const Frozen* kept = before && before->frozen >= 0 ? &c.frozen[static_cast<std::size_t>(before->frozen)] : nullptr;
+  if (kept) thaw(c, before->frozen, asking);
   Sited old_parent;
   if (before && before->kind >= AttachmentKind::hang)
-    old_parent = placement(static_cast<std::uint32_t>(before->parent), t, asking);
+    old_parent = placement(c, static_cast<std::uint32_t>(before->parent), t, asking);
   if (now.kind == AttachmentKind::letgo) {
     if (before && before->kind == AttachmentKind::letgo) {  // already free: keeps the earlier transforms
       const auto span = f.span;
@@ -130,9 +123,9 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
     }
   } else {
     Placed was = hang(own_place(said), said.attach, before, kept, &old_parent);
-    const Sited parent = placement(static_cast<std::uint32_t>(now.parent), t, asking);
-    if (sited) {  // from the environments it was in to those it will be in
-      const Mat4 own = product(n.around, t), old = kept && kept->held ? kept->around : old_parent.around;
+    const Sited parent = placement(c, static_cast<std::uint32_t>(now.parent), t, asking);
+    if (c.sited) {  // from the environments it was in to those it will be in
+      const Mat4 own = product(c, n.around, t), old = kept && kept->held ? kept->around : old_parent.around;
       if (const auto out = inverse(parent.around * own)) was.world = *out * old * own * was.world;
     }
     const auto turned = inverse(held_turn(now.kind, parent)), above = inverse(parent.world);
@@ -149,83 +142,130 @@ void Program::Compiled::thaw(std::int32_t index, Asking& asking) const {
   f.state = Frozen::done;
 }
 
-Mat4 Program::Compiled::matrix(const Site& site, Time t) const {
-  const Scene& scene = document.scene();
-  const Environment& e = *environments[site.environment];
+namespace {
+
+// Returns the environment's matrix A.
+Mat4 matrix_of(const Program::Compiled& c, const Site& site, Time t) {
+  const Scene& scene = c.document.scene();
+  const Environment& e = *c.environments[site.environment];
   if (scene.smooth_ticks) return e.smooth(site.generation, scene.ticks.frame_number(t) - 1);
   const std::int64_t tick = scene.ticks.whole(t);
-  if (!many) return e.at(site.generation, tick);
-  const std::lock_guard lock(many_in_use);
-  if (many->tick() != tick) many->advance(tick);
-  return many->matrix(site.member);
+  SharedEnvironments& many = c.caches.environments;
+  return many.set ? many.matrix(site.member, tick) : e.at(site.generation, tick);
 }
 
-Mat4 Program::Compiled::product(std::int32_t siting, Time t, const EnvironmentSet* own) const {
+}  // namespace
+
+Mat4 product(const Program::Compiled& c, std::int32_t siting, Time t, const EnvironmentSet* own) {
   Mat4 m;
   if (siting < 0) return m;
-  const auto& changes = sitings[static_cast<std::size_t>(siting)].changes;
-  auto at = std::upper_bound(changes.begin(), changes.end(), t, [](Time x, const auto& c) { return x < c.from; });
+  const auto& changes = c.sitings[static_cast<std::size_t>(siting)].changes;
+  auto at =
+      std::upper_bound(changes.begin(), changes.end(), t, [](Time x, const auto& change) { return x < change.from; });
   if (at != changes.begin()) --at;
   bool first = true;
   for (const Site& site : at->sites) {
-    const Mat4 a = own ? own->matrix(site.member) : matrix(site, t);
+    const Mat4 a = own ? own->matrix(site.member) : matrix_of(c, site, t);
     m = first ? a : m * a;
     first = false;
   }
   return m;
 }
 
-// Returns what transforms the object in its own space: its transform, then the environments that drive it.
-std::optional<Mat4> Program::Compiled::driven(const Node& n, Time t, Asking& asking, const Mat4* drive) const {
+std::optional<Mat4> driven(const Program::Compiled& c, const Node& n, Time t, Asking& asking, const Mat4* drive) {
   if (!n.transform && n.drive < 0) return std::nullopt;
-  Mat4 m = drive ? *drive : product(n.drive, t);
+  Mat4 m = drive ? *drive : product(c, n.drive, t);
   if (n.transform)
-    if (const Value v = value(find(n.object, fn::transform), t, asking); const auto* own = std::get_if<Matrix>(&v))
+    if (const Value v = c.value(c.find(n.object, fn::transform), t, asking); const auto* own = std::get_if<Matrix>(&v))
       m = m * **own;
   return m;
 }
 
-Sited Program::Compiled::placement(std::uint32_t node, Time t, Asking& asking, bool turned) const {
+Sited placement(const Program::Compiled& c, std::uint32_t node, Time t, Asking& asking, bool turned) {
   std::vector<std::pair<std::uint32_t, CompiledSpan>> chain;
   for (std::int32_t i = static_cast<std::int32_t>(node); i >= 0;) {
-    const Node& n = nodes[static_cast<std::size_t>(i)];
+    const Node& n = c.nodes[static_cast<std::size_t>(i)];
     const bool looks = n.looks && (turned || !chain.empty());  // turning does not move its own position
     if (looks || n.bends) {                                    // look-at or inverse kinematics turns it
-      Evaluator some(*this, asking.deferred);
-      some.place(t, asking, needed(*this, {&node, 1}, turned, t, asking));
+      Evaluator some(c, asking.deferred);
+      some.place(t, asking, needed(c, {&node, 1}, turned, t, asking));
       return {some.placed(node), some.around(node)};
     }
-    chain.emplace_back(static_cast<std::uint32_t>(i), held(static_cast<std::uint32_t>(i), t, asking));
+    chain.emplace_back(static_cast<std::uint32_t>(i), held(c, static_cast<std::uint32_t>(i), t, asking));
     const CompiledSpan& h = chain.back().second;
     i = h.kind >= AttachmentKind::hang ? h.parent : -1;
   }
   Sited placed;
   for (; !chain.empty(); chain.pop_back()) {
-    const Node& n = nodes[chain.back().first];
+    const Node& n = c.nodes[chain.back().first];
     const CompiledSpan* h = &chain.back().second;
-    if (h->frozen >= 0) thaw(h->frozen, asking);
-    const OwnTransform said = own_transform_at(*this, n, t, asking, turned || chain.size() > 1);
-    const Frozen* f = h->frozen >= 0 ? &frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
+    if (h->frozen >= 0) thaw(c, h->frozen, asking);
+    const OwnTransform said = own_transform_at(c, n, t, asking, turned || chain.size() > 1);
+    const Frozen* f = h->frozen >= 0 ? &c.frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     if (h->kind < AttachmentKind::hang) placed.around = f && f->held ? f->around : Mat4{};
     static_cast<Placed&>(placed) = hang(own_place(said), said.attach, h, f, &placed);
-    if (n.around >= 0) placed.around = placed.around * product(n.around, t);
+    if (n.around >= 0) placed.around = placed.around * product(c, n.around, t);
   }
   return placed;
 }
 
-Vec3 Program::Compiled::place(std::uint32_t node, Time t, Asking& asking) const {
-  return translation_of(placement(node, t, asking, false).in_world());
+Vec3 place_of(const Program::Compiled& c, std::uint32_t node, Time t, Asking& asking) {
+  return translation_of(placement(c, node, t, asking, false).in_world());
 }
 
-double Program::Compiled::place(std::uint32_t node, Time t, Asking& asking, int component) const {
-  const Node& n = nodes[node];
-  const Binding& position = find(n.object, fn::position);
-  const bool bare = position.live >= 0 && parted(position.live, component) && turns_in_place(*this, n) && !n.bends &&
+double place_of(const Program::Compiled& c, std::uint32_t node, Time t, Asking& asking, int component) {
+  const Node& n = c.nodes[node];
+  const Binding& position = c.find(n.object, fn::position);
+  const bool bare = position.live >= 0 && c.parted(position.live, component) && turns_in_place(c, n) && !n.bends &&
                     n.moving < 0 && n.around < 0;
-  if (bare && held(node, t, asking).kind == AttachmentKind::detach)
-    if (const Value v = live_value(position.live, t, asking, component); const auto* d = std::get_if<double>(&v))
+  if (bare && held(c, node, t, asking).kind == AttachmentKind::detach)
+    if (const Value v = c.live_value(position.live, t, asking, component); const auto* d = std::get_if<double>(&v))
       return *d + 0.0;  // turns -0 into 0, as matrices do
-  return place(node, t, asking)[component];
+  return place_of(c, node, t, asking)[component];
+}
+
+// Like hang(), for a position and a rotation only. It must not read the object's own values: one of them may be the
+// value that is being evaluated.
+Carrier carrier_of(const Program::Compiled& c, const Node& n, Time t, Asking& asking) {
+  Carrier out;
+  if (!c.span(n, t)) {
+    if (n.around >= 0) out.above = product(c, n.around, t);
+    return out;
+  }
+  const CompiledSpan span = held(c, c.node_of[n.object], t, asking);
+  if (span.frozen >= 0) thaw(c, span.frozen, asking);
+  const Frozen* const kept = span.frozen >= 0 ? &c.frozen[static_cast<std::size_t>(span.frozen)] : nullptr;
+  Mat4 around;
+  Quat turn;
+  if (span.kind >= AttachmentKind::hang) {
+    const Sited parent = placement(c, static_cast<std::uint32_t>(span.parent), t, asking);
+    double x[4] = {};
+    c.evaluate(c.find(n.object, fn::attach_position), t, asking, x);
+    around = parent.around, out.above = parent.world, out.attach = vec3(x);
+    if (span.kind != AttachmentKind::hang) turn = parent.turn;
+  } else if (kept && kept->held) {
+    around = kept->around, out.above = kept->parent, out.attach = kept->attach, turn = kept->parent_turn;
+  }
+  if (n.around >= 0) around = around * product(c, n.around, t);
+  out.above = around * out.above;
+  if (kept) out.kept = kept->before, turn = turn * kept->before_turn;
+  out.turn = turn;
+  return out;
+}
+
+std::optional<Vec3> Carrier::seen(Vec3 in_world) const {
+  const auto back = inverse(above), out = inverse(kept);
+  if (!back || !out) return std::nullopt;
+  return transform_point(*out, transform_point(*back, in_world) - attach);
+}
+
+Quat turned_to(const Program::Compiled& c, const Node& n, Vec3 direction, Time t, Asking& asking) {
+  const Value said = c.value(c.find(n.object, fn::front), t, asking);
+  const auto* word = std::get_if<Text>(&said);
+  Front front = n.kind == Kind::camera ? Front::minus_z : Front::x;
+  for (std::size_t i = 0; word && i < front_names.size(); ++i)
+    if (**word == front_names[i]) front = static_cast<Front>(i);
+  return facing(direction, front, c.document.scene().appearance.flat);
 }
 
 Kinematics Program::kinematics(ObjectId object, Time t) const {
@@ -234,20 +274,20 @@ Kinematics Program::kinematics(ObjectId object, Time t) const {
   const Compiled& compiled = *code_;
   const std::uint32_t node = compiled.node_of[object.index];
   const Node& n = compiled.nodes[node];
-  const auto place = [&](Time when) { return translation_of(compiled.placement(node, when, asking).in_world()); };
+  const auto place = [&](Time when) { return translation_of(placement(compiled, node, when, asking).in_world()); };
   Kinematics b;
   b.position = place(t);
-  const CompiledSpan h = compiled.held(node, t, asking);
+  const CompiledSpan h = betwixt::held(compiled, node, t, asking);
   const bool held = h.kind >= AttachmentKind::hang;
-  if (held) b.track_to_world = linear_part(compiled.placement(static_cast<std::uint32_t>(h.parent), t, asking).world);
-  const Mat4 around = linear_part(compiled.placement(node, t, asking).around);
+  if (held) b.track_to_world = linear_part(placement(compiled, static_cast<std::uint32_t>(h.parent), t, asking).world);
+  const Mat4 around = linear_part(placement(compiled, node, t, asking).around);
   if (h.frozen >= 0) {
     const Frozen& f = compiled.frozen[static_cast<std::size_t>(h.frozen)];
     if (!held) b.track_to_world = linear_part(f.parent);
     b.track_to_world = b.track_to_world * linear_part(f.before);
   }
   b.track_to_world = around * b.track_to_world;
-  if (const auto motion = compiled.moved(n, t, asking)) b.track_to_world = b.track_to_world * linear_part(*motion);
+  if (const auto motion = moved(compiled, n, t, asking)) b.track_to_world = b.track_to_world * linear_part(*motion);
   // The position track gives the velocity. If a parent carries the object, or did until now, the velocity is measured
   // by differences instead.
   if (held || h.computed || h.from == t || n.moving >= 0) {

@@ -1,12 +1,50 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The placement of an object, by its own tracks and by its parent.
+// The placement of an object, by its own tracks, its parent and its environments.
 #pragma once
 
 #include "program/compiled.h"
 
 namespace betwixt {
+
+// The transform of a node inside its environments, and the rotation that children inherit if they do not inherit scale.
+struct Placed {
+  Mat4 world;
+  Quat turn;
+};
+// The same, with the product of those environments.
+struct Sited : Placed {
+  Mat4 around;
+  Mat4 in_world() const { return around * world; }
+};
+
+// Maps an object's position p to the world: above (kept p + attach). Also holds the inherited rotation.
+struct Carrier {
+  Mat4 above, kept;
+  Vec3 attach;
+  Quat turn;
+  std::optional<Vec3> seen(Vec3 in_world) const;  // converts to a position; nullopt if a matrix is singular
+};
+
+// Returns the transform of one node, and evaluates only what it depends on. Without `turned`, only the position is
+// exact.
+Sited placement(const Program::Compiled&, std::uint32_t node, Time, Asking&, bool turned = true);
+Vec3 place_of(const Program::Compiled&, std::uint32_t node, Time, Asking&);  // in world space
+double place_of(const Program::Compiled&, std::uint32_t node, Time, Asking&, int component);
+Carrier carrier_of(const Program::Compiled&, const Node&, Time, Asking&);
+// Returns what the node hangs on, code included. If code makes it hang on itself, it is free.
+CompiledSpan held(const Program::Compiled&, std::uint32_t node, Time, Asking&);
+// Computes the transforms that a letgo or keep-world keeps: once, from the world at its time.
+void thaw(const Program::Compiled&, std::int32_t frozen, Asking&);
+// Returns the product of environments. `own`: the caller's set, already at that tick.
+Mat4 product(const Program::Compiled&, std::int32_t siting, Time, const EnvironmentSet* own = nullptr);
+// Returns what transforms the object in its own space: its transform, then the environments that drive it. `drive`:
+// their product, if known.
+std::optional<Mat4> driven(const Program::Compiled&, const Node&, Time, Asking&, const Mat4* drive = nullptr);
+std::optional<Mat4> moved(const Program::Compiled&, const Node&, Time, Asking&);
+// Returns the world rotation that points the node's front in that direction.
+Quat turned_to(const Program::Compiled&, const Node&, Vec3 direction, Time, Asking&);
 
 // The values of an object's own transform.
 struct OwnTransform {

@@ -15,7 +15,7 @@ Pose pose_of(const Program::Compiled& compiled, std::uint32_t object, Time t, As
   if (!placed(n.kind)) return pose;
   pose.world = world(compiled.node_of[object]);
   pose.local = pose.world;
-  const CompiledSpan span = compiled.held(compiled.node_of[object], t, asking);
+  const CompiledSpan span = held(compiled, compiled.node_of[object], t, asking);
   pose.attachment = span.kind;
   if (span.parent < 0) return pose;
   const auto parent = static_cast<std::uint32_t>(span.parent);
@@ -31,7 +31,7 @@ Pose pose(const Program& program, ObjectId id, Time t) {
   const Program::Compiled& compiled = program.compiled();
   Asking asking;
   return pose_of(compiled, id.index, t, asking,
-                 [&](std::uint32_t node) { return compiled.placement(node, t, asking).in_world(); });
+                 [&](std::uint32_t node) { return placement(compiled, node, t, asking).in_world(); });
 }
 
 std::vector<Pose> poses(const Program& program, Time t) {

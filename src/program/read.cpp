@@ -5,8 +5,11 @@
 #include <algorithm>
 
 #include "base/cancellation.h"
+#include "base/diagnostic.h"
 #include "program/audible_part.h"
+#include "program/contacts.h"
 #include "program/evaluator.h"
+#include "program/placing.h"
 
 namespace betwixt {
 namespace {
@@ -23,20 +26,11 @@ Value place_in(const Mat4& m, int component) {
   return translation_of(m)[component];
 }
 
-}  // namespace
-
-void Program::Compiled::say(const TwerperFailures& failed, Asking& asking) const {
-  for (const auto& [i, why] : failed.all)
-    asking.err(
-        "the twerper '" + (*document.scene().procedures)[i].name + "' returned no number and is linear there: " + why,
-        (*document.scene().procedures)[i].code->source);
-}
-
 // Reads a query of a sound at a time.
-Value Program::Compiled::heard(const Target& target, Time t, Asking& asking) const {
-  const auto number = [&](FunctionId f) { return std::get<double>(read(Target(target.object, f), t, asking)); };
-  const auto& sounds = *document.scene().sounds;
-  const auto found = sounds.find(*std::get<Text>(read(Target(target.object, fn::sound_file), t, asking)));
+Value heard(const Program::Compiled& c, const Target& target, Time t, Asking& asking) {
+  const auto number = [&](FunctionId f) { return std::get<double>(c.read(Target(target.object, f), t, asking)); };
+  const auto& sounds = *c.document.scene().sounds;
+  const auto found = sounds.find(*std::get<Text>(c.read(Target(target.object, fn::sound_file), t, asking)));
   if (found == sounds.end()) return 0.0;
   const Sound& sound = *found->second;
   const AudiblePart part = audible_part(sound.seconds, number);
@@ -45,6 +39,8 @@ Value Program::Compiled::heard(const Target& target, Time t, Asking& asking) con
     return static_cast<double>(sound.onsets_between(part.from, std::min(own, part.end())));
   return number(fn::gain) * part.share(own) * sound.loudness(own);
 }
+
+}  // namespace
 
 Value Program::Compiled::read(const Target& target, Time t, Asking& asking) const {
   const std::uint32_t object = target.object.index;
@@ -62,13 +58,15 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
   }
   if (query == Query::touching) {
     std::vector<std::string> names;
-    for (const ObjectId id : contacts(t, asking)->touching(target.object)) names.push_back(document.name(id));
+    for (const ObjectId id : betwixt::contacts(*this, t, asking)->touching(target.object))
+      names.push_back(document.name(id));
     return Names(std::move(names));
   }
-  if (query == Query::loudness || query == Query::onsets) return heard(target, t, asking);
-  if (query == Query::in_view) return contacts(t, asking)->sight(target.object) != Sight::out;
-  if (query == Query::world && target.component >= 0) return place(node_of[object], t, asking, target.component);
-  if (query == Query::world) return Matrix(placement(node_of[object], t, asking).in_world());
+  if (query == Query::loudness || query == Query::onsets) return heard(*this, target, t, asking);
+  if (query == Query::in_view) return betwixt::contacts(*this, t, asking)->sight(target.object) != Sight::out;
+  if (query == Query::world && target.component >= 0)
+    return place_of(*this, node_of[object], t, asking, target.component);
+  if (query == Query::world) return Matrix(placement(*this, node_of[object], t, asking).in_world());
   if (target.velocity) {
     const auto v = velocity(object, target.function, t, asking);
     return part(v.value_or(Value(0.0)), target.component);
@@ -89,9 +87,9 @@ Value Program::Compiled::read(const Target& target, Time t, Asking& asking) cons
       if (w.a != w.b) {
         // A focus is given as a distance in front of the camera.
         const bool focus = target.function == fn::focus;
-        const auto own = focus ? inverse(placement(node_of[object], t, asking).in_world()) : std::nullopt;
+        const auto own = focus ? inverse(placement(*this, node_of[object], t, asking).in_world()) : std::nullopt;
         const auto there = [&](std::uint32_t node) {
-          const Vec3 p = place(node, t, asking);
+          const Vec3 p = place_of(*this, node, t, asking);
           return own ? Vec3{0, 0, transform_point(*own, p).z} : p;
         };
         std::vector<double> numbers = rest;
@@ -132,7 +130,7 @@ std::vector<Value> read_all(const Program::Compiled& code, const std::vector<Tar
     out.push_back(wants_world(target) && all ? place_in(all->world(code.node_of[target.object.index]), target.component)
                                              : code.read(target, t, asking));
   }
-  code.say(failed, asking);
+  asking.say_all(failed, code.document.scene());
   return out;
 }
 
@@ -144,7 +142,7 @@ bool looks_far(const Target& t) { return t.query() == Query::touching || t.query
 std::vector<Value> Program::read(const std::vector<Target>& targets, Time t, std::vector<std::string>* problems) const {
   Asking asking;
   std::vector<Value> out = read_all(*code_, targets, t, asking);
-  if (problems) *problems = std::move(asking.problems);
+  if (problems) *problems = to_strings(asking.problems);
   return out;
 }
 
@@ -157,7 +155,7 @@ std::optional<std::vector<Value>> Program::read_within(std::uint64_t steps, cons
   asking.most = steps;
   std::vector<Value> out = read_all(*code_, targets, t, asking);
   if (asking.cost > steps) return std::nullopt;
-  if (problems) *problems = std::move(asking.problems);
+  if (problems) *problems = to_strings(asking.problems);
   return out;
 }
 

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cstring>
 
+#include "program/compile.h"
 #include "program/evaluator.h"
 #include "program/needed.h"
+#include "program/placing.h"
 
 namespace betwixt {
 
-std::optional<Skin> compile_skin(const Program::Compiled& compiled, std::uint32_t drawable) {
+std::optional<Skin> compile_skin(const CompiledFilm& compiled, std::uint32_t drawable) {
   const Scene& scene = compiled.document.scene();
   const Node& n = compiled.nodes[drawable];
   const Binding& file = compiled.find(n.object, fn::file);
@@ -93,7 +95,7 @@ std::shared_ptr<const Mesh> Program::Compiled::posed(std::int32_t skin_number, T
   }
   const auto world = [&](std::uint32_t node) {
     if (all) return all->world(node);
-    const Sited placed = placement(node, t, asking);
+    const Sited placed = placement(*this, node, t, asking);
     return sited ? placed.in_world() : placed.world;
   };
   return deformed(*skin.rest, weights, palette_of(skin, world));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The default camera of films without cameras.
+#include "program/stage.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +12,14 @@
 
 namespace betwixt {
 
+namespace {
+
 // Returns a box around everything visible during the film. Grounds and walls count only if there is nothing else.
-Extent Program::Compiled::stage() const {
+Extent stage_of(const Program::Compiled& compiled) {
   Extent things, grounds;
-  const auto [from, to] = document.range();
+  const auto [from, to] = compiled.document.range();
   constexpr int looks = 24;
-  Evaluator film(*this);
+  Evaluator film(compiled);
   for (int k = 0; k <= looks; ++k) {
     Asking asking;
     film.to({from.flicks + (to - from).flicks / looks * k}, asking);
@@ -37,17 +41,18 @@ Extent Program::Compiled::stage() const {
   return grounds.empty() ? Extent{{-1, -1, -1}, {1, 1, 1}} : grounds;
 }
 
-bool Program::Compiled::sees_all(Time t) const { return !document.scene().appearance.flat && !camera_at(t); }
+}  // namespace
 
-const Camera& Program::Compiled::own_camera() const {
-  std::call_once(own_camera_once, [this] {
-    Camera& c = own_camera_made;
-    c.aspect = document.aspect();
-    if (document.scene().appearance.flat) {
+const Camera& own_camera(const Program::Compiled& compiled) {
+  OwnCamera& own = compiled.caches.camera;
+  std::call_once(own.once, [&] {
+    Camera& c = own.made;
+    c.aspect = compiled.document.aspect();
+    if (compiled.document.scene().appearance.flat) {
       c.world = translation({0, 0, 100}), c.orthographic = true, c.height = 9;
       return;
     }
-    const Extent all = stage();
+    const Extent all = stage_of(compiled);
     c.fov = 2 * std::atan(36.0 / 70);
     // If the film gives no size, fits a picture of 16:9, the widest in common use; then taller pictures fit too.
     const Vec3 middle = 0.5 * (all.low + all.high), half = 0.5 * (all.high - all.low);
@@ -63,7 +68,7 @@ const Camera& Program::Compiled::own_camera() const {
     }
     c.world = look_at(middle + distance * normalize(Vec3{0, 0.12, 1}), middle);
   });
-  return own_camera_made;
+  return own.made;
 }
 
 }  // namespace betwixt

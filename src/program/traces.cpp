@@ -4,12 +4,14 @@
 // Traces: the line that a point of an object has drawn by a time. Its positions are sampled once, at each frame and, on
 // curves, in between. A query takes part of them and adds the present position. The sample times depend on the document
 // alone, so earlier queries do not change a picture's bits.
+#include "program/traces.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/cancellation.h"
 #include "betwixt/document.h"
-#include "program/compiled.h"
+#include "program/placing.h"
 
 namespace betwixt {
 namespace {
@@ -84,9 +86,9 @@ class Tracer {
 
   Vec3 place(Time t) const {
     Asking asking;
-    const Vec3 at = transform_point(c_.placement(static_cast<std::uint32_t>(node_), t, asking).in_world(), point_);
+    const Vec3 at = transform_point(placement(c_, static_cast<std::uint32_t>(node_), t, asking).in_world(), point_);
     if (within_ < 0) return at;
-    const auto back = inverse(c_.placement(static_cast<std::uint32_t>(within_), t, asking).in_world());
+    const auto back = inverse(placement(c_, static_cast<std::uint32_t>(within_), t, asking).in_world());
     return back ? transform_point(*back, at) : Vec3{};
   }
 
@@ -143,35 +145,35 @@ class Tracer {
   std::vector<Look> looks_;
 };
 
-Tracer& Program::Compiled::tracer(std::uint32_t object) const {
+Tracer& Tracers::of(const Program::Compiled& c, std::uint32_t object) {
   {
-    const std::lock_guard lock(tracers_in_use);
-    if (const auto known = tracers.find(object); known != tracers.end()) return *known->second;
+    const std::lock_guard lock(in_use);
+    if (const auto known = all.find(object); known != all.end()) return *known->second;
   }
-  auto made = std::make_shared<Tracer>(*this, object);  // the constructor may need another tracer
-  const std::lock_guard lock(tracers_in_use);
-  return *tracers.emplace(object, std::move(made)).first->second;
+  auto made = std::make_shared<Tracer>(c, object);  // the constructor may need another tracer
+  const std::lock_guard lock(in_use);
+  return *all.emplace(object, std::move(made)).first->second;
 }
 
-Points Program::Compiled::trace(std::uint32_t object, Time t, Asking& asking) const {
-  const std::lock_guard lock(tracing);
-  Tracer& all = tracer(object);
+Points trace(const Program::Compiled& c, std::uint32_t object, Time t, Asking& asking) {
+  const std::lock_guard lock(c.caches.tracers.drawing);
+  Tracer& all = c.caches.tracers.of(c, object);
   std::vector<Vec3> points = all.by(t);
   asking.work(points.size());
   if (all.within() < 0 || points.empty()) return points;
-  const Mat4 paper = placement(static_cast<std::uint32_t>(all.within()), t, asking).in_world();
-  const auto own = inverse(placement(node_of[object], t, asking).in_world());
+  const Mat4 paper = placement(c, static_cast<std::uint32_t>(all.within()), t, asking).in_world();
+  const auto own = inverse(placement(c, c.node_of[object], t, asking).in_world());
   const Mat4 shown = own ? *own * paper : paper;
   for (Vec3& p : points) p = transform_point(shown, p);
   return points;
 }
 
 // Called by the clock: takes no lock that drawing holds.
-bool Program::Compiled::tracing_at(Time t) const {
-  const Scene& scene = document.scene();
-  return std::any_of(drawables.begin(), drawables.end(), [&](const Drawable& d) {
-    const Node& n = nodes[static_cast<std::size_t>(&d - drawables.data())];
-    return n.kind == Kind::trace && !scene.objects[n.object].removed && tracer(n.object).goes_on(t);
+bool tracing_at(const Program::Compiled& c, Time t) {
+  const Scene& scene = c.document.scene();
+  return std::any_of(c.drawables.begin(), c.drawables.end(), [&](const Drawable& d) {
+    const Node& n = c.nodes[static_cast<std::size_t>(&d - c.drawables.data())];
+    return n.kind == Kind::trace && !scene.objects[n.object].removed && c.caches.tracers.of(c, n.object).goes_on(t);
   });
 }
 

@@ -38,25 +38,26 @@ std::optional<Value> slope(const Value (&v)[3], double seconds, Type type) {
   return value_of_numbers(type, one);
 }
 
-}  // namespace
-
-bool Program::Compiled::said_velocity(const LivePart& part, Time t, bool coming, double* out) const {
+// Takes the rate from a velocity in force or from the curve. Returns false if neither gives one.
+bool said_velocity(const CompiledFilm& film, const LivePart& part, Time t, bool coming, double* out) {
   if (part.pieces.empty()) return false;
   const Time just_before{t.flicks - 1};
   const Piece& p = part.pieces[part.piece_at(coming ? just_before : t)];
   if (p.reign >= 0) {
-    const Curve& rate = reigns[static_cast<std::size_t>(p.reign)].velocity();
-    set.evaluate(rate, coming ? just_before : t, out);
+    const Curve& rate = film.reigns[static_cast<std::size_t>(p.reign)].velocity();
+    film.set.evaluate(rate, coming ? just_before : t, out);
     if (!coming) return true;
     double earlier[4] = {};  // extrapolates to the time itself
-    set.evaluate(rate, {t.flicks - 2}, earlier);
+    film.set.evaluate(rate, {t.flicks - 2}, earlier);
     for (std::size_t i = 0; i < rate.channels; ++i) out[i] += out[i] - earlier[i];
     return true;
   }
   if (p.scripted || row_of(part.type).light) return false;
-  if (p.primary.count > 0) set.derivative(p.primary, t, out, coming);
+  if (p.primary.count > 0) film.set.derivative(p.primary, t, out, coming);
   return p.primary.count > 0;
 }
+
+}  // namespace
 
 std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionId f, Time t, Asking& asking,
                                                  bool coming) const {
@@ -81,7 +82,7 @@ std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionI
     bool all = live.strands.size() == 1 && own.filters.empty() && !own.parts.empty();
     bool orientation = false;
     for (const LivePart& part : own.parts) {
-      all = all && said_velocity(part, t, coming, n + std::max(part.component, 0));
+      all = all && said_velocity(*this, part, t, coming, n + std::max(part.component, 0));
       orientation = orientation || part.orientation;
     }
     if (all) return as_rate(n, orientation);
