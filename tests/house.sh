@@ -5,7 +5,7 @@
 # The rules of the house: no room includes a lower one, public headers include no third party, every file has its licence
 # and its layout, every item has a test, the links of the pages lead somewhere, and the prose is plain.
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
-rooms=(base syntax algebra track scene program procedure exchange language commands editor export render film lsp server app studio)
+rooms=(base syntax algebra track scene program procedure exchange language commands editor export render film playback lsp server app studio)
 passed=0 failed=0
 # verdict WHAT FINDINGS: passes where there are no findings.
 verdict() {

@@ -31,7 +31,7 @@ def environment(program):
     env.setdefault("LSAN_OPTIONS", f"suppressions={ROOT}/tests/leaks.txt:print_suppressions=0")
     # The threads of the graphics driver live on while the leak checker stops all threads to look, and now and then it
     # crashes on them. So it does not look where there is graphics.
-    if re.search(r"test_(render|film|server)$", program):
+    if re.search(r"test_(render|film|playback|server)$", program):
         env.setdefault("ASAN_OPTIONS", "detect_leaks=0")
     return env
 

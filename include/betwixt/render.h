@@ -27,6 +27,7 @@ struct RenderOptions {
   // with this option; without it, it is black.
   bool linear = false;
   bool unclamped = false;  // of linear light: keeps light above white; otherwise it is rolled off, as in other pictures
+  friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
 // Motion blur and depth of field.
