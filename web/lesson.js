@@ -158,7 +158,7 @@ const bracketed = (parent, kind = "") => {
   return Array.from({length: size}, () => put(body, "tr"))
     .map((row) => Array.from({length: size}, () => put(row, "td")));
 };
-// Of the twelve numbers, those that the plane needs.
+// Returns which of the twelve numbers a plane or space shows, by rows.
 const across = () => lesson.planar ? [[0, 1, 3], [4, 5, 7]] : [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11]];
 const fill = (cells, write) => {
   const rows = across();
@@ -398,26 +398,26 @@ const readPoints = (text) => text.split(";")
                                .map((p) => [...p, 0].slice(0, 3))
                                .slice(0, 50);
 const fromAddress = () => {
-  const said = new Map(location.hash.slice(1).split("&").map(
+  const settings = new Map(location.hash.slice(1).split("&").map(
     (part) => [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)]));
   const numberOf = (name, low, high) => {
-    const x = Number(said.get(name) || NaN);
+    const x = Number(settings.get(name) || NaN);
     return x >= low && x <= high ? x : null;
   };
   clearTimeout(noting);
-  state.t = numberOf("t", 0, 1) ?? (said.has("m") ? 0.4 : state.t);
+  state.t = numberOf("t", 0, 1) ?? (settings.has("m") ? 0.4 : state.t);
   state.steps = Math.round(numberOf("n", 1, 2000) ?? state.steps);
-  const view = (said.get("v") || "").split(",").map(Number);
+  const view = (settings.get("v") || "").split(",").map(Number);
   if (view.length === 2 && view.every(Number.isFinite))
     [state.yaw, state.pitch] = [view[0], Math.max(-1.5, Math.min(1.5, view[1]))];
   // A string in the address has its own points.
-  const points = said.has("m") ? readPoints(said.get("p") || "") : state.points;
+  const points = settings.has("m") ? readPoints(settings.get("p") || "") : state.points;
   const other = pointsText(points) !== pointsText(state.points);
   state.points = points;
   let text = state.text;
   try {
-    text = said.has("m") ? decodeURIComponent(said.get("m")) : text;
-  } catch { /* no text of an address: the string stays */
+    text = settings.has("m") ? decodeURIComponent(settings.get("m")) : text;
+  } catch { /* the address has no valid text, so the string stays */
   }
   stop();
   if (!lesson) change(given.text, "address");  // a valid string is needed, even if the address has none

@@ -69,7 +69,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     #root;
     #parts;
     #size = sheet();      // its size and its background
-    #said_size = "";
+    #size_rule = "";
     #film = null;         // the film that is shown
     #engine = null;
     #source = null;       // a FilmSource
@@ -94,7 +94,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     #pulse = 0;
     #updated = 0;
     #promises = [];
-    #posing = true;       // the poster is shown until the film plays or seeks
+    #poster_waits = true; // the poster is shown until the film plays or seeks
     #stage_size = [0, 0]; // in pixels of the page
     #drawn = {};
     #trouble = "";        // the error of the last draw
@@ -122,9 +122,9 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       // Properties that were set before the element was defined hide the accessors, so set them again.
       for (const name of ["files", "script", "currentTime", "playbackRate", "src", ...flags])
         if (Object.hasOwn(this, name)) {
-          const said = this[name];
+          const value = this[name];
           delete this[name];
-          this[name] = said;
+          this[name] = value;
         }
       BetwixtPlayer.#seen.observe(this);
       BetwixtPlayer.#near.observe(this);
@@ -226,7 +226,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       if (this.#paused) {
         this.#set_clock(this.#time);
         this.#paused = false;
-        this.#posing = false;
+        this.#poster_waits = false;
         this.#fire("play");
         this.#fire(this.#ready > 2 ? "playing" : "waiting");
       }
@@ -256,7 +256,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#source = null;
       this.#error = null;
       this.#begin = 0;
-      this.#posing = true;
+      this.#poster_waits = true;
       this.#may_autoplay = true;
       if (was_there) this.#fire("emptied");
       if (!this.#paused) this.#paused = true;
@@ -338,9 +338,9 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
         if (signal.aborted) return;
         const film = await source.open(this.#engine, signal);
         if (signal.aborted) film.dispose();
-        else this.#take(film);
+        else this.#use_film(film);
       } catch (error) {
-        if (!signal.aborted) this.#fail(4, has_words(error));
+        if (!signal.aborted) this.#fail(4, message_of(error));
       } finally {
         if (this.#loading === loading) this.#loading = null;
       }
@@ -352,22 +352,22 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       try {
         film = this.#source.open_now(this.#engine);
       } catch (error) {
-        this.#fail(3, has_words(error));
+        this.#fail(3, message_of(error));
         return;
       }
       if (!this.#source.missing(film).length) {
-        this.#take(film);
+        this.#use_film(film);
         return;
       }
       film.dispose();
       const loading = (this.#loading = new AbortController());
       this.#source.open(this.#engine, loading.signal)
-        .then((film) => (loading.signal.aborted ? film.dispose() : this.#take(film)))
-        .catch((error) => loading.signal.aborted || this.#fail(3, has_words(error)))
+        .then((film) => (loading.signal.aborted ? film.dispose() : this.#use_film(film)))
+        .catch((error) => loading.signal.aborted || this.#fail(3, message_of(error)))
         .finally(() => this.#loading === loading && (this.#loading = null));
     }
 
-    #take(film) {
+    #use_film(film) {
       this.#network = 1;
       this.#diagnostics = film.diagnostics;
       this.#text_wrong = !film.ok;
@@ -465,13 +465,13 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       const before = this.#time, now = this.#now(), end = this.duration;
       if (now >= 0 && now < end) {
         this.#set_clock(now);
-        this.#say_notes(before, now);
+        this.#fire_notes(before, now);
       } else if (this.loop) {
         this.#set_clock(now - Math.floor(now / end) * end);
         for (const name of ["seeking", "timeupdate", "seeked"]) this.#fire(name);
       } else {
         this.#set_clock(now < 0 ? 0 : end);
-        this.#say_notes(before, this.#time);
+        this.#fire_notes(before, this.#time);
         this.#fire("timeupdate");
         this.#end();
         this.#update();
@@ -485,7 +485,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#fire("ended");
     }
 
-    #say_notes(before, now) {
+    #fire_notes(before, now) {
       for (const note of this.#film.notes ?? []) {
         const at = note.seconds - this.#film.start;
         if (before < now ? at > before && at <= now : at < before && at >= now)
@@ -495,15 +495,15 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
 
     #seek(time) {
       this.#set_clock(clamp(time, 0, this.duration));
-      this.#posing = false;
+      this.#poster_waits = false;
       if (!this.#seeking) {
         this.#seeking = true;
         this.#fire("seeking");
       }
-      if (!this.#visible || document.hidden) setTimeout(() => this.#sought());
+      if (!this.#visible || document.hidden) setTimeout(() => this.#end_seek());
       this.#update();
     }
-    #sought() {
+    #end_seek() {
       if (!this.#seeking) return;
       this.#seeking = false;
       this.#set_clock(this.#time);
@@ -575,7 +575,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     #step() {
       this.#tick();
       if (this.#film && this.#visible) this.#draw();
-      this.#sought();
+      this.#end_seek();
       this.#controls.show_time();
       return this.#moving() && this.#visible;
     }
@@ -600,7 +600,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
         canvas.style.height = fills ? "100%" : `${high / ratio}px`;
         film.draw(canvas, seconds);
         this.#drawn = { film, seconds, width, height, count: (drawn.count ?? 0) + 1 };
-        this.#hear_code(film);
+        this.#report_code_errors(film);
         if (!this.#trouble) return;
         this.#trouble = "";
         this.#show();
@@ -610,7 +610,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     }
 
     // Reports errors of the author's code, which appear only when frames are made.
-    #hear_code(film) {
+    #report_code_errors(film) {
       if (this.#text_wrong) return;  // already reported; the film shown is the last good one
       const found = film.problems();
       if (found.length + film.diagnostics.length === this.#diagnostics.length) return;
@@ -621,7 +621,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
 
     // Tries again later: a graphics context can be lost when a machine sleeps or is overloaded.
     #cannot_draw(error) {
-      const words = has_words(error);
+      const words = message_of(error);
       if (this.#trouble !== words) {
         this.#trouble = words;
         this.#fire("error");
@@ -651,20 +651,20 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       // The page shows through a transparent film.
       const behind = this.#film?.clear ? "background: var(--betwixt-letterbox, transparent);" : "";
       const rule = `:host { ${aspect} ${side} ${behind} }`;
-      if (this.#said_size !== rule) this.#size.replaceSync((this.#said_size = rule));
+      if (this.#size_rule !== rule) this.#size.replaceSync((this.#size_rule = rule));
     }
-    #show_poster() { this.#parts.poster.hidden = !(this.#posing && this.poster && !this.#error); }
+    #show_poster() { this.#parts.poster.hidden = !(this.#poster_waits && this.poster && !this.#error); }
 
     #show() {
       const { message, banner, wait, stage, canvas, full } = this.#parts;
-      const said = this.#error ? this.#error.message : this.#trouble && !this.#drawn.count ? this.#trouble : "";
+      const text = this.#error ? this.#error.message : this.#trouble && !this.#drawn.count ? this.#trouble : "";
       const source = this.#source ? this.#source.name : "";
-      message.hidden = !said;
-      if (said) this.#show_message(said);
+      message.hidden = !text;
+      if (text) this.#show_message(text);
       const wrong = this.#diagnostics.find((d) => d.severity === "error");
-      banner.hidden = !!said || !wrong || this.hasAttribute("editing");
+      banner.hidden = !!text || !wrong || this.hasAttribute("editing");
       if (!banner.hidden) banner.textContent = `line ${wrong.line}: ${wrong.text}`;
-      wait.hidden = !(this.#network === 2 && !this.#film) || !!said;
+      wait.hidden = !(this.#network === 2 && !this.#film) || !!text;
       const words = this.alt || first_comment(this.script) || (source && `the film ${source}`) || "a film";
       stage.setAttribute("aria-label", this.getAttribute("aria-label") || `Film: ${source || words}`);
       canvas.setAttribute("aria-label", words);
@@ -672,13 +672,13 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#controls.show();
     }
 
-    #show_message(said) {
+    #show_message(text) {
       const { message } = this.#parts;
       const broken = this.#error && this.#error.code === 3;
       message.replaceChildren();
       const head = document.createElement("strong"), words = document.createElement("pre");
       head.textContent = broken ? "This film has errors" : "This film cannot be shown";
-      words.textContent = said.trim();
+      words.textContent = text.trim();
       message.append(head, words);
       if (broken) return;
       const again = document.createElement("button");
