@@ -6,7 +6,7 @@
 # every file has its licence and its format, every item of tests/coverage.txt has a test, all links of the pages have a
 # target, and the texts are plain.
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
-rooms=(base syntax algebra track scene program procedure exchange language commands editor export render film lsp server app studio)
+rooms=(base syntax algebra track scene program procedure exchange language commands editor export render film playback lsp server app studio)
 passed=0 failed=0
 # verdict WHAT FINDINGS: passes if FINDINGS is empty.
 verdict() {
