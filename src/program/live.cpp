@@ -63,7 +63,10 @@ struct Worker : LiveParts {
 
   // Returns the object's own value without code, filters and layers, for a cycle or too much work.
   Value without_asking(Time t, int component) const {
-    if (component >= 0) return settled(*part_of(component), t);
+    if (component >= 0) {
+      const LivePart* part = part_of(component);
+      return part ? settled(*part, t) : component_of(live.strands[0].set, component);
+    }
     const LiveStrand& own = live.strands[0];
     if (own.plain >= 0) return strand_value(own, 0, t);
     if (own.parts.size() == 1 && own.parts[0].component < 0) return settled(own.parts[0], t);
@@ -139,7 +142,8 @@ struct Worker : LiveParts {
   Value value(Time t, int component) const {
     if (component >= 0) {
       const FunctionSpec& spec = spec_of(scene, live.function);
-      const Value v = part_value(*part_of(component), t);
+      const LivePart* part = part_of(component);
+      const Value v = part ? part_value(*part, t) : component_of(live.strands[0].set, component);
       const auto* d = std::get_if<double>(&v);
       return d ? Value(std::clamp(*d, spec.low, spec.high)) : v;
     }
