@@ -12,7 +12,7 @@ pybind11_add_module(betwixt_python NO_EXTRAS ${python_sources})
 set(python_package ${CMAKE_BINARY_DIR}/python/betwixt)
 set_target_properties(betwixt_python PROPERTIES UNITY_BUILD ${BETWIXT_JUMBO} UNITY_BUILD_BATCH_SIZE 5 OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${python_package})
 target_compile_definitions(betwixt_python PRIVATE BETWIXT_VERSION="${PROJECT_VERSION}")
-target_link_libraries(betwixt_python PRIVATE betwixt_film)
+target_link_libraries(betwixt_python PRIVATE betwixt_playback)
 target_link_options(betwixt_python PRIVATE -Wl,--exclude-libs,ALL)
 add_dependencies(betwixt_python betwixt_parser)
 

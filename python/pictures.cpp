@@ -10,7 +10,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "betwixt/film.h"
@@ -18,6 +17,7 @@
 #include "betwixt/picture.h"
 #include "betwixt/render.h"
 #include "errors.h"
+#include "playback/film_player.h"
 #include "says.h"
 #include "times.h"
 #include "values.h"
@@ -41,23 +41,12 @@ std::optional<Blur> exposure_of(const Document& document, const std::optional<st
 
 // Each thread keeps the renderer that it used last, because the next picture mostly has the same options.
 Renderer& renderer_for(const RenderOptions& wanted) {
-  struct Kept {
-    RenderOptions options;
-    std::unique_ptr<Renderer> renderer;
-    pid_t owner = ::getpid();
-  };
-  static thread_local Kept kept;
+  static thread_local auto kept = std::make_unique<RendererCache>();
+  static thread_local pid_t owner = ::getpid();
   // A forked process has only the memory of its parent's renderer, without the threads and the graphics context. It
   // cannot even destroy that renderer.
-  if (kept.owner != ::getpid()) (void)kept.renderer.release(), kept.owner = ::getpid();
-  const auto all = [](const RenderOptions& o) {
-    return std::tie(o.width, o.height, o.samples, o.style, o.linear, o.unclamped);
-  };
-  if (!kept.renderer || all(kept.options) != all(wanted)) {
-    kept.renderer.reset();
-    kept = {wanted, value_or_raise(make_renderer(wanted))};
-  }
-  return *kept.renderer;
+  if (std::exchange(owner, ::getpid()) != ::getpid()) (void)kept.release(), kept = std::make_unique<RendererCache>();
+  return *value_or_raise(kept->get(wanted));
 }
 
 Pixels draw(const Program& program, Time t, RenderOptions options, const std::optional<Blur>& exposure,

@@ -33,7 +33,7 @@ def environment(program):
     env.setdefault("LSAN_OPTIONS", f"suppressions={ROOT}/tests/leaks.txt:print_suppressions=0")
     # The leak checker stops all threads, and sometimes crashes on the threads of the graphics driver. So it is off in
     # programs that use graphics.
-    if re.search(r"test_(render|film|server)$", program):
+    if re.search(r"test_(render|film|playback|server)$", program):
         env.setdefault("ASAN_OPTIONS", "detect_leaks=0")
     return env
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files of others in pages: read by a program of its own here too (reader.cpp), which comes when a film has such files.
-// Most have none.
+// Reads foreign files in pages. As elsewhere, a separate program does it (reader.cpp). The page loads it only if a film
+// has such files, because most have none.
 #include <emscripten.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,13 +16,14 @@
 #include "base/files.h"
 #include "exchange/parser_process.h"
 
-// The files that it asked for, a line each, for free(); null: there is no reader. What it read is in /handed.
+// Reads a file in the reader, and leaves the result in /result. Returns the files that the reader asked for, a line
+// each, or null without a reader. The caller frees the text.
 // clang-format off
-EM_JS(char*, betwixt_read_apart, (int task, const char* path), {
-  var asked = Module.readApart(task, UTF8ToString(path));
-  if (asked === null) return 0;
-  var size = lengthBytesUTF8(asked) + 1, at = _malloc(size);
-  stringToUTF8(asked, at, size);
+EM_JS(char*, betwixt_read_in_reader, (int task, const char* path), {
+  var needed = Module.readInReader(task, UTF8ToString(path));
+  if (needed === null) return 0;
+  var size = lengthBytesUTF8(needed) + 1, at = _malloc(size);
+  stringToUTF8(needed, at, size);
   return at;
 })
 // clang-format on
@@ -32,20 +33,20 @@ namespace betwixt {
 std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read, bool,
                                   std::optional<ParserCeilings>) {
   if (read_contents(path).problem != ReadProblem::none) return read_whole(path).error();
-  const std::unique_ptr<char, decltype(&std::free)> asked(betwixt_read_apart(static_cast<int>(task), path.c_str()),
-                                                          std::free);
-  if (!asked)
+  const std::unique_ptr<char, decltype(&std::free)> needed(betwixt_read_in_reader(static_cast<int>(task), path.c_str()),
+                                                           std::free);
+  if (!needed)
     return fail(ErrorCode::machine, "what reads files is not in this page yet", "await engine.prepare(files)");
-  std::istringstream lines(asked.get());
+  std::istringstream lines(needed.get());
   for (std::string file; std::getline(lines, file);) (void)may_read(file);
-  const OpenFile handed(::open("/handed", O_RDONLY));
+  const OpenFile result(::open("/result", O_RDONLY));
   Parsed out;
-  if (!handed || read_parsed(handed.fd(), out) != 0)
+  if (!result || read_parsed(result.fd(), out) != 0)
     return fail(ErrorCode::file, fmt::format("{} cannot be read", path));
   return out;
 }
 
-// Never: it is read apart, or there is an error.
+// Is never called: files are read by the reader, or not at all.
 Parsed parse_here(ParserTask, const std::string& path, FileSource&, bool) {
   return fail(ErrorCode::file, fmt::format("{} cannot be read", path));
 }

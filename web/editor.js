@@ -98,7 +98,7 @@ i { font-style: normal; }
 .how { padding: 0.25rem 0.9rem; margin: 0; color: var(--quiet); font-size: 12px; border-top: 1px solid var(--edge);
   display: none; }
 .side:has(textarea:focus) .how { display: block; }
-.heard { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+.spoken { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 @media (pointer: coarse) {
   .bar button, .said button { min-width: 44px; min-height: 44px; }
 }
@@ -117,7 +117,7 @@ i { font-style: normal; }
                                 wrap: "off", "aria-describedby": "how" }))),
       element("div", { class: "said", part: "said" }),
       element("p", { class: "how", id: "how" }, "Ctrl-Enter plays. Tab indents; Escape, then Tab leaves the text."),
-      element("span", { class: "heard", role: "status" })));
+      element("span", { class: "spoken", role: "status" })));
 
   class BetwixtEditor extends HTMLElement {
     #root;
@@ -125,9 +125,9 @@ i { font-style: normal; }
     #player = null;
     #first = null;      // the original text
     #due = 0;
-    #leaves = false;    // whether Escape was the last key
+    #tab_leaves = false; // whether Escape was the last key
     #wrong = new Set(); // lines with errors
-    #hears = new AbortController();
+    #listening = new AbortController();
 
     constructor() {
       super();
@@ -137,13 +137,13 @@ i { font-style: normal; }
       this.#root.querySelector("[data-do=revert]").disabled = true;
       const part = (name) => this.#root.querySelector(name);
       this.#parts = { name: part(".name"), area: part(".area"), lines: part(".lines"), colours: part(".colours"),
-                      text: part("textarea"), said: part(".said"), heard: part(".heard"), slot: part("slot") };
+                      text: part("textarea"), said: part(".said"), spoken: part(".spoken"), slot: part("slot") };
       const { text, slot } = this.#parts;
       for (const button of this.#root.querySelectorAll("[data-do]"))
         button.addEventListener("click", () => this.#act(button));
       text.addEventListener("input", () => this.#changed());
       text.addEventListener("keydown", (event) => this.#key(event));
-      text.addEventListener("blur", () => (this.#leaves = false));
+      text.addEventListener("blur", () => (this.#tab_leaves = false));
       slot.addEventListener("slotchange", () => this.#find_player());
     }
 
@@ -164,13 +164,13 @@ i { font-style: normal; }
     #find_player() {
       const player = this.querySelector("betwixt-player");
       if (player !== this.#player) {
-        this.#hears.abort();
-        this.#hears = new AbortController();
+        this.#listening.abort();
+        this.#listening = new AbortController();
         this.#player = player;
         this.#first = null;
         player?.setAttribute("editing", "");
-        player?.addEventListener("diagnostics", (event) => this.#say(event.detail.diagnostics), this.#hears);
-        player?.addEventListener("error", () => this.#take_text(), this.#hears);
+        player?.addEventListener("diagnostics", (event) => this.#show_diagnostics(event.detail.diagnostics), this.#listening);
+        player?.addEventListener("error", () => this.#take_text(), this.#listening);
       }
       this.#take_text();
     }
@@ -223,14 +223,14 @@ i { font-style: normal; }
       this.#parts.colours.replaceChildren(shown);
     }
 
-    #say(diagnostics) {
+    #show_diagnostics(diagnostics) {
       this.#take_text();
-      const { said, heard } = this.#parts;
-      const told = diagnostics.filter((d) => d.severity !== "notice");
-      const wrong = told.filter((d) => d.severity === "error");
+      const { said, spoken } = this.#parts;
+      const shown = diagnostics.filter((d) => d.severity !== "notice");
+      const wrong = shown.filter((d) => d.severity === "error");
       this.#wrong = new Set(wrong.filter((d) => this.#is_here(d)).map((d) => d.line));
-      said.replaceChildren(...told.slice(0, 50).map((d) => this.#item(d)));
-      heard.textContent = wrong.length ? `Line ${wrong[0].line}: ${wrong[0].text}` : "";
+      said.replaceChildren(...shown.slice(0, 50).map((d) => this.#item(d)));
+      spoken.textContent = wrong.length ? `Line ${wrong[0].line}: ${wrong[0].text}` : "";
       this.#colour();
     }
     #is_here(d) { return !d.file || d.file.split("/").pop() === this.#name(); }
@@ -292,7 +292,7 @@ i { font-style: normal; }
         event.preventDefault();
         if (this.#player?.paused) this.#player.play().catch(() => {});
         else this.#player?.pause();
-      } else if (key === "Tab" && !this.#leaves && !ctrl && !event.altKey && !event.shiftKey) {
+      } else if (key === "Tab" && !this.#tab_leaves && !ctrl && !event.altKey && !event.shiftKey) {
         event.preventDefault();
         this.#type("  ");
       } else if (key === "Enter" && !event.isComposing && !event.shiftKey) {
@@ -303,7 +303,7 @@ i { font-style: normal; }
           this.#type("\n" + indent);
         }
       }
-      this.#leaves = key === "Escape" || (this.#leaves && key === "Shift");
+      this.#tab_leaves = key === "Escape" || (this.#tab_leaves && key === "Shift");
     }
 
     #act(button) {

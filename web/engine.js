@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The engine for pages: Betwixt.engine() returns the page's engine, engine.open(text) a film. engine.cpp is the other
-// half. The build wraps all parts of the player in one function. There `makeBetwixt` is Emscripten's, `wasmBytes(name)`
+// The engine for pages: Betwixt.engine() returns the page's engine, engine.open(text) a film. It calls the functions of
+// engine.cpp. The build wraps all parts of the player in one function. There `makeBetwixt` is Emscripten's, `wasmBytes(name)`
 // returns a program, and `algebraOf` is in algebra.js.
 
 const Betwixt = (globalThis.Betwixt ??= {});
@@ -10,7 +10,7 @@ const Betwixt = (globalThis.Betwixt ??= {});
 class Film {
   #engine;
   #handle;
-  #bitmaps = new WeakMap();
+  #contexts = new WeakMap();
 
   constructor(engine, handle) {
     this.#engine = engine;
@@ -25,9 +25,9 @@ class Film {
     const { width, height } = canvas;
     if (!width || !height) return;
     this.#engine.picture(width, height, () => this.#engine.call("betwixt_draw", this.#handle, seconds, width, height));
-    const kind = this.#bitmaps.get(canvas) ?? (canvas.getContext("bitmaprenderer") || canvas.getContext("2d"));
-    this.#bitmaps.set(canvas, kind);
-    this.#engine.hand_over(kind, width, height);
+    const context = this.#contexts.get(canvas) ?? (canvas.getContext("bitmaprenderer") || canvas.getContext("2d"));
+    this.#contexts.set(canvas, context);
+    this.#engine.copy_to(context, width, height);
   }
   // Returns the value of a target at a time (seconds, or a text such as "24f") as `betwixt eval --json` gives it; with
   // `text`, as `betwixt eval` prints it.
@@ -59,9 +59,9 @@ class Film {
     this.#alive();
     const when = times.map((t) => (typeof t === "number" ? `${t}s` : String(t)));
     const words = this.#engine.call("betwixt_eval", this.#handle, targets.join("\n"), when.join("\n"), one);
-    const said = JSON.parse(words);
-    if (said.error) throw new Error(said.error);
-    return text ? words : said;
+    const result = JSON.parse(words);
+    if (result.error) throw new Error(result.error);
+    return text ? words : result;
   }
 }
 
@@ -70,13 +70,13 @@ class Engine {
   #canvas = null;
   #lost = false;
   #reader = null;
-  #coming = null;
+  #loading_reader = null;
   #files = {};  // of the film that is opening
 
   constructor(module) {
     this.#module = module;
     module.makeCanvas = () => this.#make_canvas();
-    module.readApart = (task, path) => this.#read_apart(task, path);
+    module.readInReader = (task, path) => this.#read_in_reader(task, path);
     module.FS.mkdir("/film");
     module.FS.mkdir("/fonts");
     module.FS.chdir("/film");
@@ -87,8 +87,8 @@ class Engine {
   // Loads the reader of meshes, scenes, drawings and pictures if one of the files needs it.
   async prepare(files) {
     if (this.#reader || Object.keys(files).every((path) => /\.(bx|ttf|otf|ttc)$/i.test(path))) return;
-    this.#coming ??= reader().finally(() => (this.#coming = null));
-    this.#reader = await this.#coming;
+    this.#loading_reader ??= reader().finally(() => (this.#loading_reader = null));
+    this.#reader = await this.#loading_reader;
   }
 
   // Opens the film of a script. `files` has the bytes of its files by path, and fonts (.ttf, .otf) by any path.
@@ -133,8 +133,8 @@ class Engine {
       return at;
     });
     try {
-      const got = m["_" + name](...given);
-      return number ? got : got ? m.UTF8ToString(got) : "";
+      const returned = m["_" + name](...given);
+      return number ? returned : returned ? m.UTF8ToString(returned) : "";
     } catch (e) {
       throw e instanceof WebAssembly.RuntimeError || e?.name === "ExitStatus"
         ? new Error("the film took more than this page has: " + e.message, { cause: e })
@@ -156,15 +156,16 @@ class Engine {
     const why = draw();
     if (why) throw new Error(why);
   }
-  hand_over(kind, width, height) {
-    if (kind.transferFromImageBitmap) return kind.transferFromImageBitmap(this.#canvas.transferToImageBitmap());
-    kind.clearRect(0, 0, width, height);
-    kind.drawImage(this.#canvas, 0, 0);
+  // Copies the hidden canvas to the canvas of a context.
+  copy_to(context, width, height) {
+    if (context.transferFromImageBitmap) return context.transferFromImageBitmap(this.#canvas.transferToImageBitmap());
+    context.clearRect(0, 0, width, height);
+    context.drawImage(this.#canvas, 0, 0);
   }
 
   // Reads a file in the reader's module, and puts the result where apart.cpp finds it. Returns the paths of the files that
   // the reader asked for, a line each, or null without a reader.
-  #read_apart(task, path) {
+  #read_in_reader(task, path) {
     if (!this.#reader) return null;
     const { FS, UTF8ToString, stringToUTF8, lengthBytesUTF8, _malloc, _free } = this.#reader;
     const written = [];
@@ -177,14 +178,14 @@ class Engine {
       }
       const size = lengthBytesUTF8(path) + 1, at = _malloc(size);
       stringToUTF8(path, at, size);
-      const asked = UTF8ToString(this.#reader._betwixt_parse(task, at));
+      const needed = UTF8ToString(this.#reader._betwixt_parse(task, at));
       _free(at);
-      this.#module.FS.writeFile("/handed", FS.readFile("/handed"));
+      this.#module.FS.writeFile("/result", FS.readFile("/result"));
       for (const file of written) FS.unlink(file);
-      return asked;
+      return needed;
     } catch {
       this.#reader = null;  // a reader that failed is in an unknown state
-      this.#module.FS.writeFile("/handed", "");
+      this.#module.FS.writeFile("/result", "");
       return "";
     }
   }

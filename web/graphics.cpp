@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The context in pages: one of WebGL 2 for all films, on a canvas of its own that nobody sees; what was drawn there is
-// handed to the canvases that are seen (engine.js). So a page has as many players as it likes.
+// The graphics context of a page. All films share one context of WebGL 2 on a hidden canvas, and engine.js copies each
+// picture to a visible one. So a page can have any number of players.
 #include "graphics.h"
 
 #include <emscripten.h>
@@ -32,7 +32,6 @@ namespace betwixt {
 namespace {
 
 EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
-unsigned made = 0;
 
 }  // namespace
 
@@ -40,7 +39,6 @@ void forget_graphics() {
   if (context > 0) emscripten_webgl_destroy_context(context);
   context = 0;
 }
-unsigned graphics_generation() { return context > 0 ? made : 0; }
 
 namespace gl {
 
@@ -49,7 +47,6 @@ Result<Context> Context::create() {
     context = betwixt_make_context();
     if (context <= 0)
       return fail(ErrorCode::machine, "this browser draws no pictures: it has no WebGL 2, or it is switched off");
-    ++made;
   }
   return Context(nullptr, &context);
 }
@@ -63,7 +60,7 @@ Current::~Current() = default;
 }  // namespace betwixt
 
 bool epoxy_has_gl_extension(const char* name) {
-  // Half floats are all that is drawn on, and some graphics of phones have no more than these.
+  // Renderers draw to half floats only, and the graphics of some phones have only these.
   return std::string_view(name) == "GL_EXT_color_buffer_float" &&
          (emscripten_webgl_enable_extension(betwixt::context, "EXT_color_buffer_float") ||
           emscripten_webgl_enable_extension(betwixt::context, "EXT_color_buffer_half_float"));

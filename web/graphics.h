@@ -4,8 +4,8 @@
 
 namespace betwixt {
 
-// The browser has taken the context away: the next renderer makes another. What was drawn with it is to be forgotten.
+// Drops the context, which the browser has taken away. The next renderer makes another one. First destroy all renderers
+// of the old one.
 void forget_graphics();
-unsigned graphics_generation();  // the number of the context, 0: there is none
 
 }  // namespace betwixt

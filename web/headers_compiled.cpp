@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Libraries that are headers, compiled.
+// Compiles the libraries that consist of headers.
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_GIF
 #define STBI_NO_HDR
@@ -18,7 +18,7 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
-// Pictures are kept as they are: what would take them apart is there by name only.
+// Pictures stay encoded, so these functions do nothing; the library only needs their names.
 namespace tinygltf {
 bool LoadImageData(Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
   return false;

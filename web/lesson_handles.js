@@ -195,9 +195,9 @@ const dragGrip = (down, grip) => {
   down.stopPropagation();
   const perPixel = 1 / stage.w.svg.getScreenCTM().a, {what, i} = grip, first = shownText;
   holding = stage.seen;
-  let wanted = null, asked = 0;
+  let wanted = null, scheduled = 0;
   const go = () => {
-    asked = 0;
+    scheduled = 0;
     const now = gripsOf(lesson.factors).find((g) => g.i === i && g.what === what);
     changeBy(
       now, dragged(grip.at, (wanted.clientX - down.clientX) * perPixel, (wanted.clientY - down.clientY) * perPixel),
@@ -208,10 +208,10 @@ const dragGrip = (down, grip) => {
     down,
     (e) => {
       wanted = e;
-      asked ||= requestAnimationFrame(go);
+      scheduled ||= requestAnimationFrame(go);
     },
     () => {
-      if (asked) cancelAnimationFrame(asked), go();
+      if (scheduled) cancelAnimationFrame(scheduled), go();
       holding = null;
       dragFine = false;
       if (shownText === first) return;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What C++20 has and the standard library of Emscripten 3.1 lacks; read before every file there.
+// Parts of C++20 that the standard library of Emscripten 3.1 lacks. The build includes this before every file.
 #pragma once
 #ifdef __cplusplus
 #include <fast_float/fast_float.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Meshes in pages that are not glTF or PLY: OBJ, by tinyobjloader. Of what the program reads by a large library, pages
-// made by `betwixt web` bring what it read along, as glTF under the file's own name.
+// Reads OBJ in pages, with tinyobjloader. Other formats need a large library that pages do not have. `betwixt web`
+// converts such files to glTF and puts them into the page under their own names.
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
@@ -18,7 +18,7 @@
 namespace betwixt {
 namespace {
 
-// What the program's reader takes faces for that name no material.
+// The colour of faces without a material, as in the reader of the program.
 constexpr std::array<float, 3> without_material{0.6F, 0.6F, 0.6F};
 
 using Corner = tinyobj::index_t;
@@ -28,7 +28,7 @@ std::filesystem::path beside(const std::string& path, std::string name) {
   return std::filesystem::path(path).parent_path() / name;
 }
 
-// The materials of the libraries that the text names, as one text.
+// Returns the materials of the libraries that the text names, as one text.
 std::string materials_of(const std::string& path, const std::string& text, FileSource& files) {
   std::string all;
   for (std::size_t at = text.find("mtllib"); at != text.npos; at = text.find("mtllib", at + 1)) {
@@ -41,7 +41,7 @@ std::string materials_of(const std::string& path, const std::string& text, FileS
   return all;
 }
 
-// The faces of one material, a vertex a corner.
+// The faces of one material, with a vertex for each corner.
 class Piece {
  public:
   Piece(const tinyobj::attrib_t& from, bool normals, bool uvs) : from_(from), normals_(normals), uvs_(uvs) {}
@@ -74,7 +74,7 @@ class Piece {
       mesh_.uvs.push_back({from_.texcoords[i], 1 - from_.texcoords[i + 1]});
     }
   }
-  // Whether a square's corner `i`, or the one across, lies within what the other three enclose: it is cut from there.
+  // Returns whether a quad is concave at corner `i` or at the opposite one. It is then divided from there.
   bool bends_in(std::uint32_t first, std::size_t i) const {
     const auto p = [&](std::size_t k) {
       const auto& v = mesh_.positions[first + k % 4];
@@ -103,7 +103,8 @@ Result<std::shared_ptr<const Mesh>> load_objects(const std::string& path, const 
   const tinyobj::attrib_t& all = reader.GetAttrib();
   std::map<std::string, std::shared_ptr<const Picture>> pictures;
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
-    std::map<int, std::vector<std::pair<std::size_t, std::size_t>>> faces;  // of each material: first corner, count
+    std::map<int, std::vector<std::pair<std::size_t, std::size_t>>>
+        faces;  // by material: the first corner and the count of each
     std::size_t first = 0;
     for (std::size_t f = 0; f < shape.mesh.num_face_vertices.size(); ++f) {
       const std::size_t count = shape.mesh.num_face_vertices[f];

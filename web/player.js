@@ -30,7 +30,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     #begin = 0;           // start time that was set before there was a film
     #visible = false;
     #promises = [];
-    #posing = true;       // the poster is shown until the film plays or seeks
+    #poster_waits = true;       // the poster is shown until the film plays or seeks
     #picture;             // a FilmPicture
     #controls;            // a PlayerControls
 
@@ -49,7 +49,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
         fire: (name, detail) => this.#fire(name, detail), update: () => this.#update(), in_sight: () => this.#visible,
       });
       this.#picture = new FilmPicture(this.#parts.canvas, {
-        drawn: (film) => this.#hear_code(film), recovered: () => this.#show(),
+        drawn: (film) => this.#report_code_errors(film), recovered: () => this.#show(),
         failed: () => (this.#fire("error"), this.#show()), again: () => this.isConnected && page.wake(this),
       });
       this.#controls = new PlayerControls(this, this.#parts, {
@@ -150,7 +150,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       if (this.paused) {
         this.#clock.set(this.#clock.time);
         this.#clock.paused = false;
-        this.#posing = false;
+        this.#poster_waits = false;
         this.#fire("play");
         this.#fire(this.#ready > 2 ? "playing" : "waiting");
       }
@@ -179,7 +179,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#loader.forget();
       this.#error = null;
       this.#begin = 0;
-      this.#posing = true;
+      this.#poster_waits = true;
       this.#may_autoplay = true;
       if (was_there) this.#fire("emptied");
       this.#clock.paused = true;
@@ -304,7 +304,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     #frames_at(time) { return clamp(Math.floor(time * this.#film.fps + 1e-6), 0, this.#frames - 1); }
 
     #seek(time) {
-      this.#posing = false;
+      this.#poster_waits = false;
       this.#clock.seek(time);
     }
 
@@ -343,7 +343,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     #step() {
       this.#clock.tick();
       if (this.#film && this.#visible) this.#draw();
-      this.#clock.sought();
+      this.#clock.end_seek();
       this.#controls.show_time();
       return this.#clock.moving() && this.#visible;
     }
@@ -354,7 +354,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     }
 
     // Reports errors of the author's code, which appear only when frames are made.
-    #hear_code(film) {
+    #report_code_errors(film) {
       if (this.#text_wrong) return;  // already reported; the film shown is the last good one
       const found = film.problems();
       if (found.length + film.diagnostics.length === this.#diagnostics.length) return;
@@ -375,7 +375,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#show();
       page.wake(this);
     }
-    #show_poster() { this.#face.show_poster(this.#posing); }
+    #show_poster() { this.#face.show_poster(this.#poster_waits); }
     #show() {
       this.#face.show();
       this.#controls.show();

@@ -41,13 +41,13 @@ class FilmClock {
     const before = this.time, now = this.now(), end = this.#player.duration;
     if (now >= 0 && now < end) {
       this.set(now);
-      this.#say_notes(before, now);
+      this.#fire_notes(before, now);
     } else if (this.#player.loop) {
       this.set(now - Math.floor(now / end) * end);
       for (const name of ["seeking", "timeupdate", "seeked"]) this.#inside.fire(name);
     } else {
       this.set(now < 0 ? 0 : end);
-      this.#say_notes(before, this.time);
+      this.#fire_notes(before, this.time);
       this.#inside.fire("timeupdate");
       this.#end();
       this.#inside.update();
@@ -60,7 +60,7 @@ class FilmClock {
     this.#inside.fire("pause");
     this.#inside.fire("ended");
   }
-  #say_notes(before, now) {
+  #fire_notes(before, now) {
     const { film } = this.#player;
     for (const note of film.notes ?? []) {
       const at = note.seconds - film.start;
@@ -75,10 +75,10 @@ class FilmClock {
       this.seeking = true;
       this.#inside.fire("seeking");
     }
-    if (!this.#inside.in_sight() || document.hidden) setTimeout(() => this.sought());
+    if (!this.#inside.in_sight() || document.hidden) setTimeout(() => this.end_seek());
     this.#inside.update();
   }
-  sought() {
+  end_seek() {
     if (!this.seeking) return;
     this.seeking = false;
     this.set(this.time);

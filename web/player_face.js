@@ -7,7 +7,7 @@ class PlayerFace {
   #player;
   #inside;          // functions of the player that pages do not have: source_name, trouble
   #size = sheet();  // its size and its background
-  #said_size = "";
+  #size_rule = "";
 
   constructor(player, look, inside) {
     this.#player = player;
@@ -32,10 +32,10 @@ class PlayerFace {
     // The page shows through a transparent film.
     const behind = player.film?.clear ? "background: var(--betwixt-letterbox, transparent);" : "";
     const rule = `:host { ${aspect} ${side} ${behind} }`;
-    if (this.#said_size !== rule) this.#size.replaceSync((this.#said_size = rule));
+    if (this.#size_rule !== rule) this.#size.replaceSync((this.#size_rule = rule));
   }
-  // `posing`: the film has not played yet.
-  show_poster(posing) { this.parts.poster.hidden = !(posing && this.#player.poster && !this.#player.error); }
+  // `waits`: the film has not played yet.
+  show_poster(waits) { this.parts.poster.hidden = !(waits && this.#player.poster && !this.#player.error); }
 
   show() {
     const player = this.#player, { message, banner, wait, stage, canvas, full } = this.parts;

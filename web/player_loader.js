@@ -75,7 +75,7 @@ class FilmLoader {
       if (signal.aborted) film.dispose();
       else this.#inside.take(film);
     } catch (error) {
-      if (!signal.aborted) this.#inside.fail(4, has_words(error));
+      if (!signal.aborted) this.#inside.fail(4, message_of(error));
     } finally {
       if (this.#loading === loading) this.#loading = null;
     }
@@ -87,7 +87,7 @@ class FilmLoader {
     try {
       film = this.source.open_now(this.#engine);
     } catch (error) {
-      this.#inside.fail(3, has_words(error));
+      this.#inside.fail(3, message_of(error));
       return;
     }
     if (!this.source.missing(film).length) {
@@ -98,7 +98,7 @@ class FilmLoader {
     const loading = (this.#loading = new AbortController());
     this.source.open(this.#engine, loading.signal)
       .then((film) => (loading.signal.aborted ? film.dispose() : this.#inside.take(film)))
-      .catch((error) => loading.signal.aborted || this.#inside.fail(3, has_words(error)))
+      .catch((error) => loading.signal.aborted || this.#inside.fail(3, message_of(error)))
       .finally(() => this.#loading === loading && (this.#loading = null));
   }
 }

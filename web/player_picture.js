@@ -52,7 +52,7 @@ class FilmPicture {
       this.trouble = "";
       this.#inside.recovered();
     } catch (error) {
-      this.#fail(has_words(error));
+      this.#fail(message_of(error));
     }
   }
 

@@ -17,17 +17,17 @@ const as_bytes = (held) =>
   : ArrayBuffer.isView(held) ? new Uint8Array(held.buffer, held.byteOffset, held.byteLength)
   : new Uint8Array(held);
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
-const has_words = (error) => (error && error.message) || String(error);
+const message_of = (error) => (error && error.message) || String(error);
 
 // Returns the first comment of a script, without the file name in front.
 const first_comment = (script) => {
-  const said = [];
+  const lines = [];
   for (const line of script.split("\n")) {
     const words = line.match(/^\s*#(?:\s(.*))?$/); // `#ffcc00` is a colour
     if (!words) break;
-    said.push((words[1] ?? "").trim());
+    lines.push((words[1] ?? "").trim());
   }
-  return said.join(" ").replace(/^[\w.-]+\.bx\s*[—:-]+\s*/, "").trim();
+  return lines.join(" ").replace(/^[\w.-]+\.bx\s*[—:-]+\s*/, "").trim();
 };
 
 // Returns the URL of a file, or null if it is not in the script's folder or below it.
@@ -52,7 +52,7 @@ async function fetched(url, signal) {
     answer = await fetch(url, { signal });
   } catch (error) {
     if (signal.aborted) throw error;
-    throw new Error(`${url} cannot be fetched: ${has_words(error)}`);
+    throw new Error(`${url} cannot be fetched: ${message_of(error)}`);
   }
   if (!answer.ok) throw new Error(`${url} cannot be fetched: the server answered ${answer.status}`);
   return new Uint8Array(await answer.arrayBuffer());
@@ -108,7 +108,7 @@ class FilmSource {
           this.files.set(path, await fetched(url, signal));
         } catch (error) {
           if (signal.aborted) throw error;
-          this.failed.push({ path, words: has_words(error) });
+          this.failed.push({ path, words: message_of(error) });
         }
       }));
     }

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# put_together.py FOLDER VERSION: of the compiled engine in the folder (betwixt.js, betwixt.wasm) and what stands around
-# it here, the player: betwixt-player.js, one file for pages, and package, for npm.
+# put_together.py FOLDER VERSION: makes the player from the compiled engine in the folder (betwixt.js, betwixt.wasm) and
+# the scripts here: betwixt-player.js, one file for pages, and the package for npm.
 import base64, gzip, json, os, re, shutil, sys
 
 from scripts import editor_scripts, engine_scripts, player_scripts
@@ -23,20 +23,20 @@ def write(path, text):
     os.replace(path + ".new", path)
 
 
-def slim(text):  # without lines that are comments alone, and blank ones
+def slim(text):  # without blank lines and lines of comments
     return "\n".join(line for line in text.split("\n") if line.strip() and not re.match(r"\s*//", line)) + "\n"
 
 
-# What is compiled: what plays, and what reads files of others.
+# The compiled programs: the engine, and the reader of foreign files.
 programs = ["betwixt", "betwixt-reader"]
 packed, glue = {}, {}
 for name in programs:
     with open(os.path.join(folder, name + ".wasm"), "rb") as file:
         packed[name] = gzip.compress(file.read(), 9, mtime=0)
-    # What glue says to other module systems is of no use where it stands in a function.
+    # Inside a function, the exports for other module systems are of no use.
     glue[name] = re.sub(r"if\s*\(typeof exports\s*===.*", "", read(folder, name + ".js"), flags=re.S)
 parts = "".join(slim(read(here, name)) for name in engine_scripts + player_scripts + editor_scripts)
-# Within a page's script these would end or begin something.
+# These would end the script of a page, or begin a comment.
 tame = lambda text: re.sub(r"<(?=/script|!--)", r"\\x3c", text, flags=re.I)
 glue, parts = {name: tame(text) for name, text in glue.items()}, tame(parts)
 head = f"// Betwixt {version}, <https://www.apache.org/licenses/LICENSE-2.0>: films from text. docs/web.md says what it does.\n"

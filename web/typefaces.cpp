@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The fonts of a page: one that is always there, and files that come with a film.
+// The fonts of a page: a built-in one, and the font files of its films.
 #include "exchange/typefaces.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 
 namespace betwixt {
 
-extern const unsigned char usual_font[];  // made by the build: DejaVu Sans, as far as it is in every page
+extern const unsigned char usual_font[];  // a subset of DejaVu Sans, made by the build
 extern const unsigned usual_font_size;
 
 namespace {
@@ -47,7 +47,7 @@ bool same_name(const std::string& a, const std::string& b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-// How far a font is from what is wanted; those of other families are further than all of this one.
+// Returns how far a font is from the wanted one. Another family counts for more than style and weight together.
 int distance(const Known& font, const Typeface& wanted) {
   return 100 * !same_name(font.face.family, wanted.family) + 10 * (font.face.italic != wanted.italic) +
          std::abs(static_cast<int>(font.face.weight) - static_cast<int>(wanted.weight));
@@ -66,7 +66,7 @@ bool add_font(const std::string& path) {
   if (library == nullptr && FT_Init_FreeType(&library) != 0) return false;
   FT_Face face = nullptr;
   if (FT_New_Face(library, path.c_str(), 0, &face) != 0) return false;
-  // Weights are said in hundreds, from 100 to 900.
+  // The table gives weights from 100 to 900.
   const auto* table = static_cast<const TT_OS2*>(FT_Get_Sfnt_Table(face, FT_SFNT_OS2));
   const int hundreds = table != nullptr ? std::clamp((table->usWeightClass + 50) / 100, 1, 9) : 4;
   Known known{{face->family_name != nullptr ? face->family_name : "", static_cast<Weight>(hundreds - 1),
@@ -95,7 +95,7 @@ Status find_style(const Typeface& face) {
 }
 
 FontFile font_file(const Typeface& face) {
-  // Of a family that is not here: the usual one.
+  // Without this family, returns the built-in font.
   const Known& near = nearest(face);
   return {same_name(near.face.family, face.family) ? near.path : nearest({usual_family, face.weight, face.italic}).path,
           0};

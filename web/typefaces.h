@@ -6,7 +6,7 @@
 
 namespace betwixt {
 
-// A font's file, from now on among those that films find. False: it is none.
+// Makes a font file available to films. Returns false if the file is no font.
 bool add_font(const std::string& path);
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What pages cannot do, in words.
+// Replaces functions that pages do not have by errors.
 #include <fmt/format.h>
 
 #include "base/files.h"

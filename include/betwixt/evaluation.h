@@ -84,7 +84,7 @@ class Evaluation {
   // Replaces the film's camera from now on. Pass nullopt to return to the film's own.
   void look_from(std::optional<Camera>);
   const std::vector<std::string>& problems() const;  // as in Frame
-  const std::vector<Frame::CodeError>& errors() const;
+  const std::vector<Problem>& reports() const;
 
   Frame frame() const;  // the whole state as a value
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "betwixt/problem.h"
 #include "betwixt/shape.h"
 #include "betwixt/time.h"
 
@@ -92,11 +93,8 @@ struct Frame {
   // Procedures that failed or did not end, each once, with the reason. In their place the frame uses the value that the
   // track has without them.
   std::vector<std::string> problems;
-  // Those that are errors in the author's code. `source` is the code as written, so that you can find it in the script.
-  struct CodeError {
-    std::string message, source;
-  };
-  std::vector<CodeError> errors;
+  // The same as data, in the same order. Those with `source` are errors in the author's code.
+  std::vector<Problem> reports;
 };
 
 }  // namespace betwixt

@@ -27,6 +27,7 @@ struct RenderOptions {
   // with this option; without it, it is black.
   bool linear = false;
   bool unclamped = false;  // for linear light: keeps light above white, which is otherwise rolled off
+  friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
 // Motion blur and depth of field.

@@ -40,44 +40,35 @@ std::string_view as_written(std::string_view source, std::string_view script) {
 }
 
 // Finds the code in the script or in those that it uses, and sets the error's place. Returns false if it is in none.
-bool place_in(Diagnostic& d, const std::string& file, const std::string& source, int deep = 0) {
+bool place_in(Diagnostic& d, Problem& p, const std::string& file, int deep = 0) {
   const auto text = script_text(file);
   if (!text) return false;
-  point_at(d, *text, std::string(as_written(source, *text)));
+  point_at(d, p, *text, std::string(as_written(*p.source, *text)));
   if (d.what.place.line > 0) return d.what.place.file = is_stream(file) ? "<stdin>" : file, true;
   const auto files = deep < 8 ? used(file, *text) : std::vector<std::string>();
-  return std::any_of(files.begin(), files.end(), [&](const auto& f) { return place_in(d, f, source, deep + 1); });
-}
-
-// Returns the error with the place of its code, or without a place if no script has the code.
-Diagnostic placed_error(const Frame::CodeError& e, const std::string& file) {
-  Diagnostic d;
-  d.what = fail(ErrorCode::type, e.message);
-  d.what.place.file = is_stream(file) ? "<stdin>" : file;
-  place_in(d, file, e.source);
-  return d;
+  return std::any_of(files.begin(), files.end(), [&](const auto& f) { return place_in(d, p, f, deep + 1); });
 }
 
 }  // namespace
 
 void add_findings(Findings& found, const Frame& frame, const std::string& file) {
-  const auto known = [&](const std::string& message) {
-    return std::find(found.placed.begin(), found.placed.end(), message) != found.placed.end();
-  };
-  for (const Frame::CodeError& e : frame.errors) {
-    if (known(e.message)) continue;
-    found.placed.push_back(e.message);
-    Diagnostic d = placed_error(e, file);
-    const Place& at = d.what.place;
-    const std::size_t n = found.errors_said.add(d.what.message, fmt::format("{}:{}:{}", at.file, at.line, at.column));
+  for (Problem p : frame.reports) {
+    if (!p.source) {
+      const std::size_t n = found.warnings_said.add(p);
+      if (n == found.warnings.size()) found.warnings.emplace_back();
+      found.warnings[n] = found.warnings_said.text(n);
+      continue;
+    }
+    if (std::find(found.placed.begin(), found.placed.end(), p) != found.placed.end()) continue;
+    found.placed.push_back(p);
+    Diagnostic d;
+    d.what = fail(ErrorCode::type, {});
+    Place& at = d.what.place;
+    at.file = is_stream(file) ? "<stdin>" : file;
+    place_in(d, p, file);
+    const std::size_t n = found.errors_said.add(p, fmt::format("{}:{}:{}", at.file, at.line, at.column));
     if (n == found.errors.size()) found.errors.push_back(std::move(d));
     found.errors[n].what.message = found.errors_said.text(n);
-  }
-  for (const std::string& p : frame.problems) {
-    if (known(p)) continue;
-    const std::size_t n = found.warnings_said.add(p);
-    if (n == found.warnings.size()) found.warnings.emplace_back();
-    found.warnings[n] = found.warnings_said.text(n);
   }
 }
 

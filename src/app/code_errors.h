@@ -14,7 +14,7 @@ namespace betwixt {
 struct Findings {
   Diagnostics errors;                 // of the author's code, with their places in the script
   std::vector<std::string> warnings;  // all others
-  std::vector<std::string> placed;    // the errors' messages before they got their places
+  std::vector<Problem> placed;        // the errors before they got their places
   MessageGroups errors_said, warnings_said;
 };
 // Evaluates some frames from `first` to `last`, both included, for at most a second or two. Returns the errors found.

@@ -60,7 +60,7 @@ void Hearing::play() {
     const std::optional<Playhead::Place> place = place_;
     lock.unlock();
     std::optional<std::int64_t> now;
-    if (place) now = std::llround((place->frame / rate_ + Playhead::since(place->since)) * sound_rate);
+    if (place) now = std::llround((place->frame / rate_ + Playhead::seconds_since(place->since)) * sound_rate);
     stream_.fill(*output_, now);
     lock.lock();
     changed_.wait_for(lock, pause);

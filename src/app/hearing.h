@@ -9,9 +9,10 @@
 #include <mutex>
 #include <thread>
 
-#include "app/playhead.h"
+#include "betwixt/film.h"
 #include "film/sound_stream.h"
 #include "film/soundtrack.h"
+#include "playback/playhead.h"
 
 namespace betwixt {
 

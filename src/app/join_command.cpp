@@ -157,8 +157,10 @@ int join(const JoinCall& call) {
     return Nothing{};
   };
   const Result<FilmStats> made =
-      linear ? make_linear_showing(options, [&]() -> Result<LinearPainter> { return linear_painter; })
-             : make_showing(options, [&]() -> Result<Painter> { return painter; });
+      linear ? make_linear_film(
+                   options, [&]() -> Result<LinearPainter> { return linear_painter; }, shown_progress(options))
+             : make_film(
+                   options, [&]() -> Result<Painter> { return painter; }, shown_progress(options));
   if (made || stop_requested()) return say_made(made, options);
   if (const std::vector<int> others = other_sizes(*pictures, *all, options); first && !others.empty())
     return complain(

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <string>
 
 #include "app/command.h"
@@ -62,26 +63,14 @@ class Bar {
   bool drawn_ = false;
 };
 
-bool go_on(Bar& bar, int done, double seconds) {
-  bar.show(done, seconds);
-  return !stop_requested();
-}
-
 }  // namespace
 
-Result<FilmStats> make_showing(const FilmOptions& options, const std::function<Result<Painter>()>& new_painter,
-                               bool in_lines) {
+Progress shown_progress(const FilmOptions& options, bool in_lines) {
   catch_stops();
-  Bar bar(options.frames, in_lines);
-  return make_film(options, new_painter, [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
-}
-
-Result<FilmStats> make_linear_showing(const FilmOptions& options,
-                                      const std::function<Result<LinearPainter>()>& new_painter, bool in_lines) {
-  catch_stops();
-  Bar bar(options.frames, in_lines);
-  return make_linear_film(options, new_painter,
-                          [&](int done, int, double seconds) { return go_on(bar, done, seconds); });
+  return [bar = std::make_shared<Bar>(options.frames, in_lines)](int done, int, double seconds) {
+    bar->show(done, seconds);
+    return !stop_requested();
+  };
 }
 
 void say_not_clear(const std::string& path) {

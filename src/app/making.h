@@ -8,11 +8,9 @@
 
 namespace betwixt {
 
-// Makes the film and shows the progress: on a terminal, or `in_lines` of JSON to any output.
-Result<FilmStats> make_showing(const FilmOptions&, const std::function<Result<Painter>()>& new_painter,
-                               bool in_lines = false);
-Result<FilmStats> make_linear_showing(const FilmOptions&, const std::function<Result<LinearPainter>()>& new_painter,
-                                      bool in_lines = false);
+// Returns a function that shows the progress of a film, on a terminal or `in_lines` of JSON to any output, and stops
+// the film at the user's request. Destroy it before you print anything.
+Progress shown_progress(const FilmOptions&, bool in_lines = false);
 // Warns that the film's format has no transparency.
 void say_not_clear(const std::string& path);
 // Prints the result or the error. Returns the exit code.

@@ -12,7 +12,6 @@
 #include "app/command.h"
 #include "app/hearing.h"
 #include "app/live_input.h"
-#include "app/playhead.h"
 #include "app/streams.h"
 #include "app/studio.h"
 #include "app/subcommand.h"
@@ -23,6 +22,8 @@
 #include "betwixt/program.h"
 #include "editor/controls.h"
 #include "editor/describe.h"
+#include "playback/film_player.h"
+#include "playback/playhead.h"
 #include "scene/document.h"
 
 namespace betwixt {
@@ -42,23 +43,25 @@ class Player {
          Take* take)
       : document_(document),
         program_(Program::compile(document)),
-        evaluation_(program_),
         call_(call),
         frames_(frames),
         terminal_(terminal),
         live_(live),
         take_(take),
-        head_(frames, call.loop),
-        hearing_(Hearing::open(program_, frames, call.loop)) {}
+        hearing_(Hearing::open(program_, frames, call.loop)) {
+    head_.set(frames.rate, Time{}, frames.rate.span(last()));
+    head_.loop(call.loop);
+    head_.play(1);
+  }
 
   Status run() {
     // The clock starts after the first picture, however long that takes.
     if (Status s = show(0); !s) return s;
     if (hearing_) hearing_->await_beginning();
-    head_.jump(0);
+    jump(0);
     bool closed = false;
     while (!stop_requested() && !closed && !quit_) {
-      const int k = head_.now();
+      const int k = now();
       if (head_.ended()) head_.pause();
       obey(k);
       if (hearing_) hearing_->follow(program_, head_.place(), call_.mute);
@@ -74,6 +77,11 @@ class Player {
   std::size_t turned() const { return turned_; }
 
  private:
+  int last() const { return frames_.count - 1; }
+  // The playhead counts from the first frame of the list.
+  int now() const { return static_cast<int>(frames_.rate.whole(head_.now())); }
+  void jump(int k) { head_.go_to(frames_.rate.span(std::clamp(k, 0, last()))); }
+
   // Applies the messages received since the last picture to the next frame.
   void obey(int k) {
     if (!live_) return;
@@ -89,7 +97,6 @@ class Player {
     if (!turned) return;
     if (take_) document_ = take_->document();
     program_ = Program::compile(document_, program_);
-    evaluation_.use(program_);
     stale_ = true;
   }
   Status obey(const LiveMessage& m, Time now) {
@@ -103,24 +110,24 @@ class Player {
 
   void press(Key key) {
     const int second = std::max(1, static_cast<int>(std::lround(frames_.rate.per_second())));
-    const int k = head_.now();
-    const auto jump = [&](int to) { head_.jump(to), sought_ = true; };
-    const auto step = [&](int by) { head_.pause(), jump(k + by); };
+    const int k = now();
+    const auto seek = [&](int to) { jump(to), sought_ = true; };
+    const auto step = [&](int by) { head_.pause(), seek(k + by); };
     switch (key) {
       case Key::space:
-        return head_.playing() ? head_.pause() : head_.play();
+        return head_.playing() ? head_.pause() : head_.play(1);
       case Key::left:
         return step(-1);
       case Key::right:
         return step(1);
       case Key::shift_left:
       case Key::down:
-        return jump(k - second);
+        return seek(k - second);
       case Key::shift_right:
       case Key::up:
-        return jump(k + second);
+        return seek(k + second);
       case Key::home:
-        return jump(0);
+        return seek(0);
       case Key::end:
         return step(frames_.count);
       case Key::style:
@@ -154,54 +161,35 @@ class Player {
     if (grows) p.width *= 2, p.height *= 2;
     if (shrinks) p.width /= 2, p.height /= 2;
     call_.picture = {p, std::pair(p.width, p.height), p.samples};
-    renderer_.reset();
+    size_ = {0, 0};
     altered_ = fmt::format("{} {}x{} {}", p.style, p.width, p.height, p.samples);
   }
 
-  // Returns the largest box of cells with the film's aspect ratio, in the middle; the last row is for the status line.
-  struct Box {
-    int column = 1, row = 1, columns = 1, rows = 1;
-  };
-  Box box(const TerminalSize& s) const {
-    const RenderOptions p = call_.picture.of(document_);
-    const double shape = p.width / (p.height * s.cell_aspect);  // in cells
-    const int high = std::max(1, s.rows - 1);
-    Box b;
-    b.columns = std::clamp(static_cast<int>(std::lround(high * shape)), 1, s.columns);
-    b.rows = std::clamp(static_cast<int>(std::lround(b.columns / shape)), 1, high);
-    b.column = 1 + (s.columns - b.columns) / 2, b.row = 1 + (high - b.rows) / 2;
-    return b;
-  }
-
-  // Creates a renderer for pictures as large as the characters can show, but not larger than the film's size.
-  Status fit(const TerminalSize& size) {
-    if (renderer_ && size == size_) return Nothing{};
+  // Makes pictures as large as the characters can show, but not larger than the film's size.
+  void fit(const TerminalSize& size) {
+    if (size == size_) return;
     size_ = size;
-    RenderOptions o = call_.picture.of(document_);
-    const Box b = box(size);
-    const double shrink = std::min(1.0, 8.0 * b.columns / o.width);  // 8 pixels a character distinguish all symbols
-    o.width = std::max(1, static_cast<int>(std::lround(o.width * shrink)));
-    o.height = std::max(1, static_cast<int>(std::lround(o.height * shrink)));
-    Result<std::unique_ptr<Renderer>> made = make_renderer(o);
-    if (!made) return made.error();
-    renderer_ = *std::move(made);
+    options_ = call_.picture.of(document_);
+    // The last row is for the status line.
+    cells_ = largest_cells(size, std::max(1, size.rows - 1), static_cast<double>(options_.width) / options_.height);
+    const double shrink = std::min(1.0, 8.0 * cells_.columns / options_.width);  // 8 pixels distinguish all symbols
+    options_.width = std::max(1, static_cast<int>(std::lround(options_.width * shrink)));
+    options_.height = std::max(1, static_cast<int>(std::lround(options_.height * shrink)));
     shown_ = -1;
     terminal_.write("\x1b[2J");
-    return Nothing{};
   }
 
   Status show(int k) {
-    if (Status s = fit(terminal_.size()); !s) return s;
+    fit(terminal_.size());
     listen(k);
     std::string out = "\x1b[?2026h";  // terminals that support it show the picture as a whole
     if (k != shown_ || stale_) {
       stale_ = false;
-      evaluation_.to(frames_.time(k));
-      if (Status s = renderer_->render(evaluation_, picture_); !s) return s;
+      film_.evaluate(program_, frames_.time(k));
+      if (Status s = film_.draw(options_, picture_); !s) return s;
       if (head_.playing() && shown_ >= 0 && k > shown_ + 1) dropped_ += k - shown_ - 1;
       shown_ = k;
-      const Box b = box(size_);
-      out += characters(picture_, b.column, b.row, b.columns, b.rows);
+      out += characters(picture_, cells_);
     }
     out += status(k) + "\x1b[?2026l";
     if (out != last_drawn_) terminal_.write(out);
@@ -212,21 +200,21 @@ class Player {
   // Shows notes that playback has passed, or that are exactly at the frame after a jump.
   void listen(int k) {
     if (k == heard_) return;
-    const bool passed = (head_.playing() || k == head_.last()) && k > heard_;
+    const bool passed = (head_.playing() || k == last()) && k > heard_;
     std::optional<Time> after;
     if (passed) after = heard_ < 0 ? frames_.first - Time{1} : frames_.time(heard_);
     heard_ = k;
     if (!passed) note_.clear();
-    const Time to = k == head_.last() ? std::max(frames_.time(k), frames_.last) : frames_.time(k);
+    const Time to = k == last() ? std::max(frames_.time(k), frames_.last) : frames_.time(k);
     if (std::string words = notes_shown(document_, after, to); !words.empty())
       note_ = std::move(words), noted_ = Playhead::Clock::now();
-    if (Playhead::since(noted_) > 3 && head_.playing()) note_.clear();
+    if (Playhead::seconds_since(noted_) > 3 && head_.playing()) note_.clear();
   }
 
   std::string status(int k) const {
     const Time t = frames_.time(k);
     std::string left = fmt::format(" {} {}/{}  {:.2f} s", head_.playing() ? ">" : "=", frames_.number + k,
-                                   frames_.number + head_.last(), t.seconds());
+                                   frames_.number + last(), t.seconds());
     if (dropped_ > 0) left += fmt::format("  {} dropped", dropped_);
     if (hearing_ && !hearing_->has_device())
       left += "  no sound device";
@@ -258,7 +246,6 @@ class Player {
 
   Document document_;
   Program program_;
-  Evaluation evaluation_;
   PlayCall& call_;  // keys change its picture
   const FrameList& frames_;
   Terminal& terminal_;
@@ -269,8 +256,10 @@ class Player {
   Playhead head_;
   const std::unique_ptr<Hearing> hearing_;  // null if the film has no sounds
   bool quit_ = false;
-  TerminalSize size_;
-  std::unique_ptr<Renderer> renderer_;
+  TerminalSize size_{0, 0};  // 0: the options do not fit yet
+  RenderOptions options_;    // of the pictures shown
+  Cells cells_;
+  FilmPlayer film_;
   Picture picture_;
   int shown_ = -1, heard_ = -1, dropped_ = 0;
   bool stale_ = false;  // the picture is older than the document

@@ -109,11 +109,13 @@ int render(RenderCall& call) {
     if (Status s = check_options(job.pictures); !s) return complain(s.error(), wrong_call);
     return print_plan(job.film, *frames);
   }
-  const Result<FilmStats> made =
-      job.pictures.linear ? make_linear_showing(
-                                job.film, [&] { return listened(linear_painter_of(program, job, say)); }, call.progress)
-                          : make_showing(
-                                job.film, [&] { return listened(painter_of(program, job, say)); }, call.progress);
+  const Result<FilmStats> made = job.pictures.linear
+                                     ? make_linear_film(
+                                           job.film, [&] { return listened(linear_painter_of(program, job, say)); },
+                                           shown_progress(job.film, call.progress))
+                                     : make_film(
+                                           job.film, [&] { return listened(painter_of(program, job, say)); },
+                                           shown_progress(job.film, call.progress));
   if (const Status sent = made ? outgoing->send() : Status(Nothing{}); !sent)
     return complain(sent.error(), machine_failed);
   FilmOptions said = job.film;

@@ -40,12 +40,8 @@ class TerminalScreen final : public Screen {
     if (Status s = renderer_->render(e, picture_); !s) return s;
     const TerminalSize size = terminal_->size();
     if (!(size == size_)) text_ = "\x1b[2J", size_ = size;
-    const double shape = static_cast<double>(picture_.width) / picture_.height / size.cell_aspect;
-    const int columns = std::clamp(static_cast<int>(std::lround(size.rows * shape)), 1, size.columns);
-    const int rows = std::clamp(static_cast<int>(std::lround(columns / shape)), 1, size.rows);
-    text_ += "\x1b[?2026h" +
-             characters(picture_, 1 + (size.columns - columns) / 2, 1 + (size.rows - rows) / 2, columns, rows) +
-             "\x1b[?2026l";
+    const Cells cells = largest_cells(size, size.rows, static_cast<double>(picture_.width) / picture_.height);
+    text_ += "\x1b[?2026h" + characters(picture_, cells) + "\x1b[?2026l";
     return Nothing{};
   }
   Status show(const Shown&) override {

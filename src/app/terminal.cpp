@@ -214,14 +214,24 @@ std::vector<Key> Terminal::wait(double seconds, bool& closed) const {
   return n > 0 ? read_keys({typed.data(), static_cast<std::size_t>(n)}) : std::vector<Key>{};
 }
 
-std::string characters(const Picture& picture, int column, int row, int columns, int rows) {
+Cells largest_cells(const TerminalSize& size, int rows, double aspect) {
+  const double shape = aspect / size.cell_aspect;  // in cells
+  Cells c;
+  c.columns = std::clamp(static_cast<int>(std::lround(rows * shape)), 1, size.columns);
+  c.rows = std::clamp(static_cast<int>(std::lround(c.columns / shape)), 1, rows);
+  c.column = 1 + (size.columns - c.columns) / 2, c.row = 1 + (rows - c.rows) / 2;
+  return c;
+}
+
+std::string characters(const Picture& picture, const Cells& cells) {
   static std::unique_ptr<Canvas> canvas;
-  if (!canvas || !canvas->fits(columns, rows)) canvas = std::make_unique<Canvas>(columns, rows);
+  if (!canvas || !canvas->fits(cells.columns, cells.rows)) canvas = std::make_unique<Canvas>(cells.columns, cells.rows);
   const std::string lines = canvas->draw(picture);
   std::string out;
+  int row = cells.row;
   for (std::size_t from = 0; from < lines.size(); ++row) {
     const std::size_t to = std::min(lines.find('\n', from), lines.size());
-    out += fmt::format("\x1b[{};{}H", row, column) + lines.substr(from, to - from);
+    out += fmt::format("\x1b[{};{}H", row, cells.column) + lines.substr(from, to - from);
     from = to + 1;
   }
   return out + "\x1b[0m";

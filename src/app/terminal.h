@@ -56,8 +56,15 @@ class Terminal {
   const bool keys_;
 };
 
-// Returns a picture as characters in `columns` x `rows` cells, at a position (from 1) of the screen.
-std::string characters(const Picture&, int column, int row, int columns, int rows);
+// A rectangle of characters. The first column and row of the terminal are 1.
+struct Cells {
+  int column = 1, row = 1, columns = 1, rows = 1;
+};
+// Returns the largest cells for pictures of this aspect ratio (width / height), in the middle of the terminal's first
+// `rows` rows.
+Cells largest_cells(const TerminalSize&, int rows, double aspect);
+// Returns a picture as characters in these cells.
+std::string characters(const Picture&, const Cells&);
 
 // Parses typed bytes into keys. Unknown sequences are skipped.
 std::vector<Key> read_keys(std::string_view typed);

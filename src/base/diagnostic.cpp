@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/utf8.h"
 
@@ -46,27 +47,38 @@ std::string to_string(const Diagnostic& d) {
   return out;
 }
 
-namespace {
-
-// Removes the line from a message "…: line 3: why" about code of several lines, and returns it, counted from 0.
-std::size_t take_line(std::string& message) {
-  constexpr std::string_view mark = ": line ";
-  const std::size_t at = message.find(mark);
-  if (at == std::string::npos) return 0;
-  std::size_t end = at + mark.size(), line = 0;
-  for (; end < message.size() && message[end] >= '0' && message[end] <= '9' && line < 1'000'000; ++end)
-    line = 10 * line + static_cast<std::size_t>(message[end] - '0');
-  if (line == 0 || message.compare(end, 2, ": ") != 0) return 0;
-  message.erase(at, end - at);
-  return line - 1;
+std::string with_line(int line, const std::string& message) {
+  return line > 0 ? fmt::format("line {}: {}", line, message) : message;
 }
 
-}  // namespace
+std::string to_string(const Problem& p) {
+  const std::string why = with_line(p.line, p.message);
+  switch (p.what) {
+    case Problem::procedure:
+      return fmt::format("{}: the procedure \"{}\" gives no value: {}", p.subject, p.name, why);
+    case Problem::filter:
+      return fmt::format("{}: the filter '{}' is left out: {}", p.subject, p.name, why);
+    case Problem::twerper:
+      return fmt::format("the twerper '{}' returned no number and is linear there: {}", p.name, why);
+    case Problem::step:
+      return fmt::format("{}: {} failed: {}", p.subject, p.name, why);
+    case Problem::other:
+      break;
+  }
+  return p.subject + why;
+}
 
-void point_at(Diagnostic& d, std::string_view text, std::string_view part) {
+std::vector<std::string> to_strings(const std::vector<Problem>& all) {
+  std::vector<std::string> out;
+  out.reserve(all.size());
+  for (const Problem& p : all) out.push_back(to_string(p));
+  return out;
+}
+
+void point_at(Diagnostic& d, Problem& p, std::string_view text, std::string_view part) {
   std::size_t at = part.empty() ? std::string_view::npos : text.find(part);
   if (at == std::string_view::npos) return;
-  for (std::size_t line = part.find('\n') == std::string_view::npos ? 0 : take_line(d.what.message); line > 0; --line) {
+  for (int line = std::exchange(p.line, 0); line > 1; --line) {
     const std::size_t next = part.find('\n');
     if (next == std::string_view::npos) break;
     const std::size_t first = std::min(part.find_first_not_of(" \t", next + 1), part.size());

@@ -5,24 +5,26 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "betwixt/problem.h"
 
 namespace betwixt {
 
 class MessageGroups {
  public:
-  // Adds a message that begins with its subject, like "ball.radius: …". Returns its number; messages that differ only
-  // in the subject share one. Messages with different places `where` in a script are different.
-  std::size_t add(std::string_view message, std::string_view where = {});
+  // Adds a problem. Returns its number; problems that differ only in the subject and in the code share one. Problems
+  // with different places `where` in a script are different.
+  std::size_t add(const Problem&, const std::string& where = {});
   std::size_t size() const { return all_.size(); }
-  // Returns the text of the first message with this number, and how many others there are.
+  // Returns the text of the first problem with this number, and how many others there are.
   std::string text(std::size_t number) const;
 
  private:
   struct Said {
-    std::string first, key;
-    std::vector<std::string> things;
+    Problem first;
+    std::string where;
+    std::vector<std::string> subjects;
   };
   std::vector<Said> all_;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/cancellation.h"
+#include "base/diagnostic.h"
 #include "base/names.h"
 #include "betwixt/program.h"
 #include "commands/command.h"
@@ -213,7 +214,8 @@ bool own_command(Command& k, const NamedProcedure& p) {
   const Status done = own.code->command(host, words);
   if (host.called_off) throw Cancelled{};
   if (done) return all.keep(), true;
-  return c.fail(done.error().code, fmt::format("{}: {}", own.name, done.error().message),
+  return c.fail(done.error().code,
+                fmt::format("{}: {}", own.name, with_line(done.error().place.line, done.error().message)),
                 {start - own.name.size(), own.name.size()}, done.error().hint);
 }
 

@@ -205,13 +205,12 @@ std::string Session::State::tried(const Words& words, std::string_view line) {
   MessageGroups alike;
   for (const Time t : times) {
     const Frame made = program.frame(t);
-    for (const std::string& p : made.problems) {
-      if (!problems.insert(p).second) continue;
-      Diagnostic d{Severity::warning, {ErrorCode::syntax, p, {}, {"line", first_line, 1, 0}}, {}, 0};
-      for (const Frame::CodeError& e : made.errors)
-        if (e.message == p) point_at(d, line, e.source);
+    for (Problem p : made.reports) {
+      if (!problems.insert(to_string(p)).second) continue;
+      Diagnostic d{Severity::warning, {ErrorCode::syntax, {}, {}, {"line", first_line, 1, 0}}, {}, 0};
+      if (p.source) point_at(d, p, line, *p.source);
       if (!d.line.empty()) d.what.place.line += first_line - 1;
-      const std::size_t n = alike.add(d.what.message);
+      const std::size_t n = alike.add(p);
       if (n == all.size()) all.push_back(std::move(d));
       all[n].what.message = alike.text(n);
     }

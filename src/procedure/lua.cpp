@@ -10,6 +10,7 @@
 #include <deque>
 #include <utility>
 
+#include "base/diagnostic.h"
 #include "base/kept_results.h"
 #include "base/memory_budget.h"
 #include "base/names.h"
@@ -30,18 +31,19 @@ std::string shown(std::string_view message) {
   return visible(begin) + (begin.size() < message.size() ? "…" : "");
 }
 
-// Shortens Lua's "procedure:3: what": omits the chunk's name, and the line if there is only one.
-std::string plain(std::string_view message, bool lines) {
+// Shortens Lua's "procedure:3: what" to what, and sets the line.
+std::string plain(std::string_view message, int& line) {
   constexpr std::string_view chunk = "procedure:";
   const std::size_t digits = std::min(message.find_first_not_of("0123456789", chunk.size()), message.size());
   // error() of code may imitate this beginning.
   if (!message.starts_with(chunk) || digits == chunk.size() || !message.substr(digits).starts_with(": "))
     return shown(message);
-  const std::string_view line = message.substr(chunk.size(), digits - chunk.size());
+  for (const char c : message.substr(chunk.size(), std::min<std::size_t>(digits - chunk.size(), 7)))
+    line = 10 * line + (c - '0');
   std::string rest = shown(message.substr(digits + 2));
   if (rest.ends_with("(number has no integer representation)"))
     rest += ": make it whole with floor(x), or write it with '%.0f'";
-  return lines ? "line " + std::string(line) + ": " + rest : rest;
+  return rest;
 }
 
 bool has_lines(const std::string& source) { return source.find('\n') != std::string::npos; }
@@ -263,8 +265,10 @@ class Lua final : public Routine {
     std::size_t size = 0;
     const char* text = lua_tolstring(l, -1, &size);
     const std::string_view why(text, size);
-    return fail(ErrorCode::type,
-                plain(why, has_lines(source) && !why.ends_with(Nested::error().message)) + near_global(l, why));
+    int line = 0;
+    Error e = fail(ErrorCode::type, plain(why, line) + near_global(l, why));
+    if (has_lines(source) && !why.ends_with(Nested::error().message)) e.place.line = line;
+    return e;
   }
 };
 
@@ -275,8 +279,11 @@ int keep(lua_State*, const void* piece, std::size_t size, void* to) {
 
 // Compiles the source, or returns Lua's error.
 Result<std::string> compile(lua_State* l, const std::string& source) {
-  if (luaL_loadbufferx(l, source.data(), source.size(), "=procedure", "t") != LUA_OK)
-    return fail(ErrorCode::syntax, plain(lua_tostring(l, -1), has_lines(source)));
+  if (luaL_loadbufferx(l, source.data(), source.size(), "=procedure", "t") != LUA_OK) {
+    int line = 0;
+    const std::string why = plain(lua_tostring(l, -1), line);
+    return fail(ErrorCode::syntax, with_line(has_lines(source) ? line : 0, why));
+  }
   std::string out;
   lua_dump(l, keep, &out, 0);
   return out;

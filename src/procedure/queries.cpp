@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/diagnostic.h"
 #include "procedure/machine.h"
 #include "procedure/nested.h"
 #include "procedure/query_error.h"
@@ -144,7 +145,7 @@ int call_routine(lua_State* l, Machine& m) {
   }
   const auto result = routine->value(*m.call->questions, arguments, m.call->steps);
   if (!result) {  // endless mutual calls are named once each
-    const std::string& why = result.error().message;
+    const std::string why = with_line(result.error().place.line, result.error().message);
     const bool round = why.ends_with(Nested::error().message) && why.find(name + ": ") != std::string::npos;
     return fail_with(l, round ? why : name + ": " + why);
   }

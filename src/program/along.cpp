@@ -42,16 +42,16 @@ std::optional<Value> value_along(const Program::Compiled& c, std::uint32_t objec
   const auto name = [&] { return c.document.name(Target{{object}, f, -1}); };
   if (!place) {
     const Object* there = find_object(c.document.scene(), road);
-    return asking.say(fmt::format(
-               "{} follows {}: it keeps its value from before", name(),
-               there ? fmt::format("'{}', which has no length", there->name) : "a line that no longer exists")),
+    return asking.say(name(), fmt::format(" follows {}: it keeps its value from before",
+                                          there ? fmt::format("'{}', which has no length", there->name)
+                                                : "a line that no longer exists")),
            std::nullopt;
   }
   const Node& n = c.nodes[c.node_of[object]];
   const Carrier by = carrier_of(c, n, t, asking);
   if (f == fn::rotation) return normalize(conjugate(by.turn) * turned_to(c, n, place->direction, t, asking));
   const auto seen = by.seen(place->point);
-  if (!seen) asking.say(fmt::format("{} has a parent with a scale of 0", name()));
+  if (!seen) asking.say(name(), " has a parent with a scale of 0");
   return seen ? std::optional<Value>(*seen) : std::nullopt;
 }
 

@@ -13,26 +13,23 @@ void Asking::note_read(const Target& target) {
   if (read.size() < 10'000 && std::find(read.begin(), read.end(), target) == read.end()) read.push_back(target);
 }
 
-void Asking::say(std::string problem) {
+void Asking::say(Problem problem) {
   if (std::find(problems.begin(), problems.end(), problem) == problems.end() && problems.size() < 100)
     problems.push_back(std::move(problem));
 }
 
-void Asking::err(std::string problem, const std::string& source) {
-  const std::size_t before = problems.size();
-  say(problem);
-  if (problems.size() > before) errors.push_back({std::move(problem), source});
+void Asking::say(std::string subject, std::string message) {
+  say({Problem::other, std::move(subject), {}, std::move(message)});
 }
 
 void Asking::say_all(const Answer& a) {
-  for (const Frame::CodeError& e : a.errors) err(e.message, e.source);
-  for (const std::string& p : a.problems) say(p);
+  for (const Problem& p : a.problems) say(p);
 }
 
 void Asking::say_all(const TwerperFailures& failed, const Scene& scene) {
   for (const auto& [i, why] : failed.all) {
     const NamedProcedure& p = (*scene.procedures)[i];
-    err("the twerper '" + p.name + "' returned no number and is linear there: " + why, p.code->source);
+    say({Problem::twerper, {}, p.name, why.message, p.code->source, why.place.line});
   }
 }
 

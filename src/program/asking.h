@@ -53,8 +53,7 @@ struct Asking {
   // The limit for the whole evaluation; a caller that lowers it discards an answer that exceeds it.
   std::uint64_t most = UINT64_MAX;
   bool in_haste() const { return most < UINT64_MAX; }
-  std::vector<std::string> problems;
-  std::vector<Frame::CodeError> errors;
+  std::vector<Problem> problems;
   std::vector<Target> read;        // values that procedures have read
   const OpenStep* step = nullptr;  // of a stepped procedure, for which these values are evaluated
   const DeferredEvaluation* deferred =
@@ -80,12 +79,12 @@ struct Asking {
   };
   Deferred deferred_answer(const Question&, Time) const;
   void note_read(const Target&);
-  void say(std::string problem);
-  void err(std::string problem, const std::string& source);  // an error in the author's code
-  void say_all(const Answer&);                               // reports its problems and errors
-  void say_all(const TwerperFailures&, const Scene&);        // reports each failed twerper once
-  bool is_open(const Taken&) const;                          // one of the values it read is still open
-  void take(const Taken&);                                   // adds its cost and inputs to the present question
+  void say(Problem);
+  void say(std::string subject, std::string message);  // of Problem::other
+  void say_all(const Answer&);                         // reports its problems
+  void say_all(const TwerperFailures&, const Scene&);  // reports each failed twerper once
+  bool is_open(const Taken&) const;                    // one of the values it read is still open
+  void take(const Taken&);                             // adds its cost and inputs to the present question
 };
 
 // An evaluation in progress: measures its cost and inputs.

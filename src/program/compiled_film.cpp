@@ -118,8 +118,8 @@ std::size_t LivePart::piece_at(Time t) const {
 bool CompiledFilm::parted(std::int32_t index, int component) const {
   const Live& live = lives[static_cast<std::size_t>(index)];
   if (component < 0 || live.strands.size() != 1 || !live.strands[0].filters.empty()) return false;
-  return std::any_of(live.strands[0].parts.begin(), live.strands[0].parts.end(),
-                     [&](const LivePart& part) { return part.component == component; });
+  const LiveStrand& own = live.strands[0];
+  return !own.parts.empty() && own.parts[0].component >= 0 && !std::holds_alternative<Procedure>(own.set);
 }
 
 }  // namespace betwixt

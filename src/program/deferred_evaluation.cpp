@@ -106,7 +106,6 @@ Answer work_out(const Program::Compiled& c, const Question& q, Time t) {
   std::sort(a.read.begin(), a.read.end());
   a.read.erase(std::unique(a.read.begin(), a.read.end()), a.read.end());
   a.problems = std::move(asking.problems);
-  a.errors = std::move(asking.errors);
   return a;
 }
 

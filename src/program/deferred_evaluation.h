@@ -27,8 +27,7 @@ struct Answer {
   std::shared_ptr<const void> mesh;  // keeps the shape's mesh, so that drawing finds it
   Camera camera;
   std::vector<std::uint32_t> read;  // objects that its code has read, sorted
-  std::vector<std::string> problems;
-  std::vector<Frame::CodeError> errors;
+  std::vector<Problem> problems;
 };
 
 // All questions of a program's frames, in the order of their kinds.

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "base/diagnostic.h"
 #include "program/deferred_evaluation.h"
 #include "program/evaluator.h"
 #include "program/surroundings.h"
@@ -18,8 +19,8 @@ struct Whole {
       : evaluator(compiled, deferred) {}
   Evaluator evaluator;
   std::vector<Light> lights;
-  std::vector<std::string> problems;
-  std::vector<Frame::CodeError> errors;
+  std::vector<Problem> reports;
+  std::vector<std::string> problems;  // the same in words
 
   void to(Time, bool news = false);
   Frame frame() const;
@@ -34,11 +35,12 @@ void Whole::to(Time t, bool news) {
   evaluator.to(t, asking);
   lights = evaluator.lights(asking);
   asking.say_all(failed, compiled.document.scene());
-  problems = compiled.notices;
-  problems.insert(problems.end(), asking.problems.begin(), asking.problems.end());
+  reports.clear();
+  for (const std::string& notice : compiled.notices) reports.push_back({Problem::other, {}, {}, notice});
+  reports.insert(reports.end(), asking.problems.begin(), asking.problems.end());
   if (asking.deferred)
-    for (std::string& late : asking.deferred->late()) problems.push_back(std::move(late));
-  errors = std::move(asking.errors);
+    for (std::string& late : asking.deferred->late()) reports.push_back({Problem::other, {}, {}, std::move(late)});
+  problems = to_strings(reports);
 }
 
 Frame Whole::frame() const {
@@ -52,7 +54,7 @@ Frame Whole::frame() const {
   f.background = background_of(scene), f.surroundings = surroundings_of(scene);
   for (auto& [when, text] : compiled.document.notes(f.time, f.time)) f.notes.push_back(text);
   f.problems = problems;
-  f.errors = errors;
+  f.reports = reports;
   return f;
 }
 
@@ -202,7 +204,7 @@ std::span<const std::uint32_t> Evaluation::changed() const { return state_->eval
 Evaluation::Revision Evaluation::revision() const { return state_->revision; }
 const std::vector<Light>& Evaluation::lights() const { return state_->now.whole->lights; }
 const std::vector<std::string>& Evaluation::problems() const { return state_->now.whole->problems; }
-const std::vector<Frame::CodeError>& Evaluation::errors() const { return state_->now.whole->errors; }
+const std::vector<Problem>& Evaluation::reports() const { return state_->now.whole->reports; }
 void Evaluation::look_from(std::optional<Camera> eye) { state_->eye = eye; }
 const Camera& Evaluation::camera() const {
   if (state_->eye) return *state_->eye;

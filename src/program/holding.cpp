@@ -55,9 +55,11 @@ CompiledSpan held(const Program::Compiled& c, std::uint32_t node, Time t, Asking
   };
   std::string way = name(self);
   for (std::int32_t at = now.parent; at != self && way.size() < 200; at = above(at)) way += " → " + name(at);
-  asking.err(fmt::format("{}.attachment: its code would make a cycle, {} → {}, so the object has no parent", name(self),
-                         way, name(self)),
-             source_of(c.document.scene().objects[c.nodes[node].object], now.from));
+  asking.say({Problem::other,
+              name(self) + ".attachment",
+              {},
+              fmt::format(": its code would make a cycle, {} → {}, so the object has no parent", way, name(self)),
+              source_of(c.document.scene().objects[c.nodes[node].object], now.from)});
   CompiledSpan free;
   free.from = now.from, free.computed = true;
   return free;

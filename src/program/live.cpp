@@ -63,7 +63,10 @@ struct Worker : LiveParts {
 
   // Returns the object's own value without code, filters and layers, for a cycle or too much work.
   Value without_asking(Time t, int component) const {
-    if (component >= 0) return settled(*part_of(component), t);
+    if (component >= 0) {
+      const LivePart* part = part_of(component);
+      return part ? settled(*part, t) : component_of(live.strands[0].set, component);
+    }
     const LiveStrand& own = live.strands[0];
     if (own.plain >= 0) return strand_value(own, 0, t);
     if (own.parts.size() == 1 && own.parts[0].component < 0) return settled(own.parts[0], t);
@@ -105,12 +108,12 @@ struct Worker : LiveParts {
     Through input(*this, s, stage - 1, f.component);
     const auto made = apply(f, input, t.seconds());
     if (input.called_off) throw Cancelled{};
-    const auto pass = [&](const std::string& why) {
-      std::string said = fmt::format("{}: the filter '{}' is left out: {}", name(f.component), f.name, why);
-      f.code ? asking.err(std::move(said), f.code->source) : asking.say(std::move(said));
+    const auto pass = [&](const std::string& why, int line = 0) {
+      const auto source = f.code ? std::optional(f.code->source) : std::nullopt;
+      asking.say({Problem::filter, name(f.component), f.name, why, source, line});
       return plain;
     };
-    if (!made) return pass(made.error().message);
+    if (!made) return pass(made.error().message, made.error().place.line);
     double n[4];
     if (!finite({n, static_cast<std::size_t>(to_numbers(*made, n))}))
       return pass("it returns a value that is not finite");
@@ -139,7 +142,8 @@ struct Worker : LiveParts {
   Value value(Time t, int component) const {
     if (component >= 0) {
       const FunctionSpec& spec = spec_of(scene, live.function);
-      const Value v = part_value(*part_of(component), t);
+      const LivePart* part = part_of(component);
+      const Value v = part ? part_value(*part, t) : component_of(live.strands[0].set, component);
       const auto* d = std::get_if<double>(&v);
       return d ? Value(std::clamp(*d, spec.low, spec.high)) : v;
     }
@@ -165,9 +169,9 @@ namespace {
 
 std::string too_far_back(const std::string& name, std::size_t steps, bool adds_up) {
   std::string said = fmt::format(
-      "{} reads its own past through more than {} earlier times. Beyond them it uses its last value without code, so "
+      " reads its own past through more than {} earlier times. Beyond them it uses its last value without code, so "
       "from here on the result is wrong: read the past in longer steps, or compute the value from t alone",
-      name, steps);
+      steps);
   return adds_up ? said + fmt::format("; to sum up changes, compute {}.velocity instead", name) : said;
 }
 
@@ -195,9 +199,9 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
     asking.cut = std::min(asking.cut, circle ? static_cast<std::size_t>(again - asking.open.begin()) : 0);
     const std::string name = document.name(Target{{live.object}, live.function, -1});
     if (circle)
-      asking.say(name + " depends on itself: it uses its last value without code there");
+      asking.say(name, " depends on itself: it uses its last value without code there");
     else
-      asking.say(too_far_back(name, deepest, has_velocity(spec_of(document.scene(), live.function).type)));
+      asking.say(name, too_far_back(name, deepest, has_velocity(spec_of(document.scene(), live.function).type)));
     return worker.without_asking(t, component);
   }
   if (const auto known = asking.found.find(key); known != asking.found.end()) {
@@ -211,8 +215,8 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
   const bool outermost = asking.open.empty();
   if (outermost && asking.cost > Asking::most_of_a_frame) {
     asking.say(
-        fmt::format("one frame takes more than {} steps: the remaining values are shown without code and filters",
-                    Asking::most_of_a_frame));
+        {}, fmt::format("one frame takes more than {} steps: the remaining values are shown without code and filters",
+                        Asking::most_of_a_frame));
     return worker.without_asking(t, component);
   }
   if (outermost) asking.begun = asking.cost, asking.given_up = false;
@@ -222,8 +226,9 @@ Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, 
   Value v = worker.value(t, component);
   asking.open.pop_back();
   if (outermost && std::exchange(asking.given_up, false)) {
-    asking.say(fmt::format("{} takes more than {} steps: its value is shown without code and filters",
-                           document.name(Target{{live.object}, live.function, -1}), Asking::most_work));
+    asking.say(
+        document.name(Target{{live.object}, live.function, -1}),
+        fmt::format(" takes more than {} steps: its value is shown without code and filters", Asking::most_work));
     working.done();
     return worker.without_asking(t, component);
   }

@@ -62,13 +62,12 @@ std::optional<Value> LiveParts::run(const Procedure& p, const LivePart& part, Ti
   if (questions.called_off) throw Cancelled{};
   if (asking.work(cost + 300)) return std::nullopt;                           // starting the code costs something too
   if (!answer && questions.lacking && by_definition(p)) return std::nullopt;  // the object has no such value
-  const auto say = [&](const std::string& why) {
-    asking.err(
-        fmt::format("{}: the procedure \"{}\" gives no value: {}", name(part.component), brief(p.code->source), why),
-        p.code->source);
+  const auto say = [&](const std::string& why, int line = 0) {
+    const std::string& source = p.code->source;
+    asking.say({Problem::procedure, name(part.component), brief(source), why, source, line});
     return std::nullopt;
   };
-  if (!answer) return say(answer.error().message);
+  if (!answer) return say(answer.error().message, answer.error().place.line);
   const Type type = part.value_type();
   const auto fitting = fit(*answer, type, scene);
   if (!fitting) return say(fitting.error().message);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/cancellation.h"
+#include "base/diagnostic.h"
 #include "program/audible_part.h"
 #include "program/contacts.h"
 #include "program/evaluator.h"
@@ -141,7 +142,7 @@ bool looks_far(const Target& t) { return t.query() == Query::touching || t.query
 std::vector<Value> Program::read(const std::vector<Target>& targets, Time t, std::vector<std::string>* problems) const {
   Asking asking;
   std::vector<Value> out = read_all(*code_, targets, t, asking);
-  if (problems) *problems = std::move(asking.problems);
+  if (problems) *problems = to_strings(asking.problems);
   return out;
 }
 
@@ -154,7 +155,7 @@ std::optional<std::vector<Value>> Program::read_within(std::uint64_t steps, cons
   asking.most = steps;
   std::vector<Value> out = read_all(*code_, targets, t, asking);
   if (asking.cost > steps) return std::nullopt;
-  if (problems) *problems = std::move(asking.problems);
+  if (problems) *problems = to_strings(asking.problems);
   return out;
 }
 

@@ -85,10 +85,10 @@ struct Stepper {
       state =
           fail(ErrorCode::range, fmt::format("stopped: its steps took more than {} steps of Lua together", most_work));
     if (state) return run.put({number, std::make_shared<const State>(*std::move(state)), at.cost}), true;
-    const std::string when = format_time(time_of(number), c.document.scene().rate);
+    const std::string when =
+        fmt::format("step {} at {}", number, format_time(time_of(number), c.document.scene().rate));
     run.fail_at(
-        {number,
-         {fmt::format("{}: step {} at {} failed: {}", p.name, number, when, state.error().message), p.code->source}});
+        {number, {Problem::step, p.name, when, state.error().message, p.code->source, state.error().place.line}});
     return false;
   }
 
@@ -97,7 +97,7 @@ struct Stepper {
     for (StepRun::Point at; (at = run.nearest(step)).step < step;) {
       const auto failure = run.failed(at.step + 1);
       if (!failure && advance(at)) continue;
-      asking.err(run.failed(at.step + 1)->why.message, p.code->source);
+      asking.say(run.failed(at.step + 1)->why);
       if (at.step < 0) return fail(ErrorCode::type, "its first step failed");
       return at.state;
     }
@@ -157,14 +157,14 @@ std::optional<StepRun::Failure> StepRun::failed(std::int64_t step) {
 void StepRun::note(const Asking& of_step) {
   const std::lock_guard lock(in_use_);
   for (const Target& t : of_step.read) noted_.note_read(t);
-  for (const std::string& problem : of_step.problems)
+  for (const Problem& problem : of_step.problems)
     if (noted_.problems.size() < most_problems) noted_.say(problem);
 }
 
 void StepRun::tell(Asking& caller) {
   const std::lock_guard lock(in_use_);
   for (const Target& t : noted_.read) caller.note_read(t);
-  for (const std::string& problem : noted_.problems) caller.say(problem);
+  for (const Problem& problem : noted_.problems) caller.say(problem);
 }
 
 StepRun& StepRuns::of(const NamedProcedure& p) {

@@ -31,7 +31,7 @@ class StepRun {
   };
   struct Failure {
     std::int64_t step = 0;
-    Frame::CodeError why;
+    Problem why;
   };
   // Returns the last known point that is not after the step.
   Point nearest(std::int64_t step);

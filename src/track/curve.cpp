@@ -87,7 +87,7 @@ std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bo
 
 TwerperFailures::TwerperFailures() : outer_(std::exchange(listening, this)) {}
 TwerperFailures::~TwerperFailures() { listening = outer_; }
-void TwerperFailures::say(std::size_t twerper, const std::string& why) {
+void TwerperFailures::say(std::size_t twerper, const Error& why) {
   if (listening) listening->all.emplace(twerper, why);
 }
 
@@ -208,7 +208,7 @@ double CurveSet::factor(Twerper t, double s, const CurveDetail* from) const {
   if (all_linear || i >= own.size() || !own[i]) return s;
   const auto f = own[i]->blend(s);
   if (f && std::isfinite(*f)) return *f;
-  TwerperFailures::say(i, f ? "it returned a number that is not finite" : f.error().message);
+  TwerperFailures::say(i, f ? fail(ErrorCode::range, "it returned a number that is not finite") : f.error());
   return s;
 }
 

@@ -76,8 +76,8 @@ class TwerperFailures {
   ~TwerperFailures();
   TwerperFailures(const TwerperFailures&) = delete;
   TwerperFailures& operator=(const TwerperFailures&) = delete;
-  static void say(std::size_t twerper, const std::string& why);
-  std::map<std::size_t, std::string> all;
+  static void say(std::size_t twerper, const Error& why);
+  std::map<std::size_t, Error> all;
 
  private:
   TwerperFailures* const outer_;

@@ -6,7 +6,8 @@
 //
 // A procedure is pure: the same input gives the same result, from any caller and in any order. It is immutable, and
 // several threads may call it at once. If it fails or does not end, it returns an Error in plain words ("attempt to
-// index a nil value", "stopped: it took more than 1000000 steps"), and the caller continues without it.
+// index a nil value", "stopped: it took more than 1000000 steps"), and the caller continues without it. The error's
+// place has the line of code of several lines.
 #pragma once
 
 #include <array>

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/diagnostic.h"
 #include "procedure/fake.h"
 #include "procedure/lua.h"
 
@@ -32,7 +33,7 @@ inline double number(const std::string& source, FakeQuestions q = {}) { return g
 inline std::string error(const std::string& source, FakeQuestions q = {}) {
   const auto v = value(source, q);
   EXPECT_FALSE(v) << source;
-  return v ? "" : v.error().message;
+  return v ? "" : with_line(v.error().place.line, v.error().message);
 }
 inline FakeQuestions at(double t) {
   FakeQuestions q;

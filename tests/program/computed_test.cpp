@@ -42,6 +42,16 @@ TEST(Computed, PointsMakeALine) {
   }
 }
 
+// A component without events or code is the value that was set. Reading it is no circle.
+TEST(Computed, CodeOfAComponentReadsAnotherThatWasSet) {
+  const LoadedFilm s(
+      "create b sphere position=(1 2 4)\nset b.position.x 3\nset b.position.y = \"value('.position.x') + "
+      "value('.position.z', t - 1)\"\n");
+  const Frame f = s.frame("5f");
+  EXPECT_TRUE(f.problems.empty()) << f.problems[0];
+  expect_numbers(s, "b.position", "5f", {3, 7, 4});
+}
+
 // shows: R-T11
 TEST(Computed, MatricesAreNoNumbers) {
   const std::string two = "create a box\ncreate b box\ncreate c box\n";

@@ -88,8 +88,9 @@ TEST(HeldByCode, ACircleIsNamedAndTheFrameComes) {
     const Frame f = s.frame("11f");
     ASSERT_EQ(f.problems.size(), 1u);
     EXPECT_EQ(f.problems[0], "a.attachment: its code would make a cycle, a → b → a, so the object has no parent");
-    ASSERT_EQ(f.errors.size(), 1u);
-    EXPECT_EQ(f.errors[0].source, "frame > 10 and 'b'");
+    ASSERT_EQ(f.reports.size(), 1u);
+    EXPECT_EQ(f.reports[0].subject, "a.attachment");
+    EXPECT_EQ(f.reports[0].source, "frame > 10 and 'b'");
     EXPECT_EQ(translation_of(f.items[1].world).x, 3);  // b hangs on a, and a on nothing
     expect_place(s, "b", "11f", {3, 0, 0});
     EXPECT_EQ(s.frame("11f").problems.size(), 1u);  // asked twice, said twice

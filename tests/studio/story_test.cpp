@@ -273,9 +273,9 @@ class Story : public QObject {
     hands_->key("Ctrl+1");
     hands_->key("Space");
     QTRY_VERIFY(workspace_.time() != frame(25));
-    QVERIFY(workspace_.transport().playing());
+    QVERIFY(workspace_.playhead().playing());
     hands_->key("Space");
-    QVERIFY(!workspace_.transport().playing());
+    QVERIFY(!workspace_.playhead().playing());
     is(before_);
   }
 

@@ -95,14 +95,14 @@ void TimelineTest::the_keys_play_step_and_stop() {
   click("begin"), click("on");
   QCOMPARE(s.at.workspace.time(), s.at.frame(2));
   click("play");
-  QCOMPARE(s.at.workspace.transport().direction(), 1);
+  QCOMPARE(s.at.workspace.playhead().direction(), 1);
   click("play_back");
-  QCOMPARE(s.at.workspace.transport().direction(), -1);
+  QCOMPARE(s.at.workspace.playhead().direction(), -1);
   click("play_back");
-  QVERIFY(!s.at.workspace.transport().playing());
-  QVERIFY(s.at.workspace.transport().loops());
+  QVERIFY(!s.at.workspace.playhead().playing());
+  QVERIFY(s.at.workspace.playhead().loops());
   click("loop");
-  QVERIFY(!s.at.workspace.transport().loops());
+  QVERIFY(!s.at.workspace.playhead().loops());
 }
 
 void TimelineTest::a_note_is_dragged() {
@@ -162,8 +162,8 @@ void TimelineTest::delete_takes_a_note_out() {
 void TimelineTest::alt_chooses_the_part_that_is_played() {
   Shown s;
   drag(s.ruler, {s.x(20), 5}, {s.x(40), 5}, Qt::AltModifier);
-  QCOMPARE(s.at.workspace.transport().first(), s.at.frame(20));
-  QCOMPARE(s.at.workspace.transport().last(), s.at.frame(40));
+  QCOMPARE(s.at.workspace.playhead().first(), s.at.frame(20));
+  QCOMPARE(s.at.workspace.playhead().last(), s.at.frame(40));
   QVERIFY(s.at.said.empty());
 }
 

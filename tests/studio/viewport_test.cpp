@@ -291,9 +291,9 @@ class ViewportTest : public QObject {
     QCOMPARE(std::get<Vec3>(workspace.program().read({workspace.document().find("ball"), 0}, {})).x, 2.0);
     QTest::keyClicks(&window.viewport(), "e");
     QCOMPARE(window.viewport().switches().tool, Tool::turn);
-    QVERIFY(workspace.transport().last() == Time{});
+    QVERIFY(workspace.playhead().last() == Time{});
     QTest::keyClicks(&window.viewport(), "x");
-    QVERIFY(workspace.transport().last() > Time{});
+    QVERIFY(workspace.playhead().last() > Time{});
   }
 
   void the_camera_comes_to_the_free_eye() {

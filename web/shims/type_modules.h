@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What FreeType is made of in pages: outlines of TrueType and OpenType fonts.
+// The modules of FreeType in pages: outlines of TrueType and OpenType fonts.
 FT_USE_MODULE(FT_Driver_ClassRec, tt_driver_class)
 FT_USE_MODULE(FT_Driver_ClassRec, cff_driver_class)
 FT_USE_MODULE(FT_Module_Class, psaux_module_class)

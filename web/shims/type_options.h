@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// FreeType's usual options without what only other fonts, or hinted ones, need.
+// FreeType's usual options, without those for hinting and for other font formats.
 #pragma once
 #include <freetype/config/ftoption.h>
 

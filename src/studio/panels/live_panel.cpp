@@ -62,7 +62,7 @@ LivePanel::LivePanel(Workspace& workspace, QWidget* parent) : QWidget(parent), w
   connect(&poll_, &QTimer::timeout, this, &LivePanel::poll);
   connect(listen_, &QPushButton::toggled, this, &LivePanel::listen);
   connect(&workspace, &Workspace::playing_changed, this, [this] {
-    if (!workspace_.transport().playing()) end_take();
+    if (!workspace_.playhead().playing()) end_take();
   });
   connect(&workspace, &Workspace::text_changed, this, &LivePanel::list_dials);
   connect(&workspace, &Workspace::selection_changed, this, [this] {
@@ -104,7 +104,7 @@ void LivePanel::take(const LiveMessage& m, std::optional<Document>& ahead) {
   last_->setText(QString::fromStdString(in_words(m)).left(200));
   if (learn_->isChecked()) return ahead.reset(), learn(m);
   const std::string* text = m.text ? &*m.text : nullptr;
-  const bool records = record_->isChecked() && workspace_.transport().playing();
+  const bool records = record_->isChecked() && workspace_.playhead().playing();
   const auto complain = [&](const Error& e) {
     last_->setText(last_->text() + "\n" + QString::fromStdString(e.message));
   };
@@ -114,9 +114,9 @@ void LivePanel::take(const LiveMessage& m, std::optional<Document>& ahead) {
     return;
   }
   // The message counts for the frame that was due when it arrived, however late it is read.
-  const Time now = workspace_.transport().now(m.arrived), frame = workspace_.document().rate().span(1);
+  const Time now = workspace_.playhead().now(m.arrived), frame = workspace_.document().rate().span(1);
   if (!take_) take_.emplace(workspace_.session().document()), taken_ = now, messages_ = 0;
-  const bool back = workspace_.transport().direction() > 0 ? now < taken_ : now > taken_;
+  const bool back = workspace_.playhead().direction() > 0 ? now < taken_ : now > taken_;
   if (back) take_->end(taken_ + frame);
   if (const Status s = take_->turn(m.address, m.numbers, text, now, m.within); !s) return complain(s.error());
   taken_ = now, ++messages_;

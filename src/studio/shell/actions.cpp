@@ -32,12 +32,12 @@ const std::vector<ActionRow>& action_rows() {
       {"Edit", "Insert event at playhead", "K", "Inserts an event on each track of the selection: `at T TARGET VALUE`.",
        [](Window& w) { EventActions::of(w.workspace()).insert(); }},
       {"Play", "Play", "Space", "Plays from the playhead, or stops.",
-       [](Window& w) { w.workspace().transport().playing() ? w.workspace().pause() : w.workspace().play(1); }},
+       [](Window& w) { w.workspace().playhead().playing() ? w.workspace().pause() : w.workspace().play(1); }},
       {"Play", "Play backwards", "Shift+Space", "Plays backwards from the playhead, or stops.",
-       [](Window& w) { w.workspace().transport().playing() ? w.workspace().pause() : w.workspace().play(-1); }},
+       [](Window& w) { w.workspace().playhead().playing() ? w.workspace().pause() : w.workspace().play(-1); }},
       {"Play", "Loop", "L", "Plays again from the beginning at the end.",
-       [](Window& w) { w.workspace().transport().loop(!w.workspace().transport().loops()); },
-       [](const Window& w) { return w.workspace().transport().loops(); }},
+       [](Window& w) { w.workspace().playhead().loop(!w.workspace().playhead().loops()); },
+       [](const Window& w) { return w.workspace().playhead().loops(); }},
       {"Play", "Mute", "Ctrl+M", "Turns the film's sound off or on.",
        [](Window& w) { w.sound().mute(!w.sound().muted()); }, [](const Window& w) { return w.sound().muted(); }},
       {"Play", "Next frame", "Right", "Moves the playhead one frame forwards.",
@@ -45,18 +45,18 @@ const std::vector<ActionRow>& action_rows() {
       {"Play", "Previous frame", "Left", "Moves the playhead one frame back.",
        [](Window& w) { w.workspace().step(-1); }},
       {"Play", "Go to start", "Home", "Moves the playhead to the first played frame.",
-       [](Window& w) { w.workspace().go_to(w.workspace().transport().first()); }},
+       [](Window& w) { w.workspace().go_to(w.workspace().playhead().first()); }},
       {"Play", "Go to end", "End", "Moves the playhead to the last played frame.",
-       [](Window& w) { w.workspace().go_to(w.workspace().transport().last()); }},
+       [](Window& w) { w.workspace().go_to(w.workspace().playhead().last()); }},
       {"Play", "Set play range start", "I", "Plays only from the playhead to the end of the play range.",
        [](Window& w) {
          const Time t = w.workspace().time();
-         w.workspace().set_range(std::pair(t, std::max(t, w.workspace().transport().last())));
+         w.workspace().set_range(std::pair(t, std::max(t, w.workspace().playhead().last())));
        }},
       {"Play", "Set play range end", "O", "Plays only from the start of the play range to the playhead.",
        [](Window& w) {
          const Time t = w.workspace().time();
-         w.workspace().set_range(std::pair(std::min(t, w.workspace().transport().first()), t));
+         w.workspace().set_range(std::pair(std::min(t, w.workspace().playhead().first()), t));
        }},
       {"Play", "Clear play range", "X", "Plays the whole film again.",
        [](Window& w) { w.workspace().set_range(std::nullopt); }},

@@ -55,7 +55,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
   frames_->setPlaceholderText(tr("all: %1..%2")
                                   .arg(QString::fromStdString(workspace.when(workspace.document().range().first)),
                                        QString::fromStdString(workspace.when(workspace.document().range().second))));
-  const Transport& t = workspace.transport();
+  const Playhead& t = workspace.playhead();
   if (std::pair(t.first(), t.last()) != workspace.document().range())
     frames_->setText(QString::fromStdString(workspace.when(t.first()) + ".." + workspace.when(t.last())));
   form->addRow(tr("Frames"), frames_);

@@ -18,7 +18,7 @@ void Sound::mute(bool on) {
 }
 
 void Sound::follow() {
-  const Transport& t = workspace_.transport();
+  const Playhead& t = workspace_.playhead();
   const bool plays = t.direction() > 0 && has_sounds(workspace_.document());
   if (!plays && !hearing_) return;
   FrameList f;
@@ -33,8 +33,7 @@ void Sound::follow() {
     hearing_ = Hearing::open(workspace_.program(), frames_, loops_);
   }
   if (!hearing_) return;
-  const auto [frame, since] = t.place();
-  hearing_->follow(workspace_.program(), {plays, frame, since}, muted_);
+  hearing_->follow(workspace_.program(), t.place(), muted_ || !plays);
 }
 
 }  // namespace betwixt::studio

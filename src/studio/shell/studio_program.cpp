@@ -164,7 +164,7 @@ int main(int argc, char** argv) {
     return picture.save(out) ? 0
                              : (std::fprintf(stderr, "betwixt: error: '%s' cannot be written\n", qPrintable(out)), 3);
   }
-  workspace.transport().loop(line.isSet("loop") || !line.isSet("bare"));
+  workspace.playhead().loop(line.isSet("loop") || !line.isSet("bare"));
   window.sound().mute(line.isSet("mute"));
   if (line.isSet("bare")) workspace.play(1);
   return QApplication::exec();

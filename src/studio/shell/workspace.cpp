@@ -174,7 +174,7 @@ Status Workspace::play_part(const Document& document, const std::string& frames)
     set_range(std::pair(part->first, part->last));
     go_to(part->first);
   }
-  if (!transport_.playing()) QTimer::singleShot(0, this, [this] { play(1); });
+  if (!playhead_.playing()) QTimer::singleShot(0, this, [this] { play(1); });
   return Nothing{};
 }
 
@@ -216,7 +216,7 @@ void Workspace::show(Document next) {
   Program program = asked([&](Session&) { return Program::compile(next, program_); });
   document_ = std::move(next), program_ = std::move(program);
   const auto part = range_.value_or(document_.range());
-  transport_.set(document_.rate(), part.first, part.second);
+  playhead_.set(document_.rate(), part.first, part.second);
   const auto gone = [&](ObjectId id) { return document_.name(id).empty(); };
   const std::size_t selected = selected_.size(), events = events_.size();
   std::erase_if(selected_, gone);
@@ -232,15 +232,15 @@ void Workspace::show(Document next) {
 }
 
 void Workspace::tick() {
-  const Time due = transport_.now();
-  if (transport_.ended()) pause();
+  const Time due = playhead_.now();
+  if (playhead_.ended()) pause();
   if (due == time_) return;
   time_ = due;
   emit time_changed();
 }
 
 void Workspace::go_to(Time t) {
-  transport_.go_to(t);
+  playhead_.go_to(t);
   emit jumped();
   if (t == time_) return;
   time_ = t;
@@ -255,17 +255,17 @@ void Workspace::step(int frames) {
 }
 
 void Workspace::play(int direction) {
-  if (transport_.direction() == direction) return pause();
-  transport_.play(direction);
-  shown_ = 0, shown_rate_ = 0, counted_since_ = Transport::Clock::now();
+  if (playhead_.direction() == direction) return pause();
+  playhead_.play(direction);
+  shown_ = 0, shown_rate_ = 0, counted_since_ = Playhead::Clock::now();
   clock_.start();
   tick();
   emit playing_changed();
 }
 
 void Workspace::pause() {
-  if (!transport_.playing()) return;
-  transport_.pause();
+  if (!playhead_.playing()) return;
+  playhead_.pause();
   clock_.stop();
   emit playing_changed();
 }
@@ -273,17 +273,16 @@ void Workspace::pause() {
 void Workspace::set_range(std::optional<std::pair<Time, Time>> range) {
   range_ = range;
   const auto part = range_.value_or(document_.range());
-  transport_.set(document_.rate(), part.first, part.second);
+  playhead_.set(document_.rate(), part.first, part.second);
   emit playing_changed();
 }
 
 void Workspace::picture_shown() {
-  if (!transport_.playing()) return;
+  if (!playhead_.playing()) return;
   ++shown_;
-  const auto now = Transport::Clock::now();
-  const double gone = std::chrono::duration<double>(now - counted_since_).count();
+  const double gone = Playhead::seconds_since(counted_since_);
   if (gone < 0.5) return;
-  shown_rate_ = shown_ / gone, shown_ = 0, counted_since_ = now;
+  shown_rate_ = shown_ / gone, shown_ = 0, counted_since_ = Playhead::Clock::now();
   emit playing_changed();
 }
 

@@ -21,8 +21,8 @@
 #include "betwixt/program.h"
 #include "betwixt/session.h"
 #include "betwixt/track.h"
+#include "playback/playhead.h"
 #include "studio/shell/background_jobs.h"
-#include "studio/shell/transport.h"
 
 namespace betwixt::studio {
 
@@ -80,8 +80,8 @@ class Workspace : public QObject {
   const Diagnostics& diagnostics() const { return diagnostics_; }
 
   // Time. The picture shows the playhead's time.
-  Transport& transport() { return transport_; }
-  const Transport& transport() const { return transport_; }
+  Playhead& playhead() { return playhead_; }
+  const Playhead& playhead() const { return playhead_; }
   Time time() const { return time_; }
   void go_to(Time);
   void step(int frames);     // to whole frames; stops playback
@@ -144,7 +144,7 @@ class Workspace : public QObject {
   std::string file_text_;  // the file's content when we last read it
   bool typing_ = false;    // text_ differs from the session's text
   QTimer typing_settles_, clock_;
-  Transport transport_;
+  Playhead playhead_;
   std::optional<std::pair<Time, Time>> range_;
   Time time_;
   std::vector<ObjectId> selected_;
@@ -152,7 +152,7 @@ class Workspace : public QObject {
   int script_line_ = 0;
   int shown_ = 0;
   double shown_rate_ = 0;
-  Transport::Clock::time_point counted_since_;
+  Playhead::Clock::time_point counted_since_;
 };
 
 }  // namespace betwixt::studio

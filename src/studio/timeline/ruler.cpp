@@ -78,7 +78,7 @@ void Ruler::paint_part(QPainter& p) const {
   };
   const auto [from, to] = workspace_.document().range();
   bar(from, to, c.line);
-  const Transport& played = workspace_.transport();
+  const Playhead& played = workspace_.playhead();
   if (played.first() != from || played.last() != to) bar(played.first(), played.last(), c.accent);
 }
 
@@ -232,9 +232,9 @@ void Ruler::contextMenuEvent(QContextMenuEvent* e) {
   cameras->setEnabled(!cameras->isEmpty());
   menu.addSeparator();
   connect(menu.addAction(tr("Set play range start here")), &QAction::triggered, this,
-          [this, t] { workspace_.set_range(std::pair(t, std::max(t, workspace_.transport().last()))); });
+          [this, t] { workspace_.set_range(std::pair(t, std::max(t, workspace_.playhead().last()))); });
   connect(menu.addAction(tr("Set play range end here")), &QAction::triggered, this,
-          [this, t] { workspace_.set_range(std::pair(std::min(t, workspace_.transport().first()), t)); });
+          [this, t] { workspace_.set_range(std::pair(std::min(t, workspace_.playhead().first()), t)); });
   connect(menu.addAction(tr("Clear play range")), &QAction::triggered, this,
           [this] { workspace_.set_range(std::nullopt); });
   menu.exec(e->globalPos());

@@ -83,13 +83,13 @@ Timeline::Timeline(Workspace& workspace, QWidget* parent)
   for (QLabel* l : {of_, rate_}) l->setForegroundRole(QPalette::PlaceholderText);
   bar->addWidget(at_), bar->addWidget(of_);
   bar->addStretch();
-  bar->addWidget(button("begin", tr("Go to start"), [](Workspace& d) { d.go_to(d.transport().first()); }));
+  bar->addWidget(button("begin", tr("Go to start"), [](Workspace& d) { d.go_to(d.playhead().first()); }));
   bar->addWidget(button("back", tr("Previous frame"), [](Workspace& d) { d.step(-1); }));
   bar->addWidget(button("play_back", tr("Play backwards or stop"), [](Workspace& d) { d.play(-1); }));
   bar->addWidget(button("play", tr("Play or stop"), [](Workspace& d) { d.play(1); }));
   bar->addWidget(button("on", tr("Next frame"), [](Workspace& d) { d.step(1); }));
-  bar->addWidget(button("end", tr("Go to end"), [](Workspace& d) { d.go_to(d.transport().last()); }));
-  auto* loop = button("loop", tr("Loop"), [](Workspace& d) { d.transport().loop(!d.transport().loops()); });
+  bar->addWidget(button("end", tr("Go to end"), [](Workspace& d) { d.go_to(d.playhead().last()); }));
+  auto* loop = button("loop", tr("Loop"), [](Workspace& d) { d.playhead().loop(!d.playhead().loops()); });
   loop->setCheckable(true);
   bar->addWidget(loop);
   bar->addStretch();
@@ -123,7 +123,7 @@ QToolButton* Timeline::button(const QString& name, const QString& tip, void (*do
 void Timeline::draw_buttons() {
   const int size = fontMetrics().height();
   for (QToolButton* b : buttons_) {
-    const int direction = workspace_.transport().direction();
+    const int direction = workspace_.playhead().direction();
     const bool plays =
         (b->objectName() == "play" && direction > 0) || (b->objectName() == "play_back" && direction < 0);
     b->setIconSize({size, size});
@@ -147,7 +147,7 @@ void Timeline::show_time() {
 }
 
 void Timeline::show_playing() {
-  const Transport& t = workspace_.transport();
+  const Playhead& t = workspace_.playhead();
   for (QToolButton* b : buttons_)
     if (b->objectName() == "loop") b->setChecked(t.loops());
   draw_buttons();

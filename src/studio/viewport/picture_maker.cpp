@@ -3,9 +3,10 @@
 #include "studio/viewport/picture_maker.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <utility>
+
+#include "playback/film_player.h"
 
 namespace betwixt::studio {
 namespace {
@@ -24,26 +25,15 @@ RenderOptions coarser(RenderOptions o, int by) {
   return o;
 }
 
-// Keeps renderers and an evaluation from one picture to the next.
 class Maker {
  public:
   PictureMade make(const PictureWanted& w, int coarse = 0) {
     PictureMade m;
     m.time = w.time, m.program = w.program;
-    const auto kept = renderer_for(coarser(w.options, coarse), coarse);
-    if (!kept) {
-      m.problems.push_back(kept.error().message);
-      return m;
-    }
-    if (!evaluation_)
-      evaluation_.emplace(w.program);
-    else if (&evaluation_->program().compiled() != &w.program.compiled())
-      evaluation_->use(w.program);
-    evaluation_->look_from(w.eye);
-    evaluation_->to(w.time);
-    m.eye = evaluation_->camera(), m.problems = evaluation_->problems();
-    Picture& p = (*kept)->picture;
-    if (Status s = (*kept)->renderer->render(*evaluation_, p); !s) {
+    const Evaluation& evaluation = film_.evaluate(w.program, w.time, w.eye);
+    m.eye = evaluation.camera(), m.problems = evaluation.problems();
+    Picture& p = picture_;
+    if (Status s = film_.draw(coarser(w.options, coarse), p); !s) {
       m.problems.push_back(s.error().message);
       return m;
     }
@@ -53,25 +43,8 @@ class Maker {
   }
 
  private:
-  struct Kept {
-    RenderOptions options;
-    std::unique_ptr<Renderer> renderer;
-    Picture picture;  // the last one; reused if nothing differs
-  };
-  Result<Kept*> renderer_for(const RenderOptions& o, int coarse) {
-    Kept& kept = kept_[static_cast<std::size_t>(coarse)];
-    const RenderOptions& k = kept.options;
-    if (kept.renderer && o.width == k.width && o.height == k.height && o.samples == k.samples && o.style == k.style)
-      return &kept;
-    kept.renderer.reset();
-    auto made = make_renderer(o);
-    if (!made) return made.error();
-    kept = {o, *std::move(made), {}};
-    return &kept;
-  }
-
-  std::array<Kept, coarsest + 1> kept_;
-  std::optional<Evaluation> evaluation_;
+  FilmPlayer film_{coarsest + 1};
+  Picture picture_;
 };
 
 }  // namespace

@@ -70,7 +70,7 @@ void Viewport::ask() {
 
 void Viewport::take_picture(const PictureMade& made) {
   shown_ = made;
-  if (workspace_.transport().playing()) forget();
+  if (workspace_.playhead().playing()) forget();
   workspace_.picture_shown();
   update();
   emit picture_came(made);
@@ -107,24 +107,19 @@ void Viewport::forget() {
 
 // Overlays match the picture. During playback pictures arrive later than their times.
 Time Viewport::shown_time() const {
-  return workspace_.transport().playing() && !shown_.image.isNull() ? shown_.time : workspace_.time();
+  return workspace_.playhead().playing() && !shown_.image.isNull() ? shown_.time : workspace_.time();
 }
 
 const Frame& Viewport::frame() const {
   if (frame_) return *frame_;
-  if (!evaluation_)
-    evaluation_.emplace(workspace_.program());
-  else if (&evaluation_->program().compiled() != &workspace_.program().compiled())
-    evaluation_->use(workspace_.program());
-  evaluation_->to(shown_time());
-  frame_ = evaluation_->frame();
+  frame_ = film_.evaluate(workspace_.program(), shown_time()).frame();
   return *frame_;
 }
 
 // During playback the camera comes with the picture.
 Camera Viewport::eye() const {
   if (free_) return *free_;
-  return workspace_.transport().playing() && !shown_.image.isNull() ? shown_.eye : frame().camera;
+  return workspace_.playhead().playing() && !shown_.image.isNull() ? shown_.eye : frame().camera;
 }
 
 Scope Viewport::scope() const {

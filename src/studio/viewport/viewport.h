@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "playback/film_player.h"
 #include "studio/shell/workspace.h"
 #include "studio/viewport/ghosts.h"
 #include "studio/viewport/handles.h"
@@ -155,7 +156,7 @@ class Viewport : public QWidget {
   double last_depth_ = 10;  // of the last point the user looked at
 
   // Caches for the film at the time, filled when needed.
-  mutable std::optional<Evaluation> evaluation_;
+  mutable FilmPlayer film_;
   mutable std::optional<Frame> frame_;
   mutable std::optional<Hand> grip_;
   mutable std::optional<std::vector<Icon>> icons_;

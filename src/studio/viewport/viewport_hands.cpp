@@ -55,7 +55,7 @@ std::optional<Hit> Viewport::hit(QPointF p) const {
 void Viewport::press_on(QPointF p, Qt::KeyboardModifiers modifiers) {
   if (const auto h = handles())
     if (const Part part = h->part_at(p); part != Part::none) return begin_pull(switches_.tool, part, p);
-  if (switches_.trails && !workspace_.transport().playing())
+  if (switches_.trails && !workspace_.playhead().playing())
     if (const auto event = trails_.event_at(scope(), p, shown_time())) {
       workspace_.select_events({*event});
       return begin_pull(Tool::move, Part::all, p, *event);
@@ -135,7 +135,7 @@ const Hand& Viewport::grip() const {
 }
 
 std::optional<Handles> Viewport::handles() const {
-  if (plain_ || !switches_.handles || workspace_.selected().empty() || workspace_.transport().playing() ||
+  if (plain_ || !switches_.handles || workspace_.selected().empty() || workspace_.playhead().playing() ||
       grip().empty())
     return std::nullopt;
   Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

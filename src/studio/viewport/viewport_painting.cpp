@@ -33,7 +33,7 @@ void Viewport::paintEvent(QPaintEvent*) {
     p.drawRect(picture_box().adjusted(0, 0, -1, -1));
   }
   const Scope s = scope();
-  const bool stands = !workspace_.transport().playing();
+  const bool stands = !workspace_.playhead().playing();
   if (switches_.grid) paint_grid(p, s);
   if (switches_.ghosts && stands && !workspace_.looks_ahead())
     ghosts_.paint(p, s, eye(), frame(), [this] { return with_what_hangs_on(workspace_.selected()); });

@@ -1,22 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The state of playback: direction, loop and the part to play. Time comes from the clock, not from a count of pictures:
-// playback skips late pictures and does not slow down.
+// The state of playback: position, direction, loop and the part to play. Time comes from the clock, not from a count of
+// pictures: playback skips late pictures and does not slow down.
 #pragma once
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <utility>
 
 #include "betwixt/time.h"
 
-namespace betwixt::studio {
+namespace betwixt {
 
-class Transport {
+class Playhead {
  public:
   using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  }
 
   bool playing() const { return direction_ != 0; }
   int direction() const { return direction_; }  // 1 or -1; 0 if it does not play
@@ -39,17 +41,30 @@ class Transport {
     return rate_.frame(std::clamp(direction_ > 0 ? std::floor(frame) : std::ceil(frame), rate_.frame_number(first_),
                                   rate_.frame_number(last_)));
   }
-  // Returns the number of whole frames since the first one, and the moment at which that frame began. Playback counts
-  // from there.
-  std::pair<int, Clock::time_point> place() const {
+  // Returns the seconds until another frame is due.
+  double until_next(Clock::time_point clock = Clock::now()) const {
+    const double frame = direction_ * exact_frame(clock);
+    return (std::floor(frame) + 1 - frame) / rate_.per_second();
+  }
+  // The position for sound: the number of whole frames since the first one, and the moment at which that frame began.
+  // Playback counts from there.
+  struct Place {
+    bool playing;  // forward, because sounds do not play backward
+    int frame;
+    Clock::time_point since;
+  };
+  Place place() const {
     const double frames = std::max(0.0, rate_.frame_number(at_) - rate_.frame_number(first_));
     const int whole = static_cast<int>(std::floor(frames));
     const std::chrono::duration<double> begun((frames - whole) / rate_.per_second());
-    return {whole, since_ - std::chrono::duration_cast<Clock::duration>(begun)};
+    return {direction_ > 0, whole, since_ - std::chrono::duration_cast<Clock::duration>(begun)};
   }
-  // Returns whether playback has reached its end.
+  // Returns whether the frame at the end has had its full time; always false in a loop.
   bool ended(Clock::time_point clock = Clock::now()) const {
-    return direction_ != 0 && !loops_ && now(clock) == (direction_ > 0 ? last_ : first_);
+    if (direction_ == 0 || loops_) return false;
+    const double frame = exact_frame(clock);
+    return direction_ > 0 ? frame >= std::floor(rate_.frame_number(last_)) + 1
+                          : frame <= std::ceil(rate_.frame_number(first_)) - 1;
   }
   // Plays from the position; from the other end if it is at the end already.
   void play(int direction) {
@@ -63,7 +78,7 @@ class Transport {
   void go_to(Time t) { at_ = t, since_ = Clock::now(); }
 
  private:
-  // Returns the frame during playback, with a fraction. The last frame of a loop lasts as long as the others. A message
+  // Returns the frame during playback, with a fraction. The frame at the end lasts as long as the others. A message
   // that arrived before the start belongs to the first frame, not to the last one of an earlier round.
   double exact_frame(Clock::time_point clock) const {
     const auto since = std::max(clock, since_) - since_;
@@ -71,9 +86,9 @@ class Transport {
     const double from = rate_.frame_number(first_), to = rate_.frame_number(last_);
     const double frame = rate_.frame_number(at_) + gone;
     const double length = std::floor(to) - std::ceil(from) + 1;
-    if (!loops_ || length <= 0) return std::clamp(frame, from, to);
-    const double past = std::fmod(frame - from, length);
-    return from + (past < 0 ? past + length : past);
+    if (!loops_ || length <= 0) return std::clamp(frame, from - (direction_ < 0), to + (direction_ > 0));
+    const double begin = direction_ > 0 ? from : to, past = std::fmod(direction_ * (frame - begin), length);
+    return begin + direction_ * (past < 0 ? past + length : past);
   }
   // Makes the current frame the position, with its fraction, so that many changes do not slow playback down.
   void hold() {
@@ -89,4 +104,4 @@ class Transport {
   Clock::time_point since_ = Clock::now();
 };
 
-}  // namespace betwixt::studio
+}  // namespace betwixt
