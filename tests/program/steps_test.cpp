@@ -200,8 +200,8 @@ TEST(Steps, AnErrorPointsIntoTheCodeOfTheSteps) {
   for (const char* code : {"return nosuch()", "return step < 1 and vec(0, 0, 0) or nosuch()"}) {
     const LoadedFilm s(film(std::string("steps lua \"") + code + "\""));
     const Frame f = s.frame("3f");
-    ASSERT_FALSE(f.errors.empty());
-    EXPECT_EQ(f.errors[0].source, code);
+    ASSERT_FALSE(f.reports.empty());
+    EXPECT_EQ(f.reports[0].source, code);
   }
 }
 
