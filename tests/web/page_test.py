@@ -59,7 +59,7 @@ def typing(browser):
     same("what is wrong stands below", page.ask("inside('.said').innerText.split('\\n').filter((l) => l)"),
          ["line 6: this is broken", "  it is broken 🎈 broken", "        ^", "mend it"])
     same("its line is underlined", page.ask("inside('.bad').textContent"), "it is broken 🎈 broken")
-    same("and spoken", page.ask("inside('.heard').textContent"), "Line 6: this is broken")
+    same("and spoken", page.ask("inside('.spoken').textContent"), "Line 6: this is broken")
     page.do("t.setSelectionRange(0, 0); inside('.said button').click()")
     same("a click goes there", page.ask("[t.selectionStart, e.shadowRoot.activeElement === t]"), [len(text) + len('tomato') - len('gold') + 8, True])
     same("columns count characters", page.do("e.go(6, 18); return t.value.slice(t.selectionStart, t.selectionStart + 6);"), "broken")
