@@ -387,7 +387,7 @@ for signal in INT TERM; do
   for o in stop.mp4 stop.gif stop-%d.png; do
     "$program" render bounce.bx -o $o $small --frames 1f..1000000f 2>said &
     pid=$!
-    for _ in $(seq 200); do [ "$(leftovers)" -gt 0 ] && break; sleep 0.05; done
+    for _ in $(seq 1200); do [ "$(leftovers)" -gt 0 ] && break; sleep 0.05; done
     sleep 0.2
     kill -$signal $pid
     wait $pid

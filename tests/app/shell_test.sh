@@ -76,8 +76,13 @@ is 'saved at last' "$(tail -n 1 film.bx)" 'hide ball'
 author
 session 'open is guarded' 0 'not opened' film.bx 'rate 25' 'open other.bx' stay quit discard
 author
-{ printf 'rate 25\n'; sleep 0.5; printf 'save\nno\nquit\ndiscard\n'; } | "$program" shell film.bx >out 2>&1 &
-sleep 0.2; printf '# another hand\n' >>film.bx; wait $!
+rm -f out
+{
+  printf 'rate 25\n'
+  for _ in $(seq 600); do grep -qs ok out && break; sleep 0.05; done  # the film is open
+  printf '# another hand\n' >>film.bx
+  printf 'save\nno\nquit\ndiscard\n'
+} | "$program" shell film.bx >out 2>&1
 verdict 'changed by someone else' "$(grep -q 'was changed by another program' out && tail -n 1 film.bx | grep -q another && echo yes)" "$(cat out)"
 
 # Recovery.
@@ -107,7 +112,7 @@ mkfifo hold
 first=$!
 exec 9>hold
 printf 'rate 25\n' >&9
-for _ in 1 2 3 4 5 6 7 8 9 10; do grep -q ok first && break; sleep 0.1; done
+for _ in $(seq 300); do grep -q ok first && break; sleep 0.1; done
 session 'the second is told' 1 'is read-only' film.bx 'list' 'rate 30' 'save'
 printf 'save\n' >&9
 exec 9>&-
@@ -130,7 +135,7 @@ session 'nothing to plot' 1 'no object' film.bx 'plot bal.position -> q.svg'
 if command -v tmux >/dev/null; then
   screen() { tmux -L "betwixt$$" "$@"; }
   screen -f /dev/null new-session -d -x 100 -y 30 "cd '$work' && XDG_STATE_HOME='$work/state' '$program' shell film.bx"
-  wait_for() { for _ in $(seq 50); do [[ "$(screen capture-pane -p 2>/dev/null)" == *"$1"* ]] && return; sleep 0.1; done; false; }
+  wait_for() { for _ in $(seq 300); do [[ "$(screen capture-pane -p 2>/dev/null)" == *"$1"* ]] && return; sleep 0.1; done; false; }
   shown() { verdict "terminal: $1" "$(wait_for "$2" && echo yes)" "$(screen capture-pane -p 2>&1)"; }
   shown prompt 'film.bx>'
   screen send-keys 'des' Tab 'ba' Tab Enter
@@ -166,7 +171,7 @@ film.bx*>'
   shown 'ignored' 'ignored
 film.bx*>'
   # The picture, a change, and the picture again. Input before the prompt may be dropped.
-  prompted() { for _ in $(seq 50); do [[ "$(screen capture-pane -p)" == *"$1"$'\nfilm.bx*>' ]] && return; sleep 0.1; done; }
+  prompted() { for _ in $(seq 300); do [[ "$(screen capture-pane -p)" == *"$1"$'\nfilm.bx*>' ]] && return; sleep 0.1; done; }
   picture() { # in its colours
     screen send-keys 'play 1f..1f' Enter
     wait_for '= 1/1'
@@ -200,9 +205,9 @@ film.bx*>'
   shown 'Ctrl-C stays' 'save, discard or stay?
 film.bx*>'
   screen send-keys C-d
-  for _ in $(seq 50); do [ "$(screen capture-pane -p | grep -c 'discard or stay?')" = 2 ] && break; sleep 0.1; done
+  for _ in $(seq 300); do [ "$(screen capture-pane -p | grep -c 'discard or stay?')" = 2 ] && break; sleep 0.1; done
   screen send-keys 'discard' Enter
-  verdict 'terminal: over' "$(for _ in $(seq 50); do screen has-session 2>/dev/null || { echo yes; break; }; sleep 0.1; done)" 'it is still there'
+  verdict 'terminal: over' "$(for _ in $(seq 300); do screen has-session 2>/dev/null || { echo yes; break; }; sleep 0.1; done)" 'it is still there'
   verdict 'history' "$(grep -q 'radius' "$work/state/betwixt/history" && echo yes)" "$(ls -R "$work/state")"
   screen kill-server 2>/dev/null
 fi
