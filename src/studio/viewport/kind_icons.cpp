@@ -5,9 +5,12 @@
 #include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
+#include <QTransform>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "scene/kinds.h"
 #include "studio/shell/theme.h"
 
 namespace betwixt::studio {
@@ -49,6 +52,24 @@ QPolygonF around(int points, double from, double outer, double inner) {
     all << QPointF(8 + r * std::cos(a), 8 + r * std::sin(a));
   }
   return all;
+}
+
+// The icon of a kind that has none of its own: the contours of its row, or a square.
+QPainterPath outline_of(Kind k) {
+  QPainterPath path;
+  Shape shape;
+  shape.kind = k;
+  if (const auto contours = row_of(k).contours)
+    for (const std::vector<Vec3>& contour : contours(shape)) {
+      QPolygonF points;
+      for (const Vec3& at : contour) points << QPointF(at.x, -at.y);
+      path.addPolygon(points), path.closeSubpath();
+    }
+  const QRectF box = path.boundingRect();
+  const double size = std::max(box.width(), box.height());
+  if (!(size > 0)) return path = {}, path.addRoundedRect(QRectF(3, 3, 10, 10), 2, 2), path;
+  return QTransform(11 / size, 0, 0, 11 / size, 8 - 11 / size * box.center().x(), 8 - 11 / size * box.center().y())
+      .map(path);
 }
 
 QColor color_of(Kind k) {
@@ -174,6 +195,8 @@ void draw(QPainter& p, Kind k, const QColor& c) {
         p.drawPath(wave);
       }
       return;
+    default:
+      return p.drawPath(outline_of(k));
   }
 }
 
