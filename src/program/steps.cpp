@@ -60,10 +60,9 @@ struct Stepper {
   Status allowed(std::int64_t step) const {
     for (const OpenStep* open = asking.step; open; open = open->outer) {
       if (open->run != &run || step < open->step) continue;
-      return step == open->step
-                 ? fail(ErrorCode::range, "this step depends on itself: read an earlier time, as in (t - dt)")
-                 : fail(ErrorCode::range,
-                        "a step cannot read the future: the state is known only up to the step before");
+      const char* const why = step == open->step ? "needs its own result: read an earlier time, as in (t - dt)"
+                                                 : "cannot read the future: the state is known up to the step before";
+      return fail(ErrorCode::range, fmt::format("step {} {}", open->step, why));
     }
     return Nothing{};
   }
