@@ -60,9 +60,9 @@ struct Stepper {
   Status allowed(std::int64_t step) const {
     for (const OpenStep* open = asking.step; open; open = open->outer) {
       if (open->run != &run || step < open->step) continue;
-      const char* const why = step == open->step ? "needs its own result: read an earlier time, as in (t - dt)"
-                                                 : "cannot read the future: the state is known up to the step before";
-      return fail(ErrorCode::range, fmt::format("step {} {}", open->step, why));
+      return fail(ErrorCode::range, step == open->step
+                                        ? "a step needs its own result: read an earlier time, as in (t - dt)"
+                                        : "a step cannot read the future: the state is known up to the step before");
     }
     return Nothing{};
   }

@@ -183,10 +183,10 @@ TEST(Steps, WrongStepsAreErrorsWithTheStep) {
             "chase: step 3 at 4f failed: a state can have at most 100000 entries");
   EXPECT_EQ(
       one("steps lua \"return step == 0 and vec(0, 0, 0) or chase(t + dt)\""),
-      "chase: step 1 at 2f failed: chase: step 1 cannot read the future: the state is known up to the step before");
+      "chase: step 1 at 2f failed: chase: a step cannot read the future: the state is known up to the step before");
   EXPECT_EQ(
       one("steps lua \"return step < 4 and vec(0, 0, 0) or value('fox.position')\""),
-      "fox.position: the procedure \"chase()\" gives no value: chase: step 4 needs its own result: read an earlier "
+      "fox.position: the procedure \"chase()\" gives no value: chase: a step needs its own result: read an earlier "
       "time, as in (t - dt)");
   EXPECT_EQ(one("steps lua \"if step == 2 then return nil end return vec(0, 0, 0)\""),
             "chase: step 2 at 3f failed: it returned no state");
