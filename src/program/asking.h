@@ -54,8 +54,8 @@ struct Asking {
   std::uint64_t most = UINT64_MAX;
   bool in_haste() const { return most < UINT64_MAX; }
   std::vector<Problem> problems;
-  std::vector<Target> read;        // values that procedures have read
-  const OpenStep* step = nullptr;  // of a stepped procedure, for which these values are evaluated
+  std::vector<Target> read;  // values that procedures have read
+  OpenStep* step = nullptr;  // of a stepped procedure, for which these values are evaluated
   const DeferredEvaluation* deferred =
       nullptr;  // has the answers of the outermost questions; null to compute them here
 

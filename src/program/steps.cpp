@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::int64_t most_steps = 10'000'000;
 constexpr std::uint64_t most_work = 10'000'000'000;  // for all steps together
+constexpr const char* circle =
+    "it depends on itself: a step can read its own state only at earlier times, as in (t - dt)";
 
 // Returns the state between `a` and `b`: numbers, vectors, colours and rotations blend, and everything else is that of
 // `a`. A whole number blends with a number that is not whole, because Lua writes 0 for the beginning of both.
@@ -56,29 +58,33 @@ struct Stepper {
 
   Time time_of(std::int64_t step) const { return p.stepping.from + Time{every.flicks * step}; }
 
-  // Fails if a step that is being computed would need itself or a later one.
+  // Fails if a step that is being computed needs itself or a later one. All steps of this circle fail, whichever of
+  // them was asked for first.
   Status allowed(std::int64_t step) const {
-    for (const OpenStep* open = asking.step; open; open = open->outer) {
-      if (open->run != &run || step < open->step) continue;
-      return fail(ErrorCode::range, step == open->step
-                                        ? "a step needs its own result: read an earlier time, as in (t - dt)"
-                                        : "a step cannot read the future: the state is known up to the step before");
+    const OpenStep* first = asking.step;
+    while (first && (first->run != &run || step < first->step)) first = first->outer;
+    if (!first) return Nothing{};
+    for (OpenStep* open = asking.step;; open = open->outer) {
+      open->circle = true;
+      if (open == first) return fail(ErrorCode::range, circle);
     }
-    return Nothing{};
   }
 
   // Computes the step after a point. Returns false if it fails.
   bool advance(StepRun::Point at) const {
     Cancellation::check();
     const std::int64_t number = at.step + 1;
-    const OpenStep open{&run, number, asking.step};
+    OpenStep open{&run, number, asking.step};
     Asking inner;
     inner.step = &open;
     FilmQuestions questions(c, inner, time_of(number));
     std::uint64_t cost = 0;
     auto state = p.code->step(questions, at.state ? *at.state : State{}, number, every.seconds(), cost);
     if (questions.called_off) throw Cancelled{};
-    run.note(inner);
+    if (open.circle)
+      state = fail(ErrorCode::range, circle);
+    else
+      run.note(inner);
     at.cost += cost;
     if (state && at.cost > most_work)
       state =
@@ -124,14 +130,19 @@ StepRun::Point StepRun::nearest(std::int64_t step) {
     const std::int64_t last = static_cast<std::int64_t>(kept_.size()) - 1;
     if (step >= 0) best = kept_[static_cast<std::size_t>(std::min(step / stride_, last))];
   }
-  for (const Point* p : {&latest_, &newest_})
-    if (p->step <= step && p->step > best.step) best = *p;
+  const auto closer = [&](const Point& p) {
+    if (p.step <= step && p.step > best.step) best = p;
+  };
+  closer(newest_);
+  for (const Point& p : recent_) closer(p);
   return best;
 }
 
 void StepRun::put(Point p) {
   const std::lock_guard lock(in_use_);
-  latest_ = p;
+  recent_.push_back(p), recent_bytes_ += bytes_of(*p.state);
+  for (; recent_.size() > most_recent || (recent_.size() > 2 && recent_bytes_ > most_recent_bytes); recent_.pop_front())
+    recent_bytes_ -= bytes_of(*recent_.front().state);
   if (p.step <= newest_.step) return;
   newest_ = p;
   if (p.step != static_cast<std::int64_t>(kept_.size()) * stride_) return;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -21,7 +22,8 @@
 
 namespace betwixt {
 
-// The states that one procedure is known to have: the newest, the one computed last, and checkpoints in between.
+// The states that one procedure is known to have: checkpoints, and those computed last, which procedures that read each
+// other's past need again and again.
 class StepRun {
  public:
   struct Point {
@@ -44,12 +46,14 @@ class StepRun {
   void tell(Asking& caller);
 
  private:
-  static constexpr std::size_t most_bytes = 64 << 20, most_problems = 20;
+  static constexpr std::size_t most_bytes = 64 << 20, most_recent_bytes = 16 << 20, most_recent = 64;
+  static constexpr std::size_t most_problems = 20;
   std::mutex in_use_;
-  Point newest_, latest_;
+  Point newest_;
   std::vector<Point> kept_;  // every stride_ steps
+  std::deque<Point> recent_;
   std::int64_t stride_ = 1;
-  std::size_t bytes_ = 0;
+  std::size_t bytes_ = 0, recent_bytes_ = 0;
   std::optional<Failure> failure_;
   Asking noted_;
 };
@@ -68,12 +72,13 @@ class StepRuns {
 struct OpenStep {
   const StepRun* run = nullptr;
   std::int64_t step = 0;
-  const OpenStep* outer = nullptr;
+  OpenStep* outer = nullptr;
+  bool circle = false;  // it is needed for its own result
 };
 
 // Returns the state of a procedure of role `steps` at a time; between two steps, the blend of their states. After a
-// step that failed, returns the last good state and reports the error to `asking`. Errors: range (the step that asks
-// does not know this state yet), type (the first step failed).
+// step that failed, returns the last good state and reports the error to `asking`. Errors: range (a step would depend
+// on itself), type (the first step failed).
 Result<State> state_at(const Program::Compiled&, const NamedProcedure&, Time, Asking&);
 
 }  // namespace betwixt
