@@ -43,7 +43,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#parts = this.#face.parts;
       this.#loader = new FilmLoader(this, {
         begin: () => this.#begin_loading(), stay_empty: () => this.#stay_empty(),
-        take: (film) => this.#take(film), fail: (code, words) => this.#fail(code, words),
+        take: (film) => this.#use_film(film), fail: (code, words) => this.#fail(code, words),
       });
       this.#clock = new FilmClock(this, {
         fire: (name, detail) => this.#fire(name, detail), update: () => this.#update(), in_sight: () => this.#visible,
@@ -56,7 +56,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
         time: () => this.#clock.time, moving: () => this.#clock.moving(), stuck: () => this.#clock.stuck(),
         frames_at: (time) => this.#frames_at(time), hold: () => this.#clock.hold(),
       });
-      page.know(this, {
+      page.add(this, {
         step: () => this.#step(), see: (visible) => this.#see(visible), comes_near: () => this.#comes_near(),
         measure: (size) => this.#measure(size),
       });
@@ -66,9 +66,9 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       // Properties that were set before the element was defined hide the accessors, so set them again.
       for (const name of ["files", "script", "currentTime", "playbackRate", "src", ...player_flags])
         if (Object.hasOwn(this, name)) {
-          const said = this[name];
+          const value = this[name];
           delete this[name];
-          this[name] = said;
+          this[name] = value;
         }
       page.watch(this, this.#parts.stage);
       this.#show_attributes();
@@ -228,7 +228,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#show();
     }
 
-    #take(film) {
+    #use_film(film) {
       this.#network = 1;
       this.#diagnostics = film.diagnostics;
       this.#text_wrong = !film.ok;

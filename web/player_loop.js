@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One loop for all players of a page. It runs while a visible picture may change. With it, what tells players where they
-// are: in sight, near it, of which size, and on which screen.
+// One loop for all players of a page, which runs while a visible picture may change. It also tells each player whether it
+// is visible or near the visible part of the page, its size, and when the screen or the zoom changes.
 const player_loop = () => {
-  const acts = new WeakMap();  // by player: step, see, comes_near, measure
+  const callbacks = new WeakMap();  // by player: step, see, comes_near, measure
   const watched = new Set(), awake = new Set();
   let due = 0;
   const beat = () => {
@@ -12,7 +12,7 @@ const player_loop = () => {
     const now = [...awake];
     awake.clear();
     for (const player of now)
-      if (player.isConnected && acts.get(player).step()) wake(player);
+      if (player.isConnected && callbacks.get(player).step()) wake(player);
   };
   const wake = (player) => {
     awake.add(player);
@@ -20,14 +20,14 @@ const player_loop = () => {
   };
 
   const seen = new IntersectionObserver((all) => {
-    for (const one of all) acts.get(one.target).see(one.isIntersecting);
+    for (const one of all) callbacks.get(one.target).see(one.isIntersecting);
   });
   const near = new IntersectionObserver((all) => {
     for (const one of all)
-      if (one.isIntersecting) acts.get(one.target).comes_near();
+      if (one.isIntersecting) callbacks.get(one.target).comes_near();
   }, { rootMargin: "100% 25%" });
   const sizes = new ResizeObserver((all) => {
-    for (const one of all) acts.get(one.target.getRootNode().host).measure(one.contentRect);
+    for (const one of all) callbacks.get(one.target.getRootNode().host).measure(one.contentRect);
   });
   // Redraws on another screen or another zoom: the size on the page stays, but the number of screen pixels changes.
   const watch_pixels = () => {
@@ -40,7 +40,7 @@ const player_loop = () => {
 
   return {
     wake,
-    know(player, its) { acts.set(player, its); },
+    add(player, its_callbacks) { callbacks.set(player, its_callbacks); },
     watch(player, stage) {
       seen.observe(player);
       near.observe(player);

@@ -50,8 +50,17 @@ bool procedure(Command& k) {
     if (c.accept_word(role_names[r])) role = static_cast<Role>(r);
   Stepping stepping;
   if (role == Role::steps && !read_stepping(c, stepping)) return false;
-  if (!c.accept_word("lua"))
+  if (!c.accept_word("lua")) {
+    const char* const here = c.at;
+    const std::string_view word = c.word();
+    using Words = std::vector<std::string_view>;
+    const Words fitting = role == Role::steps ? Words{"every", "from", "hold", "lua"}
+                                              : Words{"twerper", "filter", "command", "steps", "lua"};
+    if (const Hint near = did_you_mean(word, fitting); !near.text.empty())
+      return c.fail(ErrorCode::syntax, fmt::format("a procedure cannot have the word '{}' here", word), word, near);
+    c.at = here;
     return c.fail_here(ErrorCode::syntax, "'lua' is missing here", "as in procedure snap twerper lua \"u*u\"");
+  }
   c.space();
   const char* start = c.at;
   std::string source;

@@ -56,6 +56,34 @@ int extreme(lua_State* l) {
   return lua_pushvalue(l, found), 1;
 }
 
+// Functions of this program's own C library (cmake/steady.cmake). Lua is a shared library, so in other processes, such
+// as Python, its own functions are those of the system, which may differ in the last bit.
+template <auto function>
+int of_one(lua_State* l) {
+  return lua_pushnumber(l, function(luaL_checknumber(l, 1))), 1;
+}
+int arc_tangent(lua_State* l) {
+  return lua_pushnumber(l, std::atan2(luaL_checknumber(l, 1), luaL_optnumber(l, 2, 1))), 1;
+}
+int logarithm(lua_State* l) {
+  const double x = luaL_checknumber(l, 1), base = luaL_optnumber(l, 2, 0);
+  const bool natural = lua_isnoneornil(l, 2);
+  return lua_pushnumber(l, natural      ? std::log(x)
+                           : base == 2  ? std::log2(x)
+                           : base == 10 ? std::log10(x)
+                                        : std::log(x) / std::log(base)),
+         1;
+}
+constexpr luaL_Reg steady[] = {{"sin", of_one<[](double x) { return std::sin(x); }>},
+                               {"cos", of_one<[](double x) { return std::cos(x); }>},
+                               {"tan", of_one<[](double x) { return std::tan(x); }>},
+                               {"asin", of_one<[](double x) { return std::asin(x); }>},
+                               {"acos", of_one<[](double x) { return std::acos(x); }>},
+                               {"exp", of_one<[](double x) { return std::exp(x); }>},
+                               {"atan", arc_tangent},
+                               {"log", logarithm},
+                               {nullptr, nullptr}};
+
 constexpr double longest_text = 1'000'000;
 int repeat(lua_State* l) {
   std::size_t size = 0, between = 0;
@@ -208,13 +236,13 @@ constexpr luaL_Reg own[] = {{"tostring", guarded<to_text>}, {"pairs", pairs},   
 }  // namespace
 
 void open_library(lua_State* l, Machine& m) {
-  const auto of_math = {"abs", "ceil", "floor", "fmod", "modf", "exp", "log", "sqrt",      "sin",  "cos",
-                        "tan", "asin", "acos",  "atan", "deg",  "rad", "ult", "tointeger", "huge", "pi"};
+  const auto of_math = {"abs", "ceil", "floor", "fmod", "modf", "sqrt", "deg", "rad", "ult", "tointeger", "huge", "pi"};
   constexpr luaL_Reg extremes[] = {{"min", extreme<true>}, {"max", extreme<false>}, {nullptr, nullptr}};
   lua_newtable(l);  // the library
   copy(l, luaopen_base, {"assert", "error", "ipairs", "select", "type", "rawequal", "rawlen"});
   copy(l, luaopen_base, {"tonumber"}, charged<Charge::text>);
   copy(l, luaopen_math, of_math);
+  luaL_setfuncs(l, steady, 0);
   luaL_setfuncs(l, extremes, 0);
   luaL_setfuncs(l, own, 0);
   luaL_setfuncs(l, query_functions, 0);
@@ -224,6 +252,7 @@ void open_library(lua_State* l, Machine& m) {
 
   lua_newtable(l);
   copy(l, luaopen_math, of_math);
+  luaL_setfuncs(l, steady, 0);
   luaL_setfuncs(l, extremes, 0);
   copy(l, luaopen_math, {"type", "maxinteger", "mininteger"});
   protect(l, no_library_writing);

@@ -12,7 +12,8 @@
 namespace betwixt::lua {
 namespace {
 
-constexpr std::size_t most_entries = 100'000;  // of a state, in all its tables
+constexpr std::size_t most_entries = 20'000;  // of a state, in all its tables
+constexpr std::size_t letters_an_entry = 64;  // a longer text counts as several entries
 constexpr int deepest_table = 20;
 
 Error no_state(std::string what) { return fail(ErrorCode::type, std::move(what)); }
@@ -37,6 +38,8 @@ Result<State> state_at(lua_State* l, int index, std::size_t& room, int depth) {
   if (lua_type(l, index) != LUA_TTABLE || read(l, index, n) != Kind::none) {
     auto v = to_value(l, index);
     if (!v) return v.error();
+    const auto* text = std::get_if<Text>(&*v);
+    room -= std::min(room, text ? (*text)->size() / letters_an_entry : 0);
     return State{*std::move(v)};
   }
   if (depth == deepest_table)

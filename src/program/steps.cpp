@@ -84,7 +84,7 @@ struct Stepper {
     if (open.circle)
       state = fail(ErrorCode::range, circle);
     else
-      run.note(inner);
+      run.note(number, inner);
     at.cost += cost;
     if (state && at.cost > most_work)
       state =
@@ -113,11 +113,11 @@ struct Stepper {
     const std::int64_t since = std::max<std::int64_t>(0, t.flicks - p.stepping.from.flicks);
     const std::int64_t step = since / every.flicks, rest = since % every.flicks;
     if (step >= most_steps) return fail(ErrorCode::range, fmt::format("it can have at most {} steps", most_steps));
-    const auto before = after(step);
-    if (!before || rest == 0 || p.stepping.hold) return before ? Result<State>(**before) : before.error();
-    const auto next = after(step + 1);
-    if (!next) return next.error();
-    return between(**before, **next, static_cast<double>(rest) / static_cast<double>(every.flicks));
+    const bool blends = rest > 0 && !p.stepping.hold;
+    const auto before = after(step), next = blends ? after(step + 1) : before;
+    run.tell(blends ? step + 1 : step, asking);
+    if (!before || !next) return before ? next.error() : before.error();
+    return blends ? between(**before, **next, static_cast<double>(rest) / static_cast<double>(every.flicks)) : **before;
   }
 };
 
@@ -125,17 +125,15 @@ struct Stepper {
 
 StepRun::Point StepRun::nearest(std::int64_t step) {
   const std::lock_guard lock(in_use_);
-  Point best;
-  if (!kept_.empty()) {
-    const std::int64_t last = static_cast<std::int64_t>(kept_.size()) - 1;
-    if (step >= 0) best = kept_[static_cast<std::size_t>(std::min(step / stride_, last))];
-  }
+  const Point none;
+  const Point* best = &none;
   const auto closer = [&](const Point& p) {
-    if (p.step <= step && p.step > best.step) best = p;
+    if (p.step <= step && p.step > best->step) best = &p;
   };
+  if (!kept_.empty() && step >= 0) closer(kept_[std::min(static_cast<std::size_t>(step / stride_), kept_.size() - 1)]);
   closer(newest_);
   for (const Point& p : recent_) closer(p);
-  return best;
+  return *best;
 }
 
 void StepRun::put(Point p) {
@@ -164,17 +162,32 @@ std::optional<StepRun::Failure> StepRun::failed(std::int64_t step) {
   return failure_ && failure_->step <= step ? failure_ : std::nullopt;
 }
 
-void StepRun::note(const Asking& of_step) {
-  const std::lock_guard lock(in_use_);
-  for (const Target& t : of_step.read) noted_.note_read(t);
-  for (const Problem& problem : of_step.problems)
-    if (noted_.problems.size() < most_problems) noted_.say(problem);
+namespace {
+
+// Adds what a step has, if no step before had it.
+template <class What>
+void add(std::vector<std::pair<std::int64_t, What>>& all, std::int64_t step, const What& what, std::size_t most) {
+  const auto known = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.second == what; });
+  if (known != all.end())
+    known->first = std::min(known->first, step);
+  else if (all.size() < most)
+    all.emplace_back(step, what);
 }
 
-void StepRun::tell(Asking& caller) {
+}  // namespace
+
+void StepRun::note(std::int64_t step, const Asking& asking) {
   const std::lock_guard lock(in_use_);
-  for (const Target& t : noted_.read) caller.note_read(t);
-  for (const Problem& problem : noted_.problems) caller.say(problem);
+  for (const Target& t : asking.read) add(read_, step, t, most_noted);
+  for (const Problem& p : asking.problems) add(problems_, step, p, most_noted);
+}
+
+void StepRun::tell(std::int64_t step, Asking& caller) {
+  const std::lock_guard lock(in_use_);
+  for (const auto& [first, target] : read_)
+    if (first <= step) caller.note_read(target);
+  for (const auto& [first, problem] : problems_)
+    if (first <= step) caller.say(problem);
 }
 
 StepRun& StepRuns::of(const NamedProcedure& p) {
@@ -185,10 +198,7 @@ StepRun& StepRuns::of(const NamedProcedure& p) {
 }
 
 Result<State> state_at(const Program::Compiled& c, const NamedProcedure& p, Time t, Asking& asking) {
-  StepRun& run = c.caches.steps.of(p);
-  auto state = Stepper{c, p, run, asking}.at(t);
-  run.tell(asking);
-  return state;
+  return Stepper{c, p, c.caches.steps.of(p), asking}.at(t);
 }
 
 }  // namespace betwixt

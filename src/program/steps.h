@@ -12,7 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "betwixt/program.h"
@@ -41,13 +41,15 @@ class StepRun {
   void fail_at(Failure);
   // Returns the failure if it happened at or before the step.
   std::optional<Failure> failed(std::int64_t step);
-  // Adds the targets and problems of a step to those of the run, and those of the run to the caller's.
-  void note(const Asking& of_step);
-  void tell(Asking& caller);
+  // Keeps what a step read, and its problems.
+  void note(std::int64_t step, const Asking&);
+  // Passes on what the steps until this one read, and their problems: not those of later steps, which may be known or
+  // not.
+  void tell(std::int64_t step, Asking& caller);
 
  private:
   static constexpr std::size_t most_bytes = 64 << 20, most_recent_bytes = 16 << 20, most_recent = 64;
-  static constexpr std::size_t most_problems = 20;
+  static constexpr std::size_t most_noted = 1000;
   std::mutex in_use_;
   Point newest_;
   std::vector<Point> kept_;  // every stride_ steps
@@ -55,7 +57,9 @@ class StepRun {
   std::int64_t stride_ = 1;
   std::size_t bytes_ = 0, recent_bytes_ = 0;
   std::optional<Failure> failure_;
-  Asking noted_;
+  // With the first step that had it.
+  std::vector<std::pair<std::int64_t, Target>> read_;
+  std::vector<std::pair<std::int64_t, Problem>> problems_;
 };
 
 // The runs of a film, by their procedure.

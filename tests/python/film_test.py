@@ -88,6 +88,22 @@ class Values(unittest.TestCase):
                             mine = mine.reshape(16)  # row by row
                         np.testing.assert_array_equal(mine, value, target)
 
+    def test_code_uses_the_program_s_sines_and_not_those_of_python_s_library(self):
+        calls = ("sin(x)", "cos(x)", "tan(x)", "asin(x / 9)", "math.acos(x / 9)", "atan(x)", "math.atan(x, 3)",
+                 "exp(x)", "log(x + 1)", "log(x + 1, 2)", "log(x + 1, 10)", "log(x + 1, 3)")
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "sines.bx")
+            with open(file, "w", encoding="utf-8") as script:
+                script.write("create line polyline\nset line.points = \"local p = {} for i = 0, 400 do local x = i / 50 ")
+                script.write("".join(f"p[#p + 1] = vec({a}, {b}, {c}) " for a, b, c in zip(*[iter(calls)] * 3)))
+                script.write("end return p\"\n")
+            (said,) = said_by_program(file, ("1f",), ("line.points",))
+            mine = betwixt.load(file).eval("line.points", "1f")
+        np.testing.assert_array_equal(mine, said["line.points"])
+        x = np.arange(401) / 50
+        np.testing.assert_allclose(mine[1::4][:, 1], np.arccos(x / 9), rtol=1e-15)
+        np.testing.assert_allclose(mine[3::4][:, 2], np.log(x + 1) / np.log(3), rtol=1e-15)
+
     def test_values_of_every_kind(self):
         film = betwixt.loads("create ball sphere color=#ff8000 radius=2 material=metal\ncreate box box size=(1 2 3)\n"
                              "create word text text=\"grün\"\ncreate line polyline points=((0 0 0) (1 2 3))\n"
