@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "commands/fall_path.h"
 #include "commands/segments.h"
@@ -62,18 +63,20 @@ CommandOutcome carried(const Program& program, ObjectId id, Time t) {
   return c;
 }
 
-// Returns the program of the same objects with only their own tracks: filters and layers are added to a fall, too.
+// Returns the program of the same objects with only their own tracks: filters, layers and obstacles act on a fall, too.
 Program bare(const Scene& s, const std::vector<ObjectId>& things, const Program& program) {
   Scene plain = s;
   bool any = false;
   for (const ObjectId id : things) {
     const auto adds = [](const Slot& slot) {
-      return slot.function == fn::position && (slot.layer || !slot.filters.empty());
+      return slot.function == fn::obstacles || (slot.function == fn::position && (slot.layer || !slot.filters.empty()));
     };
     if (const auto& slots = s.objects[id.index].slots; std::none_of(slots.begin(), slots.end(), adds)) continue;
     any = true;
     auto& slots = plain.objects.edit(id.index).slots;
-    std::erase_if(slots, [](const Slot& slot) { return slot.function == fn::position && slot.layer; });
+    std::erase_if(slots, [](const Slot& slot) {
+      return slot.function == fn::obstacles || (slot.function == fn::position && slot.layer);
+    });
     for (Slot& slot : slots)
       if (slot.function == fn::position) slot.filters.clear();
   }
@@ -152,8 +155,8 @@ std::size_t displaced(const Scene& s, ObjectId id, Time from, Time until) {
   return most;
 }
 
-// Reads delay= gravity= ground= bounce= and for LENGTH.
-bool laws_of(Command& k, FallLaws& laws) {
+// Reads delay= gravity= ground= bounce= and for LENGTH. `grounded`: whether there is a ground=.
+bool laws_of(Command& k, FallLaws& laws, bool& grounded) {
   Cursor& c = k.cursor;
   while (!c.at_line_end()) {
     const char* start = c.at;
@@ -173,6 +176,13 @@ bool laws_of(Command& k, FallLaws& laws) {
       if (!c.length(laws.delay)) return false;
       if (laws.delay < Time{}) return c.fail(ErrorCode::range, "a delay must not be negative", c.since(start));
       continue;
+    }
+    if (key == "ground") {
+      grounded = true;
+      if (c.accept_word("none")) {
+        laws.ground = -std::numeric_limits<double>::infinity();
+        continue;
+      }
     }
     double& number = key == "gravity" ? laws.gravity : key == "ground" ? laws.ground : laws.bounce;
     if (!values(k).scalar(number, key == "ground" ? Unit::metres : Unit::none)) return false;
@@ -252,7 +262,8 @@ bool fall(Command& k) {
   if (!time) return c.fail_here(ErrorCode::syntax, "fall needs a time", "as in at 24f fall ball");
   if (!objects(k, word, things)) return false;
   FallLaws laws;
-  if (!laws_of(k, laws)) return false;
+  bool grounded = false;
+  if (!laws_of(k, laws, grounded)) return false;
   for (const ObjectId id : things)
     if (!in_plain_rows(k, id, word)) return false;
   const Program program = Program::compile(Document(std::make_shared<const Scene>(s)));
@@ -266,8 +277,10 @@ bool fall(Command& k) {
                     fmt::format("{} cannot fall, because its parent has a scale of 0", s.objects[id.index].name), word);
     const Vec3 place = by.origin + transform_vector(by.to_world, p);
     const Vec3 speed = transform_vector(by.to_world, rate) + by.speed;
-    say_company(k, id, place.y, laws, word);
-    std::vector<FallMark> marks = fall_path(*time, place, speed, until_caught(s.objects[id.index], *time, laws));
+    FallLaws its = laws;  // obstacles stop it, not a height
+    if (!grounded && s.objects[id.index].find(fn::obstacles)) its.ground = -std::numeric_limits<double>::infinity();
+    say_company(k, id, place.y, its, word);
+    std::vector<FallMark> marks = fall_path(*time, place, speed, until_caught(s.objects[id.index], *time, its));
     const double size = std::max(length(place), length(speed));
     for (FallMark& m : marks) {
       m.place = tidied(p + transform_vector(*inward, m.place - place), std::max(size, length(p)));
@@ -288,10 +301,10 @@ bool fall(Command& k) {
 }
 
 constexpr Verb fall_rows[] = {
-    {"fall", "at TIME fall A [delay=LENGTH] [gravity=9.81] [ground=0] [bounce=0] [for LENGTH]",
+    {"fall", "at TIME fall A [delay=LENGTH] [gravity=9.81] [ground=0|none] [bounce=0] [for LENGTH]",
      "Makes objects fall and bounce, as plain events. `ground` is the height at which the position stops: for a ball "
-     "on y = 0, "
-     "its radius. `bounce` is the share of the speed that is left after each bounce. `gravity` is in m/s². For `delay` "
+     "on y = 0, its radius. An object with `obstacles` has no such height unless you set it. `bounce` is the share of "
+     "the speed that is left after each bounce. `gravity` is in m/s². For `delay` "
      "the object continues as before, and then drops; `for` is the longest time of the fall, 10 s unless set.",
      "at 24f fall ball", Verb::timed, fall, "OBJECT; delay= gravity= ground= bounce= for…"},
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "base/names.h"
 #include "commands/command.h"
@@ -48,7 +49,7 @@ void look_at_blends(const Scene& s, Remarks& out) {
       last = &e;
       if (!from || said || e.keep || from->keep) return;
       const Twerper t = slot->track->global != Twerper::unset ? slot->track->global : from->twerper;
-      if (t == Twerper::unset || t == Twerper::hold) return;
+      if (t == Twerper::unset || t == Twerper::hold || tween(s, t)) return;
       if (!compiled) program = Program::compile(Document(std::make_shared<const Scene>(s))), compiled = true;
       const auto& code = program.compiled();
       if (!std::holds_alternative<ObjectId>(from->value) || !std::holds_alternative<ObjectId>(e.value)) return;
@@ -170,6 +171,29 @@ void look_at_joints(const Scene& s, ObjectId id, const Object& o, Remarks& out) 
                  fmt::format("{} follows '{}', which does not exist, so it stays where it is", o.name, name));
 }
 
+// Warns about obstacles that do not exist or have no shape, and about an object that has none and cannot touch them.
+void look_at_obstacles(const Scene& s, ObjectId id, const Object& o, Remarks& out) {
+  const Slot* said = o.find(fn::obstacles);
+  if (!said) return;
+  const auto warn = [&](const std::string& what) { say(out, of(id, fn::obstacles), ErrorCode::name, what); };
+  if (!row_of(o.kind).extent)
+    return warn(fmt::format("{} has obstacles, but no shape of its own that could touch them", o.name));
+  std::set<std::string> known;
+  const auto look = [&](const Value& v) {
+    const auto* names = std::get_if<Names>(&v);
+    for (const std::string& name : names ? **names : std::vector<std::string>()) {
+      if (!known.insert(name).second) continue;
+      const auto all = select(s, name);
+      if (all.empty()) warn(fmt::format("'{}' is an obstacle of {}, but does not exist", name, o.name));
+      for (const ObjectId one : all)
+        if (!row_of(s.objects[one.index].kind).extent)
+          warn(fmt::format("{} has no shape, so it is no obstacle of {}", s.objects[one.index].name, o.name));
+    }
+  };
+  if (said->set) look(*said->set);
+  said->track->events.each([&](const Event& e) { look(e.value); });
+}
+
 // Returns the track of a function if only its events make the value, or nullptr.
 const Track* plain_track(const Slot& slot, int component) {
   if (slot.layer || !slot.filters.empty()) return nullptr;
@@ -285,6 +309,7 @@ std::vector<Remark> lint(const Scene& s) {
     look_at_letting_go(s, {i}, o, out);
     look_at_lens({i}, o, out);
     look_at_joints(s, {i}, o, out);
+    look_at_obstacles(s, {i}, o, out);
     for (const Slot& slot : o.slots) {
       look_at_tangents(s, {i}, slot, slot, out), look_at_tangents(s, {i}, slot, slot.velocity, out);
       look_at_code(s, {i}, slot, out);

@@ -41,6 +41,16 @@ bool read_stepping(Cursor& c, Stepping& out) {
   }
 }
 
+// Returns whether code of the role gets a value by this name.
+bool is_given(Role role, std::string_view word) {
+  static constexpr std::string_view steps[] = {"state", "step", "dt"};
+  static constexpr std::string_view tween[] = {"u", "from", "to", "before", "after", "duration"};
+  const auto has = [&](const auto& words) {
+    return std::find(std::begin(words), std::end(words), word) != std::end(words);
+  };
+  return role == Role::steps ? has(steps) : role == Role::tween && has(tween);
+}
+
 bool procedure(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view name;
@@ -55,7 +65,7 @@ bool procedure(Command& k) {
     const std::string_view word = c.word();
     using Words = std::vector<std::string_view>;
     const Words fitting = role == Role::steps ? Words{"every", "from", "hold", "lua"}
-                                              : Words{"twerper", "filter", "command", "steps", "lua"};
+                                              : Words{"twerper", "tween", "filter", "command", "steps", "lua"};
     if (const Hint near = did_you_mean(word, fitting); !near.text.empty())
       return c.fail(ErrorCode::syntax, fmt::format("a procedure cannot have the word '{}' here", word), word, near);
     c.at = here;
@@ -69,7 +79,7 @@ bool procedure(Command& k) {
   if (!finish(c)) return false;
   if (const std::string_view what = taken_by(name, role); !what.empty())
     return c.fail(ErrorCode::name, fmt::format("'{}' is already {}", name, what), name);
-  const bool knows_lets = role == Role::value || role == Role::steps;
+  const bool knows_lets = role == Role::value || role == Role::steps || role == Role::tween;
   auto code = knows_lets ? make_code(k, std::move(source), false, role) : make_lua(role, std::move(source));
   if (!code) return c.fail(code.error(), about);
   NamedProcedure made{std::string(name), role, *std::move(code), stepping};
@@ -174,13 +184,15 @@ bool arguments(Cursor& c, std::vector<std::string>& words) {
 
 constexpr Verb procedures_rows[] = {
     {"procedure",
-     "procedure NAME [twerper|filter|command] lua \"…\", or procedure NAME steps [every LENGTH] [from TIME] [hold] lua "
+     "procedure NAME [twerper|tween|filter|command] lua \"…\", or procedure NAME steps [every LENGTH] [from TIME] "
+     "[hold] lua "
      "\"…\"",
-     "Code of your own in Lua, with a name: it computes a value, or is a twerper, a filter or a command. With `steps`, "
-     "it "
-     "gets the `state` of the step before and returns the next one: a law with memory.",
+     "Code of your own in Lua, with a name: it computes a value, or is a twerper, a filter or a command. A `tween` is "
+     "a "
+     "twerper that gets the values of the events around it and returns the value itself. With `steps`, the code gets "
+     "the `state` of the step before and returns the next one: a law with memory.",
      "procedure swing lua \"return math.sin(t)\"\nprocedure chase steps lua \"(state or vec(-5, 0, 0)) * 0.9\"",
-     Verb::makes_procedure, procedure, "NEW; twerper filter command steps lua; lua every from hold…"},
+     Verb::makes_procedure, procedure, "NEW; twerper tween filter command steps lua; lua every from hold…"},
 };
 
 }  // namespace
@@ -193,7 +205,7 @@ Result<std::shared_ptr<const Routine>> make_code(const Command& k, std::string s
     const auto let = c.lets ? c.lets->find(word) : Lets::const_iterator();
     const bool let_so = c.lets && let != c.lets->end();
     if ((place == 0 && !let_so) || known_to_lua(word) || find_procedure(k.scene, word)) continue;
-    if (role == Role::steps && (word == "state" || word == "step" || word == "dt")) continue;
+    if (is_given(role, word)) continue;
     const std::string value = place > 0 ? std::to_string(place) : write_code(let->second);
     if (value.empty())
       return fail(ErrorCode::type, fmt::format("'{}' is in frames, but code counts seconds", word),

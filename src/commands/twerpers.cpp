@@ -23,7 +23,7 @@ std::vector<std::string_view> twerper_words(const Scene& s) {
        {"release", "ease-in", "ease-out", "tangent", "tangent-in", "tangent-out", "handle-in", "handle-out", "cut"})
     words.push_back(w);
   for (const NamedProcedure& p : *s.procedures)
-    if (p.role == Role::twerper) words.push_back(p.name);
+    if (p.role == Role::twerper || p.role == Role::tween) words.push_back(p.name);
   return words;
 }
 
@@ -146,13 +146,13 @@ bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arg
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = c.next_word();
   const auto found = find_twerper(w);
-  const auto& own = *s.procedures;
-  const auto mine = std::find_if(own.begin(), own.end(),
-                                 [&](const NamedProcedure& p) { return p.name == w && p.role == Role::twerper; });
-  if (!found && mine != own.end()) {
-    out = static_cast<Twerper>(first_own_twerper + (mine - own.begin()));
+  const auto own = find_own_twerper(s, w);
+  if (!found && own) {
+    out = *own;
     std::string why;
-    return fits(out, to.type(), &why) || c.fail(ErrorCode::type, why, w);
+    if (to.velocity && tween(s, out))
+      return c.fail(ErrorCode::type, "a velocity cannot have a tween; its value can", w);
+    return fits(s, out, to.type(), &why) || c.fail(ErrorCode::type, why, w);
   }
   if (!found) {
     if (w.empty()) return c.fail_here(ErrorCode::name, "a twerper is missing here");

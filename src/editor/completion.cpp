@@ -153,6 +153,7 @@ void ways(const Scene& s, Type type, Words& all) {
   for (const TwerperRow& t : twerpers())
     if (const auto known = find_twerper(t.name); known && fits(*known, type)) all.emplace_back(t.name);
   own_words(s, Role::twerper, all);
+  if (row_of(type).computed) own_words(s, Role::tween, all);
   split("ease-in= ease-out= cut", ' ', all);
   if (row_of(type).tangents) split("tangent= tangent-in= tangent-out= handle-in= handle-out=", ' ', all);
 }

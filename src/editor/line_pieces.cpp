@@ -37,10 +37,7 @@ bool is_function(std::string_view w, const Scene& s) {
   const auto called = [&](const FunctionSpec& f) { return f.name == w; };
   return std::ranges::any_of(built_in_functions(), called) || s.defined->find(w);
 }
-bool is_twerper(std::string_view w, const Scene& s) {
-  const NamedProcedure* own = find_procedure(s, w);
-  return find_twerper(w) || (own && own->role == Role::twerper);
-}
+bool is_twerper(std::string_view w, const Scene& s) { return find_twerper(w) || find_own_twerper(s, w); }
 bool is_time(std::string_view w) {
   if (w.find(':') != std::string_view::npos) return true;
   const std::size_t unit = w.find_last_not_of("fstm") + 1;

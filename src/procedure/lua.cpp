@@ -102,10 +102,7 @@ class Lua final : public Routine {
     auto result = run<Value>(
         call,
         [&](Machine& m) {
-          lua_pushnumber(m.state, call.seconds);
-          m.set("t");
-          lua_pushlstring(m.state, q.self().data(), q.self().size());
-          m.set("self");
+          set_query(m, q);
           return push_arguments(m);
         },
         [&](Machine& m) { return arguments.empty() ? (lua_pushnumber(m.state, call.seconds), 1) : push_arguments(m); },
@@ -161,6 +158,33 @@ class Lua final : public Routine {
           if (const double* d = std::get_if<double>(&*v)) return *d;
           return fail(ErrorCode::type, "a twerper must return a number, not " + lua::written(l, -1));
         });
+  }
+
+  Result<Value> between(Questions& q, const Gap& gap, std::uint64_t& cost) const override {
+    if (role != Role::tween) return Routine::between(q, gap, cost);
+    Call call;
+    call.questions = &q;
+    call.seconds = q.seconds();
+    auto result = run<Value>(
+        call,
+        [&](Machine& m) {
+          set_query(m, q);
+          for (const auto& [name, number] : {std::pair("u", gap.u), std::pair("duration", gap.seconds)}) {
+            lua_pushnumber(m.state, number);
+            m.set(name);
+          }
+          for (const auto& [name, v] : {std::pair("from", gap.from), std::pair("to", gap.to),
+                                        std::pair("before", gap.before), std::pair("after", gap.after)}) {
+            if (!v) continue;
+            push_value(m.state, *v);
+            m.set(name);
+          }
+          return 0;
+        },
+        [&](Machine& m) { return lua_pushnumber(m.state, gap.u), 1; },
+        [](lua_State* l) { return lua::to_value(l, -1); });
+    cost += call.steps;
+    return result;
   }
 
   Result<Value> filter(Input& input, double seconds, const Parameters& parameters) const override {
@@ -224,6 +248,13 @@ class Lua final : public Routine {
   }
 
  private:
+  static void set_query(Machine& m, const Questions& q) {
+    lua_pushnumber(m.state, q.seconds());
+    m.set("t");
+    lua_pushlstring(m.state, q.self().data(), q.self().size());
+    m.set("self");
+  }
+
   // A value without an equivalent in Lua becomes nil.
   static void push_value(lua_State* l, const Value& v) {
     if (!lua::push(l, v)) lua_pushnil(l);

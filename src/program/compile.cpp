@@ -13,16 +13,8 @@ namespace {
 bool alive(const Scene& scene, const Slot& slot) {
   bool any = scripted(slot.set.value_or(spec_of(scene, slot.function).rest)) || !slot.filters.empty() ||
              has_events(slot.velocity);
-  each_track(slot, [&](const Track& t) { any = any || scripted(t); });
+  each_track(slot, [&](const Track& t) { any = any || scripted(t) || has_tweens(scene, t); });
   return any;
-}
-
-bool all_numeric(const Track& t) {
-  bool all = true;
-  t.events.each([&](const Event& e) {
-    all = all && (e.keep || numeric(e.value)) && (!e.detail || !e.detail->before || numeric(*e.detail->before));
-  });
-  return all;
 }
 
 bool has_coded_twerpers(const Track& t) {
@@ -91,9 +83,10 @@ void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<Function
     std::set_union(own.begin(), own.end(), computed.begin(), computed.end(), std::back_inserter(both));
     own = std::move(both);
   }
+  if (collides(o, fn::position) && own.front() != fn::position) own.insert(own.begin(), fn::position);
   for (const FunctionId f : own) {
     const Slot* slot = o.find(f);
-    bool live = slot ? alive(scene, *slot) : scripted(spec_of(scene, f).rest);
+    bool live = collides(o, f) || (slot ? alive(scene, *slot) : scripted(spec_of(scene, f).rest));
     for (const Slot& other : o.slots) live = live || (other.function == f && find_object(scene, other.layer));
     compiled.bindings.push_back(live                ? bind_live(compiled, i, f)
                                 : has_events(*slot) ? bind_track(compiled, with_beginning(scene, *slot))
@@ -166,6 +159,20 @@ Slot with_beginning(const Scene& scene, const Slot& slot) {
   begin(out.track, -1);
   for (std::size_t i = 0; i < out.components.size(); ++i) begin(out.components[i], static_cast<int>(i));
   return out;
+}
+
+bool all_numeric(const Track& t) {
+  bool all = true;
+  t.events.each([&](const Event& e) {
+    all = all && (e.keep || numeric(e.value)) && (!e.detail || !e.detail->before || numeric(*e.detail->before));
+  });
+  return all;
+}
+
+bool has_tweens(const Scene& scene, const Track& t) {
+  bool any = tween(scene, t.global) != nullptr;
+  t.events.each([&](const Event& e) { any = any || tween(scene, e.twerper); });
+  return any;
 }
 
 bool scripted(const Track& t) {

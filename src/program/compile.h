@@ -31,6 +31,10 @@ void settle(Program::Compiled&, const std::vector<std::int32_t>& frozen);
 
 inline bool scripted(const Value& v) { return std::holds_alternative<Procedure>(v); }
 bool scripted(const Track&);
+bool has_tweens(const Scene&, const Track&);
+bool all_numeric(const Track&);
+// Returns whether it is the position of an object with obstacles.
+inline bool collides(const Object& o, FunctionId f) { return f == fn::position && !o.removed && o.find(fn::obstacles); }
 bool has_values(const Track&);
 template <class F>
 void each_track(const Strand& s, F&& f) {

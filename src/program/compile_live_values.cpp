@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Live values, which are evaluated on demand: velocities in force, procedures, filters, layers.
+#include "program/collisions.h"
 #include "program/compile.h"
 #include "track/operations.h"
 
@@ -52,7 +53,7 @@ struct Cutter {
   const Track& primary;  // with the set value before its first event
   const Track& said;     // without it
   const Track& velocity;
-  const bool is_scripted = scripted(primary) || scripted(part.rest);
+  const bool is_scripted = scripted(primary) || scripted(part.rest) || has_tweens(compiled.document.scene(), primary);
   std::vector<Piece> out{};
 
   std::vector<Piece> pieces() {
@@ -130,7 +131,7 @@ struct Cutter {
 
   // Returns the value at the end of the finished pieces, from a temporary live value that has only these.
   Value reached(Time t) {
-    Live probe{object, function, {}};
+    Live probe{object, function};
     LivePart so_far = part;
     so_far.type = part.value_type();
     so_far.component = -1;
@@ -170,7 +171,7 @@ LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
   if (slot.layer && !slot.set && row_of(spec.type).changes == Changes::in_steps && has_values(*slot.track))
     out.from = slot.track->events.front().time;
   bool plain = !has_events(slot.velocity) && !scripted(out.set);
-  each_track(slot, [&](const Track& t) { plain = plain && !scripted(t); });
+  each_track(slot, [&](const Track& t) { plain = plain && !scripted(t) && !has_tweens(scene, t); });
   if (plain) {
     Slot alone = slot;
     alone.set = out.set;
@@ -187,6 +188,8 @@ LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
     part.type = component < 0 ? spec.type : component_track_type(spec.type);
     part.orientation = orientation && component < 0;
     part.track = primary;
+    if (has_tweens(scene, primary) && !scripted(primary) && all_numeric(primary))
+      part.plain = compiled.set.add(primary, spec.type == Type::aim ? Type::vector : part.type, component >= 0);
     part.rest = component < 0 || scripted(out.set) ? out.set : Value(component_of(out.set, component));
     if (!velocity.events.empty())
       part.pieces = Cutter{compiled, object, slot.function, part, primary, as_said, velocity}.pieces();
@@ -211,7 +214,7 @@ Binding bind_live(Compiled& compiled, std::uint32_t object, FunctionId f) {
   const Object& o = scene.objects[object];
   const FunctionSpec& spec = spec_of(scene, f);
   static const Slot nothing;
-  Live live{object, f, {}};
+  Live live{object, f};
   const Slot* own = o.find(f);
   Slot base = own ? *own : nothing;
   base.function = f;
@@ -227,6 +230,10 @@ Binding bind_live(Compiled& compiled, std::uint32_t object, FunctionId f) {
   b.orientation = row_of(spec.type).changes == Changes::by_turning;
   if (b.orientation) b.channels = 4;
   b.live = static_cast<std::int32_t>(compiled.lives.size());
+  if (collides(o, f)) {
+    live.collision = static_cast<std::int32_t>(compiled.collisions.size());
+    compiled.collisions.push_back(make_collision(o, b.live, compiled.document.name(Target{{object}, f, -1})));
+  }
   compiled.lives.push_back(std::move(live));
   return b;
 }

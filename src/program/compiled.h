@@ -25,6 +25,8 @@ struct Program::Compiled : CompiledFilm {
   void evaluate(const Binding& b, Time t, Asking&, double* out) const;
   // Returns a value in the author's units. With `component`, returns that number alone, if parted() allows.
   Value live_value(std::int32_t live, Time t, Asking&, int component = -1) const;
+  // Returns the value of a position with obstacles without these.
+  Value free_position(const Live&, Time t, Asking&) const;
   // Returns the rate of change per second, in the author's units, or nullopt for types without one. The rate is the one
   // after t, or before t with `coming`.
   std::optional<Value> velocity(std::uint32_t object, FunctionId f, Time t, Asking&, bool coming = false) const;

@@ -117,7 +117,8 @@ std::size_t LivePart::piece_at(Time t) const {
 
 bool CompiledFilm::parted(std::int32_t index, int component) const {
   const Live& live = lives[static_cast<std::size_t>(index)];
-  if (component < 0 || live.strands.size() != 1 || !live.strands[0].filters.empty()) return false;
+  if (component < 0 || live.collision >= 0 || live.strands.size() != 1 || !live.strands[0].filters.empty())
+    return false;
   const LiveStrand& own = live.strands[0];
   return !own.parts.empty() && own.parts[0].component >= 0 && !std::holds_alternative<Procedure>(own.set);
 }

@@ -60,6 +60,7 @@ struct LivePart {
   std::vector<Piece> pieces;  // by time; empty if scripted
   Track track;                // scripted: some events are procedures
   Value rest;
+  Curve plain;  // of numbers with tweens: the track as it is where no tween is in force; count 0: there is none
   // A colour's component blends as light; its values are numbers.
   Type value_type() const { return component >= 0 && row_of(type).light ? Type::scalar : type; }
   std::size_t piece_at(Time) const;  // requires pieces
@@ -79,7 +80,8 @@ struct LiveStrand {
 struct Live {
   std::uint32_t object = 0;
   FunctionId function = 0;
-  std::vector<LiveStrand> strands;  // the object's own first, then the layers'
+  std::int32_t collision = -1;           // of a position with obstacles: index into CompiledFilm::collisions
+  std::vector<LiveStrand> strands = {};  // the object's own first, then the layers'
 };
 
 // An attachment, in force from a time on.
@@ -232,11 +234,12 @@ struct CompiledFilm {
   std::vector<double> rest;  // the array of numbers, with the constants
   std::vector<CurveUse> curves;
   std::vector<std::shared_ptr<const StepTrack>> steps;
-  std::vector<Binding> bindings;                    // by object, then function
-  std::vector<ObjectPiece> pieces;                  // per object, and one at the end
-  std::vector<Binding> defaults;                    // per function, for objects without a value
-  std::map<Kind, std::vector<FunctionId>> shaping;  // functions that are part of a shape, for each kind
-  std::vector<Binding> plains;                      // for strands of lives
+  std::vector<Binding> bindings;                            // by object, then function
+  std::vector<ObjectPiece> pieces;                          // per object, and one at the end
+  std::vector<Binding> defaults;                            // per function, for objects without a value
+  std::map<Kind, std::vector<FunctionId>> shaping;          // functions that are part of a shape, for each kind
+  std::vector<Binding> plains;                              // for strands of lives
+  std::vector<std::unique_ptr<NamedProcedure>> collisions;  // the laws of positions with obstacles: see collisions.h
   std::vector<Live> lives;
   std::vector<Reign> reigns;
   std::vector<Node> nodes;  // drawables, then the others, each by object

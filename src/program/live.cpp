@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/cancellation.h"
+#include "program/collisions.h"
 #include "program/deferred_evaluation.h"
 #include "program/live_parts.h"
 #include "track/operations.h"
@@ -147,6 +148,14 @@ struct Worker : LiveParts {
       const auto* d = std::get_if<double>(&v);
       return d ? Value(std::clamp(*d, spec.low, spec.high)) : v;
     }
+    Value v = laid_together(t);
+    auto* place = std::get_if<Vec3>(&v);
+    if (place && live.collision >= 0) *place = among_obstacles(c, live, *place, t, asking);
+    return v;
+  }
+
+  // Returns the value of the tracks and layers.
+  Value laid_together(Time t) const {
     Value v = strand_value(live.strands[0], live.strands[0].filters.size(), t);
     for (std::size_t i = 1; i < live.strands.size(); ++i) {  // in the order the layers were made
       const LiveStrand& s = live.strands[i];
@@ -176,6 +185,10 @@ std::string too_far_back(const std::string& name, std::size_t steps, bool adds_u
 }
 
 }  // namespace
+
+Value Program::Compiled::free_position(const Live& live, Time t, Asking& asking) const {
+  return Worker{{*this, live, asking}}.laid_together(t);
+}
 
 Value Program::Compiled::live_value(std::int32_t index, Time t, Asking& asking, int component) const {
   const Live& live = lives[static_cast<std::size_t>(index)];

@@ -46,24 +46,29 @@ Time repeated(const Track& track, Time t) {
 }  // namespace
 
 // Returns true if the code is the default of the author's function.
-bool LiveParts::by_definition(const Procedure& p) const {
+bool LiveParts::by_definition(const Routine& code) const {
   const auto* rest = std::get_if<Procedure>(&spec_of(scene, live.function).rest);
-  return rest && rest->code == p.code;
+  return rest && rest->code.get() == &code;
 }
 
 std::optional<Value> LiveParts::run(const Procedure& p, const LivePart& part, Time t) const {
   if (asking.work(0)) return std::nullopt;
   if (const Along* place = along(Value(p)))
     return value_along(c, live.object, live.function, place->road, place->share, t, asking);
+  return answer(*p.code, part, t, [&](Questions& q, std::uint64_t& cost) { return p.code->value(q, {}, cost); });
+}
+
+template <class Call>
+std::optional<Value> LiveParts::answer(const Routine& code, const LivePart& part, Time t, Call&& call) const {
   if (asking.in_haste() && asking.work(asking.most + 1)) return std::nullopt;  // code may always take long
   FilmQuestions questions(c, asking, t, {live.object});
   std::uint64_t cost = 0;
-  const auto answer = p.code->value(questions, {}, cost);
+  const Result<Value> answer = call(questions, cost);
   if (questions.called_off) throw Cancelled{};
-  if (asking.work(cost + 300)) return std::nullopt;                           // starting the code costs something too
-  if (!answer && questions.lacking && by_definition(p)) return std::nullopt;  // the object has no such value
+  if (asking.work(cost + 300)) return std::nullopt;  // starting the code costs something too
+  if (!answer && questions.lacking && by_definition(code)) return std::nullopt;  // the object has no such value
   const auto say = [&](const std::string& why, int line = 0) {
-    const std::string& source = p.code->source;
+    const std::string& source = code.source;
     asking.say({Problem::procedure, name(part.component), brief(source), why, source, line});
     return std::nullopt;
   };
@@ -82,6 +87,53 @@ std::optional<Value> LiveParts::run(const Procedure& p, const LivePart& part, Ti
   if (text && live.function == fn::text && (*text)->size() > most_letters && count_characters(**text) > most_letters)
     return say(fmt::format("its text has more than {} letters", most_letters));
   return *fitting;
+}
+
+// Returns the value of an event that changes the twerper only: that of the track without it.
+Value LiveParts::kept_value(const Event& e, const LivePart& part) const {
+  LivePart without = part;
+  without.plain = {};
+  Track& track = without.track;
+  track.events = {};
+  part.track.events.each([&](const Event& other) {
+    if (!other.keep) track.events.put(other);
+  });
+  return scripted(without, e.time);
+}
+
+// Code knows objects by their names.
+Value LiveParts::named(Value v) const {
+  const auto* id = std::get_if<ObjectId>(&v);
+  if (!id) return v;
+  const Object* o = find_object(scene, *id);
+  return Text(o ? o->name : std::string("none"));
+}
+
+std::optional<Value> LiveParts::run_tween(const Routine& code, const LivePart& part,
+                                          const std::vector<const Event*>& near, std::size_t after, Time t) const {
+  if (asking.work(0)) return std::nullopt;
+  const auto leaves = [&](const Event& e) {
+    return named(e.keep ? kept_value(e, part) : event_value(e.value, part, e.time, e.time));
+  };
+  const auto arrives = [&](const Event& e) {
+    return e.detail->before ? named(event_value(*e.detail->before, part, e.time, e.time)) : leaves(e);
+  };
+  const Event &begin = *near[after - 1], &end = *near[after];
+  const double length = static_cast<double>((end.time - begin.time).flicks);
+  CurveDetail from, to;
+  from.ease_out = static_cast<double>(begin.detail->ease_out.flicks);
+  to.ease_in = static_cast<double>(end.detail->ease_in.flicks);
+  const Value values[] = {leaves(begin), arrives(end)};
+  std::optional<Value> before, behind;
+  if (after >= 2) before = leaves(*near[after - 2]);
+  if (after + 1 < near.size()) behind = arrives(*near[after + 1]);
+  const Gap gap{eased(static_cast<double>((t - begin.time).flicks) / length, &from, &to, length),
+                (end.time - begin.time).seconds(),
+                &values[0],
+                &values[1],
+                before ? &*before : nullptr,
+                behind ? &*behind : nullptr};
+  return answer(code, part, t, [&](Questions& q, std::uint64_t& cost) { return code.between(q, gap, cost); });
 }
 
 Value LiveParts::settled(const LivePart& part, Time t) const {
@@ -133,8 +185,8 @@ std::optional<Value> LiveParts::along_line(const Track& track, const std::vector
 
 // Evaluates a track that contains procedures. A segment that begins with a procedure takes its value throughout. With
 // a twerper, it blends from the procedure's value to the next one.
-Value LiveParts::scripted(const LivePart& part, Time t) const {
-  t = repeated(part.track, t);
+Value LiveParts::scripted(const LivePart& part, const Time asked) const {
+  const Time t = repeated(part.track, asked);
   std::vector<const Event*> near;  // three before and three behind, which is all that splines use
   std::size_t before = 0;
   const Event* last = nullptr;
@@ -150,9 +202,18 @@ Value LiveParts::scripted(const LivePart& part, Time t) const {
     }
   });
   if (near.empty()) return event_value(part.rest, part, t, t);
+  const auto as_plain = [&] {
+    Numbers n{};
+    c.set.evaluate(part.plain, asked, n.data());
+    return as_written(part, n.data(), part.plain.orientation);
+  };
+  if (!last && part.plain.count > 0) return as_plain();
   if (!last && near[0]->detail->before) return event_value(*near[0]->detail->before, part, t, t);
   if (!last) return event_value(near[0]->value, part, t, near[0]->time);
   const Twerper twerper = part.track.global != Twerper::unset ? part.track.global : last->twerper;
+  if (const Routine* code = before < near.size() ? tween(scene, twerper) : nullptr)
+    if (auto made = run_tween(*code, part, near, before, t)) return *std::move(made);
+  if (part.plain.count > 0) return as_plain();
   if (twerper != Twerper::hold)
     if (auto place = along_line(part.track, near, before, t)) return *std::move(place);
   const bool alone = near.back() == last || twerper == Twerper::hold || !has_velocity(part.type) ||

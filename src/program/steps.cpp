@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/cancellation.h"
+#include "program/collisions.h"
 #include "program/compiled.h"
 #include "program/held_values.h"
 #include "program/questions.h"
@@ -18,8 +19,11 @@ namespace {
 
 constexpr std::int64_t most_steps = 10'000'000;
 constexpr std::uint64_t most_work = 10'000'000'000;  // for all steps together
-constexpr const char* circle =
-    "it depends on itself: a step can read its own state only at earlier times, as in (t - dt)";
+std::string circle(const NamedProcedure& p) {
+  if (p.code->language == collision_language)
+    return "its obstacles move with it or stop at it at the same time: they must not depend on its place";
+  return "it depends on itself: a step can read its own state only at earlier times, as in (t - dt)";
+}
 
 // Returns the state between `a` and `b`: numbers, vectors, colours and rotations blend, and everything else is that of
 // `a`. A whole number blends with a number that is not whole, because Lua writes 0 for the beginning of both.
@@ -66,7 +70,7 @@ struct Stepper {
     if (!first) return Nothing{};
     for (OpenStep* open = asking.step;; open = open->outer) {
       open->circle = true;
-      if (open == first) return fail(ErrorCode::range, circle);
+      if (open == first) return fail(ErrorCode::range, circle(p));
     }
   }
 
@@ -82,7 +86,7 @@ struct Stepper {
     auto state = p.code->step(questions, at.state ? *at.state : State{}, number, every.seconds(), cost);
     if (questions.called_off) throw Cancelled{};
     if (open.circle)
-      state = fail(ErrorCode::range, circle);
+      state = fail(ErrorCode::range, circle(p));
     else
       run.note(number, inner);
     at.cost += cost;

@@ -10,6 +10,7 @@
 #include "base/names.h"
 #include "scene/names.h"
 #include "track/curve.h"
+#include "track/types.h"
 
 namespace betwixt {
 namespace {
@@ -255,6 +256,27 @@ std::string twerper_name(const Scene& s, Twerper t) {
   if (!is_own(t)) return std::string(name_of(t));
   const auto i = static_cast<std::size_t>(t) - first_own_twerper;
   return i < s.procedures->size() ? (*s.procedures)[i].name : "unset";
+}
+
+std::optional<Twerper> find_own_twerper(const Scene& s, std::string_view name) {
+  const auto& own = *s.procedures;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (own[i].name == name && (own[i].role == Role::twerper || own[i].role == Role::tween))
+      return static_cast<Twerper>(first_own_twerper + i);
+  return std::nullopt;
+}
+
+const Routine* tween(const Scene& s, Twerper t) {
+  const std::size_t i = is_own(t) ? static_cast<std::size_t>(t) - first_own_twerper : s.procedures->size();
+  if (i >= s.procedures->size() || (*s.procedures)[i].role != Role::tween) return nullptr;
+  return (*s.procedures)[i].code.get();
+}
+
+bool fits(const Scene& s, Twerper t, Type type, std::string* why) {
+  if (!tween(s, t)) return fits(t, type, why);
+  if (row_of(type).computed && type != Type::attachment) return true;
+  if (why) *why = "a tween cannot return " + std::string(to_string(type));
+  return false;
 }
 
 ObjectId add_object(Scene& s, Object object) {

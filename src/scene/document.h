@@ -207,6 +207,12 @@ std::vector<ObjectId> circle(const Scene&, ObjectId child, ObjectId parent, Time
 Result<Target> find_target(const Scene&, std::string_view text, ObjectId self = {});
 const NamedProcedure* find_procedure(const Scene&, std::string_view name);
 std::string twerper_name(const Scene&, Twerper);
+// Returns the author's twerper or tween of this name.
+std::optional<Twerper> find_own_twerper(const Scene&, std::string_view name);
+// Returns the code of a tween: a twerper of the author's that returns the value itself. Null for all other twerpers.
+const Routine* tween(const Scene&, Twerper);
+// Returns whether the twerper, which may be the author's, has a meaning for values of the type; sets `why` if not.
+bool fits(const Scene&, Twerper, Type, std::string* why = nullptr);
 
 ObjectId add_object(Scene&, Object object);
 // Removes objects. Their children have no parent then, and references to them are cleared. `speaking`: who may have

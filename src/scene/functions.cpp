@@ -7,6 +7,7 @@
 
 #include "scene/aiming_functions.h"
 #include "scene/camera_functions.h"
+#include "scene/collision_functions.h"
 #include "scene/document.h"
 #include "scene/flat_functions.h"
 #include "scene/kinds.h"
@@ -339,6 +340,7 @@ std::vector<FunctionSpec> make_functions() {
   made.insert(made.end(), std::begin(sound_functions), std::end(sound_functions));
   made.insert(made.end(), std::begin(camera_functions), std::end(camera_functions));
   made.insert(made.end(), std::begin(rig_functions), std::end(rig_functions));
+  made.insert(made.end(), std::begin(collision_functions), std::end(collision_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
   for (FunctionSpec& f : made) {

@@ -115,6 +115,9 @@ enum : FunctionId {
   f_stop,
   focus,
   joints,
+  obstacles,
+  collision,
+  bounciness,
   count
 };
 }

@@ -24,9 +24,18 @@
 
 namespace betwixt {
 
-// The kinds of procedures.
-enum class Role : std::uint8_t { value, twerper, filter, command, steps };
-inline constexpr std::array<std::string_view, 5> role_names{"value", "twerper", "filter", "command", "steps"};
+// The kinds of procedures. A twerper and a tween compute what is between two events: a twerper returns the fraction of
+// the way, a tween the value itself.
+enum class Role : std::uint8_t { value, twerper, filter, command, steps, tween };
+inline constexpr std::array<std::string_view, 6> role_names{"value", "twerper", "filter", "command", "steps", "tween"};
+
+// The time between two events, as a tween sees it.
+struct Gap {
+  double u = 0;                                     // the fraction of the time that has passed, with eases applied
+  double seconds = 0;                               // between the two events
+  const Value *from = nullptr, *to = nullptr;       // the values of the two events
+  const Value *before = nullptr, *after = nullptr;  // of the events next to them; null if there is none
+};
 
 // The key=value pairs of a filter or command; texts as written.
 using Parameters = std::vector<std::pair<std::string, Value>>;
@@ -85,6 +94,7 @@ class Routine {
   virtual Result<State> step(Questions&, const State& before, std::int64_t number, double seconds_each,
                              std::uint64_t& cost) const;
   virtual Result<double> blend(double u) const;  // the factor at u, 0 to 1 along the segment, with eases applied
+  virtual Result<Value> between(Questions&, const Gap&, std::uint64_t& cost) const;
   virtual Result<Value> filter(Input&, double seconds, const Parameters&) const;
   virtual Status command(Host&, const std::vector<std::string>& words) const;
 };

@@ -52,7 +52,7 @@ TEST(Sayings, WordsAreCompletedWhereTheyStand) {
   EXPECT_EQ(words_at("create ball sphere\nball.color\n\n # so\n  1f red lin|\n"), "linear<3");
   EXPECT_EQ(words_at("create ball sphere\non sway ball.color\n  1f red lin|\nlayer sway add\n"), "linear<3");
   EXPECT_EQ(words_at("make house\n  pol|\n"), "polygon<3");
-  EXPECT_EQ(words_at("create ball sphere (\n  col|\n"), "color=<3");
+  EXPECT_EQ(words_at("create ball sphere (\n  col|\n"), "collision= color=<3");
   EXPECT_EQ(words_at("create eye camera\nlook through ey|\n"), "eye<2");
   EXPECT_EQ(words_at("use teap|\n"), "teapot.obj<4");
   const std::string lets = "let beat = 12f\nlet blood = #800000\ncreate ball sphere\n";

@@ -60,8 +60,8 @@ struct Wanted {
   std::string_view target, time;
   std::vector<double> numbers;
 };
-inline void expect_numbers(const LoadedFilm& s, const std::vector<Wanted>& table) {
-  for (const Wanted& w : table) expect_numbers(s, w.target, w.time, w.numbers);
+inline void expect_numbers(const LoadedFilm& s, const std::vector<Wanted>& table, double within = 1e-12) {
+  for (const Wanted& w : table) expect_numbers(s, w.target, w.time, w.numbers, within);
 }
 
 // Returns the position of an object in the world.

@@ -188,7 +188,7 @@ void EventActions::fill_twerpers(QMenu& menu) {
   menu.addMenu(easings);
   bool first = true;
   for (const ProcedureView& p : procedures(workspace_.document())) {
-    if (p.role != "twerper") continue;
+    if (p.role != "twerper" && p.role != "tween") continue;
     if (std::exchange(first, false)) menu.addSeparator();
     choose(menu, p.name, p.source);
   }

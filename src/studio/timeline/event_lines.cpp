@@ -303,9 +303,7 @@ Lines copy_lines(const Document& d, const Document& source, const std::vector<Ev
 Lines twerper_lines(const Document& d, const std::vector<EventAt>& events, std::string_view name) {
   const auto twerper = [&]() -> std::optional<Twerper> {
     if (name.empty()) return Twerper::unset;
-    const auto& own = *d.scene().procedures;
-    for (std::size_t i = 0; i < own.size(); ++i)
-      if (own[i].role == Role::twerper && own[i].name == name) return static_cast<Twerper>(first_own_twerper + i);
+    if (const auto own = find_own_twerper(d.scene(), name)) return own;
     return find_twerper(name);
   }();
   Lines lines;
@@ -314,7 +312,8 @@ Lines twerper_lines(const Document& d, const std::vector<EventAt>& events, std::
     if (!e || !twerper || e->release || (e->keep && *twerper == Twerper::unset)) continue;
     const Type type = spec_of(d.scene(), at.target.function).type;
     if (is_motion(d, at.target) || type == Type::attachment) continue;
-    if (*twerper != Twerper::unset && !fits(*twerper, at.target.component < 0 ? type : component_track_type(type)))
+    if (*twerper != Twerper::unset &&
+        !fits(d.scene(), *twerper, at.target.component < 0 ? type : component_track_type(type)))
       continue;
     Event changed = *e;
     changed.twerper = *twerper;
