@@ -6,8 +6,8 @@
 //
 // A motion is a product F1 F2 ... Fm of factors. Each factor gives its total movement, and the leftmost factor is
 // applied last. At fraction t the motion is A(t) = F1(t) F2(t) ... Fm(t). With N steps, A_k = A(k/N): frame 0 is the
-// identity and frame N is the whole motion. Centres are points of the rest pose. The factors to the left of a factor
-// also move its centre. Points are column vectors, angles are in radians.
+// identity and frame N is the whole motion. Centres are points of the rest pose. Each factor also moves the centres of
+// the factors to its right. Points are column vectors, angles are in radians.
 //
 // Room: algebra
 #pragma once
@@ -27,7 +27,7 @@ namespace betwixt {
 
 struct Factor {
   enum class Kind : std::uint8_t { translate, rotate, scale };
-  // The factor of a scaling by G at t: G^t (exponential), or 1 + (G - 1) t as in CSS and SVG (linear).
+  // How much a scaling by G has scaled at t: by G^t (exponential), or by 1 + (G - 1) t as in CSS and SVG (linear).
   enum class Law : std::uint8_t { exponential, linear };
   Kind kind = Kind::translate;
   Law law = Law::exponential;
@@ -36,7 +36,7 @@ struct Factor {
   std::string about;      // rotate, scale: the object whose position at the start of the motion is the centre; "": none
   Vec3 axis{0, 0, 1};     // rotate
   double angle = 0;       // rotate: the total, whole turns included
-  double angle_rest = 0;  // rotate: the rounding error of `angle`, so that many turns keep their fraction
+  double angle_rest = 0;  // rotate: what `angle` lost by rounding. With both, many turns keep their fraction
   friend bool operator==(const Factor&, const Factor&) = default;
 };
 
@@ -58,7 +58,7 @@ Result<Motion> parse_motion(std::string_view);
 std::string to_string(const Motion&);
 
 // Returns an error (range) that names the factor, counted from 1, if a number is infinite or not a number, an axis has
-// no direction, there are more than 2^53 turns, or a factor under the exponential law is zero or negative.
+// no direction, there are more than 2^53 turns, or a scaling under the exponential law is by zero or less.
 Status check(const Motion&);
 // Returns whether the motion changes x and y only, and depends on x and y only.
 bool is_planar(const Motion&);
@@ -67,8 +67,8 @@ bool is_planar(const Motion&);
 Mat4 at(const Motion&, double t);
 // Returns A_k. Errors (range): steps below 1.
 Result<Mat4> frame(const Motion&, std::int64_t k, std::int64_t steps);
-// Returns the motion B with B(t) A(t) = 1 for all t. Errors (range): a scaling under the linear law or a factor of
-// zero, which have no inverse.
+// Returns the motion B with B(t) A(t) = 1 for all t. Errors (range): a scaling under the linear law, or a scaling by
+// zero. No motion is their inverse.
 Result<Motion> inverse(const Motion&);
 
 // ---- From step to step
@@ -77,10 +77,11 @@ Result<Motion> inverse(const Motion&);
 // not need every frame in turn, compute A(t) instead.
 enum class Method : std::uint8_t {
   matrix,       // multiplies the points at rest by A_k; the numbers of A_k are updated from step to step
-  geometric,    // translates, scales and shears the points in place. Only for the eleven rows of the source's first
-                // table, with scalings by the linear law. SR and ST match the motion only at its end
+  geometric,    // translates, scales and shears the points in place. Only for the strings in the eleven rows of the
+                // source's first table; their scalings must follow the linear law. For SR and ST the points match the
+                // motion only at its end
   differences,  // multiplies the points by one constant matrix at each step. Only for strings that have such a matrix;
-                // with a single step all have one
+                // with a single step every string has one
   best,         // the cheapest method, for any string
 };
 std::string_view name_of(Method);
@@ -90,7 +91,8 @@ std::string_view name_of(Method);
 template <class Number>  // float, double
 class Steps {
  public:
-  // Starts at frame 0. `x` and `y` are the points at rest and must have equal sizes.
+  // Starts at frame 0. `x` and `y` are the points at rest and must have equal sizes. Errors: range (the geometric
+  // method cannot make a step of half a turn: use more steps).
   static Result<Steps> make(const Motion&, std::int64_t steps, Method, std::span<const Number> x,
                             std::span<const Number> y);
   Steps(Steps&&) noexcept;
@@ -113,7 +115,8 @@ class Steps {
   std::unique_ptr<State> state_;
 };
 
-// Numbers of operations (multiplications and additions): for each point, and besides those.
+// Numbers of operations (multiplications and additions). `per_point` counts those for each point. `besides` counts all
+// others: they do not depend on the number of points.
 struct Cost {
   long long per_point = 0, besides = 0;
   long long functions = 0;  // sines, exponentials and other functions

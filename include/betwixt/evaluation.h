@@ -28,8 +28,8 @@ class DeferredEvaluation;  // src/program/deferred_evaluation.h
 class Evaluation {
  public:
   explicit Evaluation(const Program&);
-  // Never waits for slow values: `deferred` computes them in other threads, and the frame has the last result that has
-  // come.
+  // Never waits for slow values. `deferred` computes them in other threads. The frame has the newest results that have
+  // arrived.
   Evaluation(const Program&, DeferredEvaluation& deferred);
   Evaluation(Evaluation&&) noexcept;
   Evaluation& operator=(Evaluation&&) noexcept;
@@ -37,9 +37,9 @@ class Evaluation {
 
   // Evaluates the program at a time.
   void to(Time);
-  // Evaluates the program at a time in advance, so that a first `to` at a time close to it is only an update. It does
-  // not count as a `to`, and does not use `deferred`. You may call it on any thread while no other thread uses this
-  // object.
+  // Makes the first `to` faster: evaluates the program in advance, at the given time. If the first `to` goes to a time
+  // close to it, it is only an update. Call it before the first `to` only. `prepare` does not count as a `to`, and does
+  // not use `deferred`. You may call it on any thread while no other thread uses this object.
   void prepare(Time);
   // Replaces the program by an edited one. The next `to` then lists what differs from the last `to` of the old program.
   void use(const Program&);
@@ -63,15 +63,15 @@ class Evaluation {
     friend bool operator==(const Look&, const Look&) = default;
   };
   std::span<const Look> looks() const;
-  // Return the shape or texture with this number. A shape that varies keeps its number. When it differs, `changed`
-  // lists its drawable, and the number gives the new shape.
+  // Return the shape or texture with this number. A shape that varies keeps its number. When the shape has changed, the
+  // number gives the new shape, and `changed` lists the drawable.
   const std::shared_ptr<const Shape>& shape(std::uint32_t number) const;
   const std::shared_ptr<const Picture>& texture(std::uint32_t number) const;
   // Returns the indices, in order, of the drawables in which anything differs from the previous `to`. Returns all of
   // them after the first `to`, and if `use` has changed which drawables there are.
   std::span<const std::uint32_t> changed() const;
-  // Tells whether `changed` lists everything that differs from the state that you saw last. It does if `program` is the
-  // same and `times` is one more than in the revision of that state.
+  // Keep the revision of the state that you saw last, and compare it with the present one. If `program` is the same and
+  // `times` is greater by 1, `changed` lists everything that differs from that state.
   struct Revision {
     std::uint64_t program = 0;  // differs after each `use`; no two evaluations have the same
     std::uint64_t times = 0;    // how often `to` was called since `use`

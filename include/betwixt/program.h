@@ -22,8 +22,7 @@ struct Kinematics {
   // Position and velocity of the object's origin, in metres and metres per second. If the position jumps at this time,
   // the velocity is the one just before the jump.
   Vec3 position, velocity;
-  // Multiplies a difference of two values of the position track to give that difference in world space. It has no
-  // translation.
+  // Converts a difference between two values of the position track to world space. It has no translation.
   Mat4 track_to_world;
 };
 
@@ -31,8 +30,9 @@ class Program {
  public:
   // Compiles a document. Cannot fail.
   static Program compile(const Document&);
-  // Compiles an edited document. The result shares with `before`, the program of the document before the edit, what the
-  // edit did not change. `before` may be the program of any other document; then they share less or nothing.
+  // Compiles an edited document. `before` is the program of the document before the edit. The result shares with it
+  // what the edit did not change. `before` may also be the program of any other document; then they share less or
+  // nothing.
   static Program compile(const Document&, const Program& before);
 
   // Returns the frame at a time. Pure: the same time gives the same bits, whatever was evaluated before.
@@ -43,9 +43,9 @@ class Program {
   // Returns the value of each target. A value on which several of them depend is evaluated only once. The objects must
   // exist; otherwise the behaviour is undefined. `problems` receives a message for each procedure that gave no value.
   std::vector<Value> read(const std::vector<Target>&, Time, std::vector<std::string>* problems = nullptr) const;
-  // Returns the same, for threads that must not wait. Returns std::nullopt in these cases: the values take more than
-  // `steps` steps (docs/guide/grammar.md#limits), they need the author's code, there are more than 16 targets, a target
-  // is Query::touching or Query::in_view, or the document has objects of the kind trace.
+  // Returns the same values as `read`, for threads that must not wait. Returns std::nullopt in these cases: the values
+  // take more than `steps` steps (docs/guide/grammar.md#limits), they need the author's code, there are more than 16
+  // targets, a target is Query::touching or Query::in_view, or the document has objects of the kind trace.
   std::optional<std::vector<Value>> read_within(std::uint64_t steps, const std::vector<Target>&, Time,
                                                 std::vector<std::string>* problems = nullptr) const;
   // Returns the targets that procedures read to compute this value, in the order in which they are first read. The
@@ -55,8 +55,8 @@ class Program {
   // Returns how an object moves in the world. Returns Kinematics{} if it does not exist.
   Kinematics kinematics(ObjectId, Time) const;
   // Returns the motions of an object (its sequences of translations, rotations and scalings), in order of time. Returns
-  // an empty list if the object does not exist. If another object is the centre of a motion, the result has that
-  // object's position when the motion begins.
+  // an empty list if the object does not exist. The centre of a motion may be another object. The result then has a
+  // point as the centre: the position of that object when the motion begins.
   std::vector<Motion> motions(ObjectId) const;
   // Returns the first time after `t` at which a frame may differ from that at `t`: until then you need not evaluate or
   // draw. Returns `t` itself while something moves, and std::nullopt if nothing will ever change.

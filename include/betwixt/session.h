@@ -66,9 +66,9 @@ class Session {
 
   // Opens a script. If the file does not exist, starts a new film. If `file` is "", starts a film without a file.
   Answer open(const std::string& file, Earlier = Earlier::ask);
-  // Starts from a text, for programs that store the film themselves. Messages use the name `file`, and the script may
-  // read files in its folder and below; the file need not exist. There is no journal, and other sessions may use the
-  // file.
+  // Starts from a text, for programs that store the film themselves. Messages use the name `file`. The script may read
+  // files in the folder of `file` and below. The file itself need not exist. There is no journal, and other sessions
+  // may use the file.
   void begin(std::string text, const std::string& file);
   // Carries out one logical line. It is a command, a row of the open sheet (the list of events below a target), or a
   // word of the shell, such as `undo`.
@@ -80,15 +80,16 @@ class Session {
   // Returns the film that the text would make if `others` replaced its lines `first` to `last` (counted from 1, both
   // included). With last = first - 1, `others` are inserted before line `first`. Does not change the session.
   Loaded look_ahead(int first, int last, std::string_view others) const;
-  // After this call, commands change existing lines of the text where they can, as an author would: a command that
-  // changes an event changes its row. Other commands are appended. The command `rewrite FIRST..LAST "…"` then replaces
-  // these lines of the text.
+  // After this call, commands change existing lines of the text where they can, as an author would. A command that
+  // changes an event changes the row of that event. Other commands are appended. The command `rewrite FIRST..LAST "…"`
+  // replaces these lines of the text, and makes this call by itself.
   void edit_in_place();
   // Returns the command `rewrite FIRST..LAST "…"` that replaces the lines `first` to `last` with `others`.
   static std::string rewrite_line(int first, int last, std::string_view others);
-  // Reads the file again: what it holds counts as saved from then on, and the rest of the text as unsaved. Call it when
-  // another program wrote the file and you have entered its changes. Errors: file (the session has no file), machine
-  // (the file cannot be read).
+  // Reads the file again. From then on the session edits in place, the content of the file counts as saved, and the
+  // rest of the session's text counts as unsaved. Call it when another program has written the file and you have
+  // entered its changes into the session. Does nothing if the session has no file, or if another session has it.
+  // Errors: file (the file does not exist or cannot be read), machine (the journal cannot be written).
   Status go_on_from_file();
   // Returns the errors and warnings of the text, each with its place.
   const Diagnostics& diagnostics() const;

@@ -6,8 +6,8 @@
 // either one track, or one for each component. Each track may have another one for its velocity, and layers have tracks
 // of their own. EventView, TrackView, FilterView and ProcedureView point into the document; they are valid as long as
 // the document or a copy of it exists. For a track that does not exist all results are empty. Values are those of the
-// events, before velocities, filters and layers. Lengths are in metres, angles in radians, colours are sRGB, and
-// positions are in the space of the parent. Velocities and tangents are per second.
+// events: velocities, filters and layers have not changed them yet. Lengths are in metres, angles in radians, colours
+// are sRGB, and positions are in the space of the parent. Velocities and tangents are per second.
 //
 // Room: scene
 #pragma once
@@ -40,7 +40,8 @@ struct EventView {
   // The arguments of the twerper. "bezier": x1 y1 x2 y2 as in CSS. "steps": how many, and where they jump: 0 end, 1
   // start, 2 neither, 3 both.
   std::array<double, 4> arguments{0.25, 0.1, 0.25, 1};
-  std::span<const std::array<double, 2>> stops;  // of "linear": time in percent, and share of the way (1: all of it)
+  // The stops of "linear". Each has a time in percent, and the share of the way between the two values (1: all of it).
+  std::span<const std::array<double, 2>> stops;
   // How long the track moves slowly after this event (ease_out) and before this event (ease_in); 0: not at all. Do not
   // confuse them with the twerpers "ease-in" and "ease-out" of CSS: the twerper "ease-in" is slow after its event.
   Time ease_out, ease_in;
@@ -68,17 +69,17 @@ struct TrackView {
 // (object.h). The tracks of a function are sorted by layer (the object's own first), then values before velocities,
 // then by component.
 std::vector<TrackView> tracks(const Document&, ObjectId);
-// Returns the tracks that give a target its value: its own track, if it has one. Otherwise, for a component, the track
-// of the whole; for a whole, the tracks of its components. Velocity tracks and tracks on layers are not included: each
-// has a target of its own.
+// Returns the tracks that give a target its value. If the target has its own track, returns only that track. If not:
+// for a component, returns the track of the whole; for a whole, returns the tracks of its components. Velocity tracks
+// and tracks on layers are not included: each has a target of its own.
 std::vector<TrackView> tracks(const Document&, const Target&);
 // Returns the tracks on a layer, object by object.
 std::vector<TrackView> tracks_on(const Document&, ObjectId layer);
 // Returns one track, or std::nullopt if there is none. When components have tracks of their own, the whole has none,
 // and the other way around.
 std::optional<TrackView> track(const Document&, const Target&);
-// Returns the value that the command `set` gave the target (for a target on a layer, on that layer), or null if there
-// is none.
+// Returns the value that the command `set` gave the target, or null if there is none. For a target on a layer, returns
+// the value that was set on that layer.
 const Value* value_set(const Document&, const Target&);
 
 // Calls f for each event with from <= time <= to, in order. Finds the first event in logarithmic time. The EventView is
@@ -100,14 +101,15 @@ struct FilterView {
   int component = -1;                                         // the component that it changes; -1: all
   std::optional<std::pair<Time, Time>> segment;               // when it acts, both ends included; nullopt: always
 };
-// Returns the filters on the function of a target, those of all its components included. For a target on a layer,
+// Returns all filters on the function of a target, also those that change only one component. For a target on a layer,
 // returns the filters on that layer instead.
 std::vector<FilterView> filters(const Document&, const Target&);
 
-// The author's code. Code without a name replaces a value and computes it. Code with a name is a procedure.
+// The author's code. Code without a name stands in the place of a value and computes that value. Code with a name is a
+// procedure.
 struct ProcedureView {
   std::string_view name;      // "" if it replaces a value
-  std::string_view role;      // "value", "twerper", "filter", "command"
+  std::string_view role;      // "value", "twerper", "filter", "command", "steps", "tween"
   std::string_view language;  // "lua", "plug-in"
   std::string_view source;    // as written; for a plug-in, its path
 };
