@@ -71,6 +71,9 @@ struct Baking {
 void put_baked(Scene& s, const Target& t, const std::vector<Time>& times, const std::vector<Value>& samples,
                double within) {
   const std::vector<bool> stays = needed(samples, within);
+  if (t.function == fn::position)  // the path among them is plain now
+    std::erase_if(s.objects.edit(t.object.index).slots,
+                  [](const Slot& slot) { return slot.function == fn::obstacles; });
   Slot& slot = s.objects.edit(t.object.index).slot(t.function);
   slot.filters.clear();
   slot.velocity = {};
@@ -82,9 +85,9 @@ void put_baked(Scene& s, const Target& t, const std::vector<Time>& times, const 
     Event e;
     e.time = times[i];
     e.value = samples[i];
-    const bool blends = !std::holds_alternative<Text>(e.value) && !std::holds_alternative<bool>(e.value) &&
-                        !std::holds_alternative<Attachment>(e.value);
-    e.twerper = blends ? Twerper::linear : Twerper::hold;
+    const Changes changes = row_of(spec_of(s, t.function).type).changes;
+    e.twerper =
+        changes != Changes::in_steps && !std::holds_alternative<bool>(e.value) ? Twerper::linear : Twerper::hold;
     track->events.put(std::move(e));
   }
 }
@@ -163,8 +166,8 @@ bool bake(Command& k) {
                       fmt::format("the layer {} is on top of {} and would count twice",
                                   s.objects[slot.layer.index].name, target_name(s, t)),
                       word);
-    if (t.function != fn::reach &&
-        (!row_of(spec_of(s, t.function).type).computed || (t.function == fn::attachment && !bakes(s, t.object))))
+    if (t.function != fn::reach && (t.function == fn::motion || !row_of(spec_of(s, t.function).type).computed ||
+                                    (t.function == fn::attachment && !bakes(s, t.object))))
       return c.fail(ErrorCode::type, fmt::format("{} cannot be baked", to_string(spec_of(s, t.function).type)), word);
   }
   if (std::any_of(on.targets.begin(), on.targets.end(), [](const Target& t) { return t.function == fn::reach; }))

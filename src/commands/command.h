@@ -131,6 +131,8 @@ bool create_scene(Command&, const std::vector<std::string>& names, const std::ve
 
 ValueReader values(Command&);
 // Returns whether the script may read the file. Makes `path` relative to the first script's folder.
+// Reads the pictures or meshes that code names in quotes, if `f` shows such files; "walk%03d.png" names all numbers.
+bool files_in_code(Command&, FunctionId f, const std::string& source, std::string_view about);
 bool may_use(Command&, std::string& path, std::string_view about, std::filesystem::path& where);
 // Stores the meshes of a file under its path and their own names. Fails if there is no room for them (MemoryBudget).
 bool keep_meshes(Command&, const std::string& path, const SceneFile&, std::string_view about);

@@ -185,8 +185,6 @@ bool computed(Command& k, const Selected& to, Value& out) {
   std::string source;
   if (!c.text(source)) return false;
   const std::string_view about(start, static_cast<std::size_t>(c.at - start));
-  if (!row_of(to.type()).computed)
-    return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to_string(to.type())), about);
   if (to.type() == Type::attachment) {
     if (layer) return c.fail(ErrorCode::type, "a layer cannot have attachments", about);
     for (const Target& t : to.targets)
@@ -194,10 +192,12 @@ bool computed(Command& k, const Selected& to, Value& out) {
         return c.fail(ErrorCode::type, "layers and environments cannot have a parent or be one", about);
   }
   // These functions are read only once, with the script.
-  static constexpr std::string_view settled[] = {"file", "texture", "font", "tex", "mode", "of", "within"};
-  const bool is_name = to.type() == Type::text || to.type() == Type::aim;
-  if (is_name && std::find(std::begin(settled), std::end(settled), to.spec->name) != std::end(settled))
-    return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to.spec->name), about);
+  static constexpr std::string_view settled[] = {"tex", "mode", "within", "joints"};
+  const bool by_script = std::find(std::begin(settled), std::end(settled), to.spec->name) != std::end(settled);
+  if (by_script || (to.targets.empty() ? 0xffff : to.targets[0].function) == fn::sound_file)
+    return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to.spec->name), about,
+                  "it is read once, with the script; code can compute all values that change while the film plays");
+  if (!to.targets.empty() && !files_in_code(k, to.targets[0].function, source, about)) return false;
   auto code = make_code(k, std::move(source), !to.targets.empty());
   if (!code) return c.fail(code.error(), about);
   out = Procedure{*std::move(code)};

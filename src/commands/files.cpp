@@ -22,6 +22,7 @@
 #include "exchange/scene_file.h"
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
+#include "language/code_names.h"
 #include "scene/memory.h"
 
 namespace betwixt {
@@ -277,5 +278,49 @@ constexpr Verb files_rows[] = {
 }  // namespace
 
 std::span<const Verb> files_verbs() { return files_rows; }
+
+namespace {
+
+// Returns the files of a folder that "walk%03d.png" stands for, or the name itself if it has no such place for a
+// number.
+std::vector<std::string> files_like(const fs::path& folder, const std::string& name) {
+  constexpr std::size_t most = 10'000;
+  const auto percent = name.find('%'), end = name.find_first_not_of("0123456789", percent + 1);
+  if (percent == name.npos || end == name.npos || name[end] != 'd') return {name};
+  const auto slash = name.rfind('/', percent);
+  const std::string before = slash == name.npos ? "" : name.substr(0, slash + 1);
+  const std::string begin = name.substr(before.size(), percent - before.size()), behind = name.substr(end + 1);
+  std::vector<std::string> all;
+  std::error_code why;
+  for (const auto& e : fs::directory_iterator(folder / before, why)) {
+    const std::string is = e.path().filename().string();
+    if (is.size() <= begin.size() + behind.size() || !is.starts_with(begin) || !is.ends_with(behind)) continue;
+    const std::string_view number = std::string_view(is).substr(begin.size(), is.size() - begin.size() - behind.size());
+    if (number.find_first_not_of("0123456789") == number.npos) all.push_back(before + is);
+    if (all.size() == most) break;
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace
+
+bool files_in_code(Command& k, FunctionId f, const std::string& source, std::string_view about) {
+  if (f != fn::texture && f != fn::file) return true;
+  for (const std::string& text : quoted_texts(source))
+    for (const std::string& name : files_like(k.script.folder, text)) {
+      const fs::path where = k.script.folder / name.substr(0, name.find('#'));
+      std::error_code why;
+      if (name.empty() || !k.script.may_read(where) || !fs::is_regular_file(where, why)) continue;
+      std::string path = name;
+      if (!asset(k, f, path, about)) return false;
+      if (path == name) continue;  // else the code of an included script uses a name of its own
+      if (f == fn::texture)
+        k.scene.pictures.edit()[name] = k.scene.pictures->at(path);
+      else
+        k.scene.meshes.edit()[name] = k.scene.meshes->at(path);
+    }
+  return true;
+}
 
 }  // namespace betwixt

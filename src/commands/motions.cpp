@@ -19,7 +19,11 @@ namespace {
 
 bool moves(const Event& e) {
   const auto* m = std::get_if<Moves>(&e.value);
-  return !e.keep && m && !(*m)->factors.empty();
+  return !e.keep && (std::holds_alternative<Procedure>(e.value) || (m && !(*m)->factors.empty()));
+}
+std::string text_of(const Value& v) {
+  const auto* m = std::get_if<Moves>(&v);
+  return m ? to_string(**m) : "code";
 }
 
 }  // namespace
@@ -30,17 +34,18 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
   c.space();
   const char* start = c.at;
   if (to.velocity) return c.fail_here(ErrorCode::type, "a motion has no velocity");
-  if (c.peek() == '=')
-    return c.fail_here(ErrorCode::type, "a motion cannot be computed",
-                       "code can compute positions, rotations and scales");
   if (until && *until == from) return c.fail_here(ErrorCode::range, "a motion needs a segment longer than 0");
   Event e;
   e.time = from;
-  Moves value;
-  if (!values(k).motion(value)) return false;
+  if (c.peek() == '=') {
+    if (!computed(k, to, e.value)) return false;
+  } else {
+    Moves value;
+    if (!values(k).motion(value)) return false;
+    e.value = std::move(value);
+  }
   const std::string_view about = c.since(start);
-  const bool rest = value->factors.empty();
-  e.value = std::move(value);
+  const bool rest = !moves(e);
   if (!way(k, to, e) || !finish(c)) return false;
   for (const Target& t : to.targets) {
     if (t.layer)
@@ -57,11 +62,10 @@ bool moving(Command& k, const Selected& to, Time from, std::optional<Time> until
     // A motion without an end lasts up to the next event; the new motion ends it.
     if (before && end && *end > from) busy = before;
     if (busy)
-      return c.fail(
-          ErrorCode::range,
-          fmt::format("'{}' is already in motion from {} by {}", target_name(s, t), format_time(busy->time, s.rate),
-                      to_string(*std::get<Moves>(busy->value)).substr(0, 80)),
-          about, "motions of one object must not overlap; write those at the same time as one string");
+      return c.fail(ErrorCode::range,
+                    fmt::format("'{}' is already in motion from {} by {}", target_name(s, t),
+                                format_time(busy->time, s.rate), text_of(busy->value).substr(0, 80)),
+                    about, "motions of one object must not overlap; write those at the same time as one string");
   }
   if (!until && !rest)
     script.note(Severity::notice, "this motion has no end yet; it lasts until the next row", about,
@@ -101,7 +105,7 @@ void say_lasting(const Command& k, const Scene& before, const Selected& on, std:
     slot->track->events.each([&](const Event& e) {
       if (open) all.back().length = e.time - all.back().from;
       open = moves(e);
-      if (open) all.push_back({e.time, {}, to_string(*std::get<Moves>(e.value))});
+      if (open) all.push_back({e.time, {}, text_of(e.value)});
     });
     return all;
   };
@@ -157,7 +161,10 @@ void keep_centres(const Command& k, const std::vector<ObjectId>& leaving, const 
     const Slot* slot = s.objects[i].find(fn::motion);
     if (!slot) continue;
     bool all = true;
-    slot->track->events.each([&](const Event& e) { all = all && (!moves(e) || stays(*std::get<Moves>(e.value))); });
+    slot->track->events.each([&](const Event& e) {
+      const auto* m = std::get_if<Moves>(&e.value);
+      all = all && (!m || !moves(e) || stays(**m));
+    });
     if (all) continue;
     if (!program) program = Program::compile(Document(std::make_shared<const Scene>(s)));
     const std::vector<Motion> placed = program->motions(ObjectId{i});

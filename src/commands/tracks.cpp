@@ -109,6 +109,9 @@ bool set_alike(Command& k, const Selected& to) {
   }
   if (to.velocity)
     return c.fail(ErrorCode::type, "a velocity needs a time", w, fmt::format("as in at 1f {} …", w.substr(0, 60)));
+  if (to.type() == Type::motion)
+    return c.fail(ErrorCode::type, "a motion cannot be set: it needs a segment of time", w,
+                  fmt::format("as in at 1f..24f {} T(6 0)", w.substr(0, 60)));
   if (c.peek() == '=') {
     if (!computed(k, to, v) || !finish(c)) return false;
     if (to.component >= 0) return compute_component(k, to, v);
@@ -116,9 +119,6 @@ bool set_alike(Command& k, const Selected& to) {
     return true;
   }
   if (goes_along(c)) return set_along_line(k, to);
-  if (to.type() == Type::motion)
-    return c.fail(ErrorCode::type, "a motion cannot be set: it needs a segment of time", w,
-                  fmt::format("as in at 1f..24f {} T(6 0)", w.substr(0, 60)));
   if (to.type() == Type::attachment)
     return c.fail(ErrorCode::type, "an attachment cannot be set", w,
                   "write couple A to B, attach A to B, hang A on B or detach A");

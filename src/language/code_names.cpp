@@ -21,7 +21,9 @@ class Words {
  public:
   explicit Words(std::string_view code) : rest_(code) {}
 
-  // Returns the next name or single character, or "" at the end.
+  std::string_view text;  // the last one, with its quotes
+
+  // Returns the next name or single character, or "" at the end. For a text, returns a quotation mark.
   std::string_view next() {
     while (!rest_.empty()) {
       const char c = rest_[0];
@@ -32,7 +34,7 @@ class Words {
       } else if (const std::size_t brackets = long_text(); brackets > 0) {
         rest_.remove_prefix(brackets);
       } else if (c == '\'' || c == '"') {
-        rest_.remove_prefix(text());
+        text = take(text_size());
         return "\"";
       } else if (c == ' ' || c == '\t' || c == '\n' || c == '\r') {
         rest_.remove_prefix(1);
@@ -52,7 +54,7 @@ class Words {
   std::size_t name() const {
     return static_cast<std::size_t>(std::find_if_not(rest_.begin(), rest_.end(), code_name_goes_on) - rest_.begin());
   }
-  std::size_t text() const {
+  std::size_t text_size() const {
     std::size_t at = 1;
     while (at < rest_.size() && rest_[at] != rest_[0]) at += rest_[at] == '\\' ? 2 : 1;
     return std::min(at + 1, rest_.size());
@@ -96,6 +98,14 @@ std::vector<std::string_view> free_names(std::string_view code) {
   }
   std::erase_if(used, [&](std::string_view w) { return has(made, w); });
   return used;
+}
+
+std::vector<std::string> quoted_texts(std::string_view code) {
+  std::vector<std::string> all;
+  Words words(code);
+  for (std::string_view w = words.next(); !w.empty(); w = words.next())
+    if (w == "\"" && words.text.size() >= 2) all.emplace_back(words.text.substr(1, words.text.size() - 2));
+  return all;
 }
 
 bool code_speaks_of_place(const char* at, const char* end) {

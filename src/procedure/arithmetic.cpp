@@ -83,6 +83,50 @@ int mix(lua_State* l) {
   return 1;
 }
 
+// matrix(position, rotation, scale): scales, rotates, then moves; each may be nil. matrix(list): 16 numbers, row after
+// row.
+int make_matrix(lua_State* l) {
+  double n[16];
+  if (lua_type(l, 1) == LUA_TTABLE && read(l, 1, n) == Kind::none) {
+    for (int i = 0; i < 16; ++i) {
+      lua_rawgeti(l, 1, i + 1);
+      if (lua_type(l, -1) != LUA_TNUMBER) return luaL_error(l, "matrix: a list needs 16 numbers");
+      n[i] = lua_tonumber(l, -1);
+      lua_pop(l, 1);
+    }
+    return push(l, Kind::matrix, n), 1;
+  }
+  const Vec3 place = lua_isnoneornil(l, 1) ? Vec3{} : vector(l, 1);
+  Mat4 m;
+  if (!lua_isnoneornil(l, 2)) {
+    const Kind kind = read(l, 2, n);
+    if (kind == Kind::quat)
+      m = rotation(normalize(Quat{n[0], n[1], n[2], n[3]}));
+    else if (kind == Kind::angles)
+      m = rotation(from_angles({n[0], n[1], n[2]}));
+    else
+      return luaL_argerror(l, 2, "a rotation is needed: euler, quat or axis");
+  }
+  const bool even = lua_type(l, 3) == LUA_TNUMBER;
+  const Vec3 scale = lua_isnoneornil(l, 3) ? Vec3{1, 1, 1} : even ? number(l, 3) * Vec3{1, 1, 1} : vector(l, 3);
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) m(row, column) *= scale[column];
+  m(0, 3) = place.x, m(1, 3) = place.y, m(2, 3) = place.z;
+  return push(l, m), 1;
+}
+int inverse_of(lua_State* l) {
+  double n[16];
+  const Kind kind = read(l, 1, n);
+  if (kind == Kind::quat) {
+    const double out[] = {n[0], -n[1], -n[2], -n[3]};
+    return push(l, Kind::quat, out), 1;
+  }
+  if (kind != Kind::matrix) return luaL_argerror(l, 1, "a matrix or a quaternion is needed");
+  const auto m = inverse(matrix_of(n));
+  if (!m) return luaL_error(l, "inverse: this matrix has none, because it scales by 0");
+  return push(l, *m), 1;
+}
+
 }  // namespace
 
 const luaL_Reg arithmetic_functions[] = {{"vec", make_vector},
@@ -91,6 +135,8 @@ const luaL_Reg arithmetic_functions[] = {{"vec", make_vector},
                                          {"euler", make<Kind::angles, 3>},
                                          {"quat", make<Kind::quat, 4>},
                                          {"axis", make_axis},
+                                         {"matrix", make_matrix},
+                                         {"inverse", inverse_of},
                                          {"length", length_of},
                                          {"dot", dot_of},
                                          {"cross", cross_of},

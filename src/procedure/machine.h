@@ -123,7 +123,9 @@ int guarded(lua_State* l) {
 Kind read(lua_State*, int index, double* numbers);  // reads up to 16 numbers of a value
 void push_number(lua_State*, double);               // whole numbers stay whole in texts: 3, not 3.0
 void push(lua_State*, Kind, const double* numbers);
-bool push(lua_State*, const Value&);  // returns false, and pushes nothing, if Lua has no equivalent
+void push(lua_State*, const Mat4&);
+Mat4 matrix_of(const double* numbers);  // of 16, row after row
+bool push(lua_State*, const Value&);    // returns false, and pushes nothing, if Lua has no equivalent
 Result<Value> to_value(lua_State*, int index);
 double push(lua_State*, const State&);  // returns the number of its entries
 Result<State> to_state(lua_State*, int index);

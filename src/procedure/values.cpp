@@ -81,6 +81,14 @@ int arithmetic(lua_State* l) {
       return push(l, Kind::vector, n), 1;
     }
   }
+  if constexpr (op == '*') {  // matrices apply from right to left
+    if (ka == Kind::matrix && kb == Kind::matrix) return push(l, matrix_of(a) * matrix_of(b)), 1;
+    if (ka == Kind::matrix && kb == Kind::vector) {
+      const Vec3 v = transform_point(matrix_of(a), {b[0], b[1], b[2]});
+      const double n[] = {v.x, v.y, v.z};
+      return push(l, Kind::vector, n), 1;
+    }
+  }
   constexpr bool scales = op == '*' || op == '/';
   const Kind kind = ka != Kind::none ? ka : kb;
   const bool fits = (ka == kb && kind != Kind::quat) || (ka == kb && !scales) ||
@@ -141,6 +149,19 @@ Result<Value> list_value(lua_State* l, int index) {
 }
 
 }  // namespace
+
+Mat4 matrix_of(const double* n) {
+  Mat4 m;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) m(row, column) = n[4 * row + column];
+  return m;
+}
+void push(lua_State* l, const Mat4& m) {
+  double n[16];
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) n[4 * row + column] = m(row, column);
+  push(l, Kind::matrix, n);
+}
 
 Kind read(lua_State* l, int index, double* numbers) {
   if (lua_type(l, index) != LUA_TTABLE || !lua_getmetatable(l, index)) return Kind::none;
@@ -229,10 +250,14 @@ Result<Value> to_value(lua_State* l, int index) {
   }
   const Kind kind = read(l, index, n);
   if (kind == Kind::none) return list_value(l, lua_absindex(l, index));
-  if (kind == Kind::matrix) return no_value("a matrix is not a value, but its .x .y .z are");
   if (!finite({n, static_cast<std::size_t>(shape(kind).count)}))
     return fail(ErrorCode::range,
                 std::string("it returned ") + shape(kind).article + " with a number that is not finite");
+  if (kind == Kind::matrix) {
+    const Mat4 m = matrix_of(n);
+    const bool affine = n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1;
+    return affine ? Result<Value>(Matrix(m)) : no_value("the last row of its matrix is not 0 0 0 1");
+  }
   Value v = with_numbers(shape(kind).example(), n);
   if (auto* q = std::get_if<Quat>(&v)) *q = normalize(*q);
   return v;

@@ -18,8 +18,14 @@ struct NodeCompiler {
   const Scene& scene = compiled.document.scene();
 
   // Returns the environments that a function of the object names, one entry for each event that changes them.
-  std::int32_t siting(const Object& o, FunctionId f) {
+  std::int32_t siting(std::uint32_t object, FunctionId f) {
+    const Object& o = scene.objects[object];
     Siting made;
+    if (const Binding& b = compiled.find(object, f); b.live >= 0) {
+      made.live = b.live, compiled.computes_sitings = true;
+      compiled.sitings.push_back(std::move(made));
+      return static_cast<std::int32_t>(compiled.sitings.size()) - 1;
+    }
     for (const EnvironmentsFrom& e : environments_of(scene, o, f)) {
       made.changes.push_back({e.from, {}});
       for (const Generation& g : e.all) made.changes.back().sites.push_back(site(g.environment.index, g.number));
@@ -62,7 +68,7 @@ struct NodeCompiler {
     n.pivot = offset(fn::pivot), n.attach = offset(fn::attach_position), n.display = offset(fn::display),
     n.color = offset(fn::color);
     n.orientation = compiled.find(object, fn::rotation).orientation;
-    n.around = siting(o, fn::environments), n.drive = siting(o, fn::drive);
+    n.around = siting(object, fn::environments), n.drive = siting(object, fn::drive);
     n.transform = o.find(fn::transform) != nullptr;
     compiled.offsets.push_back({n.position, n.rotation, n.scale, n.pivot, n.orientation});
     const auto said = [&](FunctionId f) { return &compiled.find(object, f) != &compiled.defaults[f]; };

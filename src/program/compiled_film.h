@@ -111,10 +111,12 @@ struct Frozen {
 struct Moving {
   struct Piece {
     Time from, until;
-    Motion motion;      // centres are in the space of positions
-    Mat4 before;        // product of all earlier pieces, completed
-    Curve progress;     // the fraction done
-    bool open = false;  // has no end, and no effect
+    Motion motion;                  // centres are in the space of positions
+    Mat4 before;                    // product of all earlier pieces, completed
+    Curve progress;                 // the fraction done
+    bool open = false;              // has no end, and no effect
+    bool computed = false;          // by code, when it begins
+    std::vector<Problem> problems;  // of that code
   };
   struct Place {
     const Piece* piece = nullptr;
@@ -216,6 +218,7 @@ struct Siting {
     friend bool operator==(const Change&, const Change&) = default;
   };
   std::vector<Change> changes;  // by time; the first one holds before it too
+  std::int32_t live = -1;       // if code computes the list
 };
 
 // The part of each array of Compiled that belongs to one object. It ends where the next object's part begins.
@@ -257,6 +260,7 @@ struct CompiledFilm {
   std::vector<std::uint32_t> held_by_code;  // nodes that code attaches at some time
   std::vector<std::shared_ptr<const Environment>> environments;
   std::vector<Siting> sitings;
+  bool computes_sitings = false;  // code computes some of them
   std::vector<Moving> movings;
   bool sited = false;                     // some node is in an environment
   bool looks = false;                     // some node is turned by look-at or inverse kinematics

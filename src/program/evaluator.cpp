@@ -161,7 +161,9 @@ bool Evaluator::seek(std::uint32_t i, std::int64_t t) {
 void Evaluator::evaluate_lives(Asking& asking, bool solids) {
   const InStage stage(Stage::procedures);
   for (const Schedule::LiveSource& live : compiled_.schedule.lives) {
-    if ((solids && !live.solid) || live.binding->function == fn::attachment) continue;
+    const FunctionId f = live.binding->function;
+    if (f == fn::attachment || f == fn::motion || f == fn::environments || f == fn::drive) continue;  // read elsewhere
+    if (solids && !live.solid) continue;
     if (!only_ || only_->wants(live)) evaluate(live, asking);
   }
 }
@@ -182,31 +184,6 @@ void Evaluator::evaluate(const Schedule::LiveSource& live, Asking& asking) {
   if (std::memcmp(n, &numbers_[live.binding->offset], sizeof n) == 0) return;
   std::memcpy(&numbers_[live.binding->offset], n, sizeof n);
   marks_.add(live.node, live.affects);
-}
-
-// Environments are constant between ticks.
-void Evaluator::environments(bool own_set) {
-  const InStage stage(Stage::environments);
-  if (compiled_.sitings.empty()) return;
-  const Scene& scene = compiled_.document.scene();
-  const std::int64_t tick = scene.smooth_ticks ? now_.flicks : scene.ticks.whole(now_);
-  if (tick == tick_) return;
-  tick_ = tick;
-  if (SharedEnvironments& many = compiled_.caches.environments; many.set && own_set) {
-    if (!many_) many_ = many.copy();
-    if (many_->tick() != tick) many_->advance(tick);
-  }
-  // Many nodes may share a product, so each is computed once.
-  for (std::size_t i = 0; i < products_.size(); ++i) {
-    const Mat4 m = product(compiled_, static_cast<std::int32_t>(i), now_, many_ ? &*many_ : nullptr);
-    turned_[i] = fresh_ || !same_bits(m, products_[i]);
-    products_[i] = m;
-  }
-  for (std::uint32_t i = 0; i < compiled_.nodes.size(); ++i) {
-    const Node& n = compiled_.nodes[i];
-    if (n.around >= 0 && turned_[static_cast<std::size_t>(n.around)]) marks_.add(i, affects::around);
-    if (n.drive >= 0 && turned_[static_cast<std::size_t>(n.drive)]) marks_.add(i, affects::place);
-  }
 }
 
 void Evaluator::stay() {
@@ -238,7 +215,7 @@ void Evaluator::place(Time t, Asking& asking, const Needed& wanted) {
   evaluate_lives(asking, false);
   evaluate_coded(asking);
   take_hold(asking);
-  environments(true);
+  environments(asking, true);
   places(asking);
   only_ = nullptr;
 }
@@ -253,7 +230,7 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
     for (const std::uint32_t d : compiled_.slow_blends) marks_.add(d, affects::look);
   }
   take_hold(asking);
-  environments(!solids);
+  environments(asking, !solids);
   places(asking);
   follow_joints();
   restyle(asking, solids);

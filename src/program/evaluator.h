@@ -77,7 +77,8 @@ class Evaluator {
   void evaluate_coded(Asking&);
   void evaluate(const Schedule::LiveSource&, Asking&);
   void take_hold(Asking&);
-  void environments(bool own_set);
+  void environments(Asking&, bool own_set);
+  bool wants(std::uint32_t object) const;
   void arrange();
   void arrange_eyes();
   Own own_of(std::uint32_t node, Asking&) const;

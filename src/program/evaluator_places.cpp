@@ -266,4 +266,38 @@ void Evaluator::turn_eyes(Asking& asking) {
   }
 }
 
+bool Evaluator::wants(std::uint32_t object) const {
+  const std::uint32_t node = compiled_.node_of[object];
+  return !only_ || only_->places[node] || only_->turns[node];
+}
+
+// Environments are constant between ticks, unless code names them.
+void Evaluator::environments(Asking& asking, bool own_set) {
+  const InStage stage(Stage::environments);
+  if (compiled_.sitings.empty()) return;
+  const Scene& scene = compiled_.document.scene();
+  const std::int64_t tick = scene.smooth_ticks ? now_.flicks : scene.ticks.whole(now_);
+  const bool ticked = tick != tick_;
+  if (!ticked && !compiled_.computes_sitings) return;
+  tick_ = tick;
+  if (SharedEnvironments& many = compiled_.caches.environments; many.set && own_set) {
+    if (!many_) many_ = many.copy();
+    if (many_->tick() != tick) many_->advance(tick);
+  }
+  // Many nodes may share a product, so each is computed once.
+  for (std::size_t i = 0; i < products_.size(); ++i) {
+    turned_[i] = false;
+    const std::int32_t live = compiled_.sitings[i].live;
+    if (live < 0 ? !ticked : !wants(compiled_.lives[static_cast<std::size_t>(live)].object)) continue;
+    const Mat4 m = product(compiled_, static_cast<std::int32_t>(i), now_, asking, many_ ? &*many_ : nullptr);
+    turned_[i] = fresh_ || !same_bits(m, products_[i]);
+    products_[i] = m;
+  }
+  for (std::uint32_t i = 0; i < compiled_.nodes.size(); ++i) {
+    const Node& n = compiled_.nodes[i];
+    if (n.around >= 0 && turned_[static_cast<std::size_t>(n.around)]) marks_.add(i, affects::around);
+    if (n.drive >= 0 && turned_[static_cast<std::size_t>(n.drive)]) marks_.add(i, affects::place);
+  }
+}
+
 }  // namespace betwixt

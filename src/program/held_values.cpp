@@ -61,15 +61,26 @@ Result<Value> fit(const Value& v, Type type, const Scene& scene) {
   if (const auto fitting = fitted(v, type)) return *fitting;
   const auto* text = std::get_if<Text>(&v);
   if (type == Type::attachment) return holder(v, scene);
+  if (type == Type::names && text) return Value(**text == "none" ? Names() : Names({**text}));
+  if (const auto* points = std::get_if<Points>(&v); type == Type::names && points && (*points)->empty())
+    return Value(Names());
+  if (type == Type::motion && text) {
+    auto motion = parse_motion(**text);
+    if (!motion)
+      return fail(ErrorCode::type,
+                  fmt::format("\"{}\" is not a motion: {}", (*text)->substr(0, 60), motion.error().message));
+    return Value(Moves(*std::move(motion)));
+  }
   if (text && std::holds_alternative<ObjectId>(row_of(type).example())) {
     if (**text == "none") return Value(ObjectId{});
     if (const ObjectId id = scene.names.find(**text)) return Value(id);
     return fail(ErrorCode::name, fmt::format("there is no object '{}'", **text));
   }
-  const char* is = std::holds_alternative<double>(v) ? "a number"
-                   : std::holds_alternative<Vec3>(v) ? "a vector"
-                   : text                            ? "a text"
-                                                     : "something else";
+  const char* is = std::holds_alternative<double>(v)   ? "a number"
+                   : std::holds_alternative<Vec3>(v)   ? "a vector"
+                   : text                              ? "a text"
+                   : std::holds_alternative<Matrix>(v) ? "a matrix"
+                                                       : "something else";
   return fail(ErrorCode::type, fmt::format("it must return {}, not {}", to_string(type), is));
 }
 

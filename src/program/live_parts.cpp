@@ -84,6 +84,12 @@ std::optional<Value> LiveParts::answer(const Routine& code, const LivePart& part
     if (std::find(words.begin(), words.end(), **text) == words.end())
       return say(fmt::format("'{}' is not one of {}", (*text)->substr(0, 40), fmt::join(words, ", ")));
   }
+  if (text && live.function == fn::texture && !(*text)->empty() && !scene.pictures->contains(**text))
+    return say(fmt::format("the film has not read the picture '{}': write its name in quotes in this code",
+                           (*text)->substr(0, 60)));
+  if (text && live.function == fn::file && !(*text)->empty() && !scene.meshes->contains(**text))
+    return say(fmt::format("the film has not read the mesh '{}': write its name in quotes in this code",
+                           (*text)->substr(0, 60)));
   if (text && live.function == fn::text && (*text)->size() > most_letters && count_characters(**text) > most_letters)
     return say(fmt::format("its text has more than {} letters", most_letters));
   return *fitting;
@@ -218,7 +224,8 @@ Value LiveParts::scripted(const LivePart& part, const Time asked) const {
     if (auto place = along_line(part.track, near, before, t)) return *std::move(place);
   const bool alone = near.back() == last || twerper == Twerper::hold || !has_velocity(part.type) ||
                      (twerper == Twerper::unset && std::holds_alternative<Procedure>(last->value));
-  if (alone && !last->keep) return event_value(last->value, part, t, t);
+  // A motion is computed once, when it begins.
+  if (alone && !last->keep) return event_value(last->value, part, t, part.type == Type::motion ? last->time : t);
   // No blend crosses a cut or a hold, so values beyond it are not evaluated.
   const auto parts = [&](std::size_t i) {
     const Twerper to_here = part.track.global != Twerper::unset ? part.track.global : near[i - 1]->twerper;

@@ -34,6 +34,16 @@ void place_centres(Program::Compiled& compiled, const Node& node, Motion& motion
   }
 }
 
+// Computes a motion that is code, from the film as it is when the motion begins.
+void compute(const Program::Compiled& compiled, const Node& node, Moving::Piece& piece) {
+  const Binding& b = compiled.find(node.object, fn::motion);
+  if (!piece.computed || b.live < 0) return;
+  Asking asking;
+  const Value v = compiled.live_value(b.live, piece.from, asking);
+  if (const auto* m = std::get_if<Moves>(&v)) piece.motion = about_what_is_there(compiled.document.scene(), **m);
+  piece.problems = std::move(asking.problems);
+}
+
 // Makes the curve from 0 to 1 between two events, by the first one's twerper and the eases of both.
 Curve progress(CurveSet& set, const Track& track, const Event& begin, const Event& end) {
   Track one = track;
@@ -51,16 +61,20 @@ Moving moving(CurveSet& set, const Track& track) {
   Moving made;
   std::vector<Event> events;
   track.events.each([&](const Event& e) {
-    if (std::holds_alternative<Moves>(e.value) && !e.keep) events.push_back(e);
+    if ((std::holds_alternative<Moves>(e.value) || std::holds_alternative<Procedure>(e.value)) && !e.keep)
+      events.push_back(e);
   });
   if (events.empty()) return made;
   made.first = events.front().time, made.last = events.back().time;
   made.extend_before = track.before, made.extend_after = track.after;
   for (std::size_t i = 0; i < events.size(); ++i) {
-    const Motion& motion = *std::get<Moves>(events[i].value);
-    if (motion.factors.empty()) continue;
+    const auto* plain = std::get_if<Moves>(&events[i].value);
+    if (plain && (*plain)->factors.empty()) continue;
     const bool open = i + 1 == events.size();
-    Moving::Piece p{events[i].time, open ? Time{INT64_MAX} : events[i + 1].time, motion, {}, {}, open};
+    Moving::Piece p;
+    p.from = events[i].time, p.until = open ? Time{INT64_MAX} : events[i + 1].time, p.open = open;
+    p.computed = !plain;
+    if (plain) p.motion = **plain;
     if (!open) p.progress = progress(set, track, events[i], events[i + 1]);
     made.pieces.push_back(std::move(p));
   }
@@ -116,9 +130,12 @@ void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen
       if (k > 0) pieces[k].before = at(pieces[k - 1].motion, 1) * pieces[k - 1].before;
     }
     thaw_until(starts[i].time);
-    for (std::size_t k = i; k < end; ++k)
-      place_centres(compiled, compiled.nodes[starts[k].node], moving_of(starts[k]).pieces[starts[k].piece].motion,
-                    starts[k].time);
+    for (std::size_t k = i; k < end; ++k) {
+      const Node& node = compiled.nodes[starts[k].node];
+      Moving::Piece& piece = moving_of(starts[k]).pieces[starts[k].piece];
+      compute(compiled, node, piece);
+      place_centres(compiled, node, piece.motion, starts[k].time);
+    }
     for (; i < end; ++i) ++moving_of(starts[i]).placed;
   }
   thaw_until({INT64_MAX});
@@ -160,6 +177,8 @@ std::optional<Mat4> whole_motion(const CurveSet& set, const Moving& m, Time t) {
 std::optional<Mat4> moved(const Program::Compiled& c, const Node& n, Time t, Asking& asking) {
   if (n.moving < 0) return std::nullopt;
   const Moving& m = c.movings[static_cast<std::size_t>(n.moving)];
+  if (const auto at = m.place(t))
+    for (const Problem& p : at->piece->problems) asking.say(p);
   return coded_value(
       c, c.find(n.object, fn::motion), t, asking, [](const Answer& a) { return &a.motion; },
       [&] { return whole_motion(c.set, m, t); });

@@ -125,7 +125,7 @@ void thaw(const Program::Compiled& c, std::int32_t index, Asking& asking) {
     Placed was = hang(own_place(said), said.attach, before, kept, &old_parent);
     const Sited parent = placement(c, static_cast<std::uint32_t>(now.parent), t, asking);
     if (c.sited) {  // from the environments it was in to those it will be in
-      const Mat4 own = product(c, n.around, t), old = kept && kept->held ? kept->around : old_parent.around;
+      const Mat4 own = product(c, n.around, t, asking), old = kept && kept->held ? kept->around : old_parent.around;
       if (const auto out = inverse(parent.around * own)) was.world = *out * old * own * was.world;
     }
     const auto turned = inverse(held_turn(now.kind, parent)), above = inverse(parent.world);
@@ -154,12 +154,32 @@ Mat4 matrix_of(const Program::Compiled& c, const Site& site, Time t) {
   return many.set ? many.matrix(site.member, tick) : e.at(site.generation, tick);
 }
 
+// Returns the product of the environments that code names.
+Mat4 computed_product(const Program::Compiled& c, std::int32_t live, Time t, Asking& asking) {
+  const Scene& scene = c.document.scene();
+  const Value names = c.live_value(live, t, asking);
+  const auto* all = std::get_if<Names>(&names);
+  const std::int64_t tick = scene.ticks.whole(t);
+  Mat4 m;
+  for (const std::string& name : all ? **all : std::vector<std::string>())
+    for (const ObjectId id : select(scene, name)) {
+      const auto& track = scene.objects[id.index].environment;
+      const auto generation = track ? track->bind(tick) : std::nullopt;
+      if (!generation) continue;
+      m = m * (scene.smooth_ticks ? track->smooth(*generation, scene.ticks.frame_number(t) - 1)
+                                  : track->at(*generation, tick));
+    }
+  return m;
+}
+
 }  // namespace
 
-Mat4 product(const Program::Compiled& c, std::int32_t siting, Time t, const EnvironmentSet* own) {
+Mat4 product(const Program::Compiled& c, std::int32_t number, Time t, Asking& asking, const EnvironmentSet* own) {
   Mat4 m;
-  if (siting < 0) return m;
-  const auto& changes = c.sitings[static_cast<std::size_t>(siting)].changes;
+  if (number < 0) return m;
+  const Siting& siting = c.sitings[static_cast<std::size_t>(number)];
+  if (siting.live >= 0) return computed_product(c, siting.live, t, asking);
+  const auto& changes = siting.changes;
   auto at =
       std::upper_bound(changes.begin(), changes.end(), t, [](Time x, const auto& change) { return x < change.from; });
   if (at != changes.begin()) --at;
@@ -174,7 +194,7 @@ Mat4 product(const Program::Compiled& c, std::int32_t siting, Time t, const Envi
 
 std::optional<Mat4> driven(const Program::Compiled& c, const Node& n, Time t, Asking& asking, const Mat4* drive) {
   if (!n.transform && n.drive < 0) return std::nullopt;
-  Mat4 m = drive ? *drive : product(c, n.drive, t);
+  Mat4 m = drive ? *drive : product(c, n.drive, t, asking);
   if (n.transform)
     if (const Value v = c.value(c.find(n.object, fn::transform), t, asking); const auto* own = std::get_if<Matrix>(&v))
       m = m * **own;
@@ -204,7 +224,7 @@ Sited placement(const Program::Compiled& c, std::uint32_t node, Time t, Asking& 
     const Frozen* f = h->frozen >= 0 ? &c.frozen[static_cast<std::size_t>(h->frozen)] : nullptr;
     if (h->kind < AttachmentKind::hang) placed.around = f && f->held ? f->around : Mat4{};
     static_cast<Placed&>(placed) = hang(own_place(said), said.attach, h, f, &placed);
-    if (n.around >= 0) placed.around = placed.around * product(c, n.around, t);
+    if (n.around >= 0) placed.around = placed.around * product(c, n.around, t, asking);
   }
   return placed;
 }
@@ -229,7 +249,7 @@ double place_of(const Program::Compiled& c, std::uint32_t node, Time t, Asking& 
 Carrier carrier_of(const Program::Compiled& c, const Node& n, Time t, Asking& asking) {
   Carrier out;
   if (!c.span(n, t)) {
-    if (n.around >= 0) out.above = product(c, n.around, t);
+    if (n.around >= 0) out.above = product(c, n.around, t, asking);
     return out;
   }
   const CompiledSpan span = held(c, c.node_of[n.object], t, asking);
@@ -246,7 +266,7 @@ Carrier carrier_of(const Program::Compiled& c, const Node& n, Time t, Asking& as
   } else if (kept && kept->held) {
     around = kept->around, out.above = kept->parent, out.attach = kept->attach, turn = kept->parent_turn;
   }
-  if (n.around >= 0) around = around * product(c, n.around, t);
+  if (n.around >= 0) around = around * product(c, n.around, t, asking);
   out.above = around * out.above;
   if (kept) out.kept = kept->before, turn = turn * kept->before_turn;
   out.turn = turn;

@@ -38,7 +38,7 @@ CompiledSpan held(const Program::Compiled&, std::uint32_t node, Time, Asking&);
 // Computes the transforms that a letgo or keep-world keeps: once, from the world at its time.
 void thaw(const Program::Compiled&, std::int32_t frozen, Asking&);
 // Returns the product of environments. `own`: the caller's set, already at that tick.
-Mat4 product(const Program::Compiled&, std::int32_t siting, Time, const EnvironmentSet* own = nullptr);
+Mat4 product(const Program::Compiled&, std::int32_t siting, Time, Asking&, const EnvironmentSet* own = nullptr);
 // Returns what transforms the object in its own space: its transform, then the environments that drive it. `drive`:
 // their product, if known.
 std::optional<Mat4> driven(const Program::Compiled&, const Node&, Time, Asking&, const Mat4* drive = nullptr);

@@ -34,6 +34,8 @@ class Tracer {
       c_.evaluate(c_.find(object, f), {}, asking, n);
       return vec3(n);
     };
+    const Binding& of = c_.find(object, fn::trace_of);
+    if (of.live >= 0) of_ = &of;
     node_ = node(said(fn::trace_of)), within_ = node(said(fn::trace_within));
     point_ = number(fn::trace_point);
     from_ = from_seconds(number(fn::trace_from).x), until_ = from_seconds(number(fn::trace_until).x);
@@ -46,7 +48,7 @@ class Tracer {
   std::vector<Vec3> by(Time t) {
     t = std::min(t, until_);
     const Time first = last_ > Time{} && t - last_ > from_ ? t - last_ : from_;
-    if (node_ < 0 || t < first || busy_) return {};
+    if (!draws() || t < first || busy_) return {};
     const Busy busy(busy_);
     extend(t);
     std::vector<Vec3> out;
@@ -61,7 +63,7 @@ class Tracer {
     return out;
   }
   // Returns true if the line changes just after this time.
-  bool goes_on(Time t) const { return node_ >= 0 && (t < until_ || (last_ > Time{} && t < until_ + last_)); }
+  bool goes_on(Time t) const { return draws() && (t < until_ || (last_ > Time{} && t < until_ + last_)); }
   std::int32_t within() const { return within_; }
 
  private:
@@ -84,9 +86,12 @@ class Tracer {
     return static_cast<std::int32_t>(c_.node_of[id->index]);
   }
 
+  // While code names no object, the line stays where it is.
   Vec3 place(Time t) const {
     Asking asking;
-    const Vec3 at = transform_point(placement(c_, static_cast<std::uint32_t>(node_), t, asking).in_world(), point_);
+    const std::int32_t drawer = of_ ? node(c_.value(*of_, t, asking)) : node_;
+    if (drawer < 0) return looks_.empty() ? Vec3{} : looks_.back().place;
+    const Vec3 at = transform_point(placement(c_, static_cast<std::uint32_t>(drawer), t, asking).in_world(), point_);
     if (within_ < 0) return at;
     const auto back = inverse(placement(c_, static_cast<std::uint32_t>(within_), t, asking).in_world());
     return back ? transform_point(*back, at) : Vec3{};
@@ -136,6 +141,9 @@ class Tracer {
   }
 
   const Program::Compiled& c_;
+  bool draws() const { return of_ || node_ >= 0; }
+
+  const Binding* of_ = nullptr;  // if code names the object
   std::int32_t node_ = -1, within_ = -1;
   Vec3 point_;
   Time from_, until_, last_;

@@ -274,7 +274,7 @@ const Routine* tween(const Scene& s, Twerper t) {
 
 bool fits(const Scene& s, Twerper t, Type type, std::string* why) {
   if (!tween(s, t)) return fits(t, type, why);
-  if (row_of(type).computed && type != Type::attachment) return true;
+  if (row_of(type).computed && type != Type::attachment && type != Type::motion) return true;
   if (why) *why = "a tween cannot return " + std::string(to_string(type));
   return false;
 }

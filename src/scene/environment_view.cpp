@@ -49,7 +49,8 @@ std::vector<EnvironmentsFrom> environments_of(const Scene& s, const Object& o, F
   const auto add = [&](Time from, const Value& v) {
     EnvironmentsFrom now{from, {}};
     const std::int64_t tick = from == earliest_time ? -Environment::furthest : s.ticks.whole(from);
-    for (const std::string& name : *std::get<Names>(v))
+    const auto* names = std::get_if<Names>(&v);  // code is asked by the program
+    for (const std::string& name : names ? **names : std::vector<std::string>())
       for (const ObjectId id : select(s, name))  // an alias names many
         if (const auto& track = s.objects[id.index].environment)
           if (const auto generation = track->bind(tick)) now.all.push_back({id, *generation});

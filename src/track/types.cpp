@@ -132,10 +132,14 @@ constexpr TypeRow type_table[] = {
      .changes = Changes::gradually,
      .computed = true,
      .rotates = true},
-    {.type = Type::names, .phrase = "a list of names", .example = plain<Names>},
+    {.type = Type::names, .phrase = "a list of names", .example = plain<Names>, .computed = true},
     {.type = Type::attachment, .phrase = "an attachment", .example = plain<Attachment>, .computed = true},
-    {.type = Type::transform, .phrase = "a transform", .example = plain<Matrix>},
-    {.type = Type::motion, .phrase = "a motion", .example = plain<Moves>, .changes = Changes::gradually},
+    {.type = Type::transform, .phrase = "a transform", .example = plain<Matrix>, .computed = true},
+    {.type = Type::motion,
+     .phrase = "a motion",
+     .example = plain<Moves>,
+     .changes = Changes::gradually,
+     .computed = true},
 };
 consteval bool in_order() {
   for (std::size_t i = 0; i < std::size(type_table); ++i)

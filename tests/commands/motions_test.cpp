@@ -342,7 +342,7 @@ TEST(Motions, SayWhatIsWrong) {
   EXPECT_EQ(error("  12f..36f T(1 0)\n  1f..24f R(1turn)\n"), "range 5:11 R(1turn)");
   EXPECT_TRUE(mentions(a + "  12f..36f T(1 0)\n  1f..24f R(1turn)\n", "T(1 0)"));
   EXPECT_EQ(error("  1f..24f T(1 0)\n  24f..36f T(1 0)\n"), "fine");
-  EXPECT_EQ(error("  1f..24f = \"1\"\n"), "type 4:11 =");
+  EXPECT_EQ(error("  1f..24f = 1\n"), "syntax 4:13 1");
   EXPECT_EQ(error("a.position\n  1f..24f (0 0 0)\n"), "syntax 5:3 1f..24f");
   EXPECT_EQ(error("at 1f..4f a.position (0 0 0)\n"), "syntax 4:4 1f..4f");
   EXPECT_EQ(error("set a.motion T(1 0)\n"), "type 4:5 a.motion");

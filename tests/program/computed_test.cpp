@@ -196,11 +196,10 @@ TEST(Computed, FramesAreCountedAsScriptsCount) {
 
 TEST(Computed, WhatIsReadOnceIsNot) {
   for (const auto& [line, words] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"create m box\nset m.texture = \"'a.png'\"", "type 2:17 \"'a.png'\""},
-           {"create m text\nset m.font = \"'Serif'\"", "type 2:14 \"'Serif'\""},
+           {"create m text\nset m.tex = \"'x'\"", "type 2:13 \"'x'\""},
            {"layer sway add\nset sway.mode = \"'mix'\"", "type 2:17 \"'mix'\""},
-           {"create m trace\nset m.of = \"'m'\"", "type 2:12 \"'m'\""},
-           {"create m box\nset m.motion = \"'m'\"", "type 2:16 \"'m'\""},
+           {"create m trace\nset m.within = \"'m'\"", "type 2:16 \"'m'\""},
+           {"create m box\nset m.motion = \"'m'\"", "type 2:5 m.motion"},
            {"create m polyline\nset m.points = 3", "syntax 2:16 3"}}) {
     const auto all = all_told(read(line));
     ASSERT_EQ(all.size(), 1u) << line;
