@@ -27,36 +27,47 @@ bool whole_ticks(Command& k, std::int64_t& out) {
                 fmt::format("the nearest are {}t and {}t", out, out + 1));
 }
 
+// Returns the track of an environment without events, which all new ones share.
+const std::shared_ptr<const Environment>& none() {
+  static const auto track = std::make_shared<const Environment>();
+  return track;
+}
+
 // Adds an event to the tracks of environments, creating those that do not exist. On failure changes none.
 bool add_to(Command& k, const std::vector<std::string>& names, const decltype(EnvironmentEvent::what)& what,
             std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   c.ticks_read = true;
-  const Scene before = s;
-  std::shared_ptr<const Environment> like;
+  std::optional<Scene> before;  // one name changes nothing until its event fits
+  if (names.size() > 1) before = s;
+  // Environments with the same history share one track.
+  std::shared_ptr<const Environment> like, like_before;
+  const std::uint64_t number = s.environment_events++;
   for (const std::string& name : names) {
     Cancellation::check();
     ObjectId id = s.names.find(name);
-    if (!id) {
-      Object object;
-      object.name = name;
-      object.kind = Kind::environment;
-      object.environment = std::make_shared<const Environment>();
-      id = add_object(s, std::move(object));
+    const auto old = id ? s.objects[id.index].environment : none();
+    if (!like || old != like_before) {
+      Environment track = *old;
+      const std::size_t known = track.problems().size();
+      const Status done = track.add({tick(k), number, what}, like.get());
+      if (!done) {
+        if (before) s = *std::move(before);
+        return c.fail(done.error().code, fmt::format("'{}': {}", name, done.error().message), about, done.error().hint);
+      }
+      const auto problems = track.problems();
+      for (std::size_t i = known; i < problems.size(); ++i)
+        script.note(problems[i].severity, fmt::format("'{}': {}", name, problems[i].what.message), about,
+                    problems[i].what.hint);
+      like_before = old, like = std::make_shared<const Environment>(std::move(track));
     }
-    Environment track = *s.objects[id.index].environment;
-    const std::size_t known = track.problems().size();
-    const Status done = track.add({tick(k), s.environment_events++, what}, like.get());
-    if (!done) {
-      s = before;
-      return c.fail(done.error().code, fmt::format("'{}': {}", name, done.error().message), about, done.error().hint);
+    if (id) {
+      s.objects.edit(id.index).environment = like;
+      continue;
     }
-    const auto problems = track.problems();
-    for (std::size_t i = known; i < problems.size(); ++i)
-      script.note(problems[i].severity, fmt::format("'{}': {}", name, problems[i].what.message), about,
-                  problems[i].what.hint);
-    like = std::make_shared<const Environment>(std::move(track));
-    s.objects.edit(id.index).environment = like;
+    Object object;
+    object.name = name, object.kind = Kind::environment, object.environment = like;
+    add_object(s, std::move(object));
   }
   return true;
 }

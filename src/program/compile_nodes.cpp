@@ -89,7 +89,8 @@ struct NodeCompiler {
     compiled.node_of.assign(scene.objects.size(), ObjectId::nothing);
     for (const bool drawn : {true, false})
       for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
-        if (Cancellation::check(); !scene.objects[i].removed && drawable(scene.objects[i].kind) == drawn) node(i);
+        if (const Object& o = scene.objects[i]; !o.removed && !o.environment && drawable(o.kind) == drawn)
+          Cancellation::check(), node(i);
     spans();
   }
 

@@ -95,12 +95,17 @@ std::optional<std::uint32_t> CompiledFilm::camera_at(Time t) const {
   return first_camera;  // cameras of display lists are active only through `views`
 }
 
+std::optional<std::uint32_t> CompiledFilm::node_of_object(ObjectId id) const {
+  const bool known = id.index < node_of.size() && node_of[id.index] != ObjectId::nothing;
+  return known ? std::optional(node_of[id.index]) : std::nullopt;
+}
+
 std::vector<std::uint32_t> CompiledFilm::goals(std::uint32_t object, FunctionId f) const {
   const Binding& b = find(object, f);
   std::vector<std::uint32_t> out;
   const auto add = [&](const Value& v) {
     const auto* id = std::get_if<ObjectId>(&v);
-    if (id && find_object(document.scene(), *id)) out.push_back(node_of[id->index]);
+    if (const auto node = id ? node_of_object(*id) : std::nullopt) out.push_back(*node);
   };
   if (b.channels > 0 || b.live >= 0) return out;
   if (b.steps < 0) add(b.constant);

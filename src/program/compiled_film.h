@@ -270,6 +270,8 @@ struct CompiledFilm {
   std::vector<std::string> notices;       // attachments that had to be ignored
   std::vector<std::uint32_t> node_of;     // per object
 
+  // Returns the node of an object, or nullopt for an environment, and for an object that does not exist.
+  std::optional<std::uint32_t> node_of_object(ObjectId) const;
   bool draws(std::uint32_t node) const { return node < drawables.size(); }
   const Binding& find(std::uint32_t object, FunctionId f) const;
   const StepTrack& steps_of(const Binding& b) const { return *steps[static_cast<std::size_t>(b.steps)]; }

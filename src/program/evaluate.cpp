@@ -78,8 +78,8 @@ std::optional<Vec3> Program::Compiled::aim(std::uint32_t object, FunctionId f, T
   const auto point = [&](const Value& v) -> std::optional<Vec3> {
     if (const auto* p = std::get_if<Vec3>(&v)) return *p + beside;
     const auto* id = std::get_if<ObjectId>(&v);
-    if (!id || !find_object(document.scene(), *id)) return std::nullopt;
-    return place(node_of[id->index]) + beside;
+    const auto node = id ? node_of_object(*id) : std::nullopt;
+    return node ? std::optional(place(*node) + beside) : std::nullopt;
   };
   if (b.live >= 0) return point(live_value(b.live, t, asking));
   if (b.steps < 0) return point(b.constant);

@@ -144,8 +144,9 @@ void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen
 
 std::vector<Motion> Program::motions(ObjectId object) const {
   std::vector<Motion> all;
-  if (!find_object(document().scene(), object)) return all;
-  const Node& n = code_->nodes[code_->node_of[object.index]];
+  const auto node = code_->node_of_object(object);
+  if (!node) return all;
+  const Node& n = code_->nodes[*node];
   if (n.moving >= 0)
     for (const Moving::Piece& p : code_->movings[static_cast<std::size_t>(n.moving)].pieces) all.push_back(p.motion);
   return all;

@@ -32,7 +32,7 @@ struct Following {
   }
   void need_aim(const Value& v) {
     const auto* id = std::get_if<ObjectId>(&v);
-    if (id && find_object(c.document.scene(), *id)) need(c.node_of[id->index], false);
+    if (const auto node = id ? c.node_of_object(*id) : std::nullopt) need(*node, false);
   }
   // Adds the objects that it aims at now.
   void need_aims(std::uint32_t node, FunctionId f) {

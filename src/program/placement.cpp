@@ -289,10 +289,11 @@ Quat turned_to(const Program::Compiled& c, const Node& n, Vec3 direction, Time t
 }
 
 Kinematics Program::kinematics(ObjectId object, Time t) const {
-  if (!find_object(document().scene(), object)) return {};
+  const auto of = code_->node_of_object(object);
+  if (!of) return {};
   Asking asking;
   const Compiled& compiled = *code_;
-  const std::uint32_t node = compiled.node_of[object.index];
+  const std::uint32_t node = *of;
   const Node& n = compiled.nodes[node];
   const auto place = [&](Time when) { return translation_of(placement(compiled, node, when, asking).in_world()); };
   Kinematics b;
