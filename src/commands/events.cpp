@@ -192,7 +192,7 @@ bool computed(Command& k, const Selected& to, Value& out) {
         return c.fail(ErrorCode::type, "layers and environments cannot have a parent or be one", about);
   }
   // These functions are read only once, with the script.
-  static constexpr std::string_view settled[] = {"tex", "mode", "within", "joints"};
+  static constexpr std::string_view settled[] = {"tex", "mode", "within", "joints", "velocity-space"};
   const bool by_script = std::find(std::begin(settled), std::end(settled), to.spec->name) != std::end(settled);
   if (by_script || (to.targets.empty() ? 0xffff : to.targets[0].function) == fn::sound_file)
     return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to.spec->name), about,
@@ -220,7 +220,6 @@ bool event(Command& k, const Selected& to, Time when) {
     e.value = 0.0;
     if (!finish(c)) return false;
   } else if (c.peek() == '=') {
-    if (to.velocity) return c.fail_here(ErrorCode::type, "a velocity cannot be computed; compute the value itself");
     if (!computed(k, to, e.value)) return false;
   } else if (to.velocity && c.peek_word() != "keep") {
     if (!rate_of_change(k, to, e.value)) return false;

@@ -12,8 +12,6 @@
 
 namespace betwixt {
 
-// The language of the laws, which no author writes.
-inline constexpr const char* collision_language = "collision";
 // Returns the law by which the position of a live value moves among its obstacles.
 std::unique_ptr<NamedProcedure> make_collision(const Object&, std::int32_t live, std::string name);
 

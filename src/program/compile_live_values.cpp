@@ -4,6 +4,7 @@
 // Live values, which are evaluated on demand: velocities in force, procedures, filters, layers.
 #include "program/collisions.h"
 #include "program/compile.h"
+#include "program/integrals.h"
 #include "track/operations.h"
 
 namespace betwixt {
@@ -53,6 +54,7 @@ struct Cutter {
   const Track& primary;  // with the set value before its first event
   const Track& said;     // without it
   const Track& velocity;
+  const bool moves_by_code = scripted(velocity) || in_own_space();
   const bool is_scripted = scripted(primary) || scripted(part.rest) || has_tweens(compiled.document.scene(), primary);
   std::vector<Piece> out{};
 
@@ -77,6 +79,13 @@ struct Cutter {
     return std::move(out);
   }
 
+  // Returns whether the velocity turns with the object.
+  bool in_own_space() const {
+    const Slot* said = compiled.document.scene().objects[object].find(fn::velocity_space);
+    const auto* word = said && said->set ? std::get_if<Text>(&*said->set) : nullptr;
+    return function == fn::position && part.component < 0 && word && **word == "own";
+  }
+
   void add_primary(Time from, const Track& track) {
     Piece p;
     p.from = from;
@@ -88,8 +97,19 @@ struct Cutter {
   void add_reign(const Track& reign) {
     Piece p;
     p.from = reign.events.front().time;
-    p.reign = static_cast<std::int32_t>(compiled.reigns.size());
     const Type type = part.component >= 0 ? Type::scalar : row_of(part.type).rate.value_or(part.type);
+    if (scripted(reign) || in_own_space()) {
+      LivePart rates;
+      rates.component = part.component, rates.type = type, rates.orientation = part.orientation;
+      rates.velocity = true, rates.track = plain_rates(reign), rates.rest = row_of(type).example();
+      Target name{{object}, function, part.component};
+      name.velocity = true;
+      p.integral = static_cast<std::int32_t>(compiled.integrals.size());
+      compiled.integrals.push_back(make_integral(Live{object, function}, std::move(rates), p.from, in_own_space(),
+                                                 compiled.document.name(name)));
+      return out.push_back(std::move(p));
+    }
+    p.reign = static_cast<std::int32_t>(compiled.reigns.size());
     compiled.reigns.emplace_back(compiled.set, compiled.set.add(plain_rates(reign), type), part.orientation);
     out.push_back(std::move(p));
   }
@@ -106,10 +126,10 @@ struct Cutter {
       else
         rest.events.put(e);
     });
-    if (is_scripted || !has_values(rest)) {
-      Piece held;  // no event follows: the value reached holds
+    if (is_scripted || moves_by_code || !has_values(rest)) {
+      Piece held;  // no event follows, or the value is not known yet: it holds until the next event
       held.from = release;
-      held.scripted = is_scripted;
+      held.scripted = is_scripted || moves_by_code;
       out.push_back(held);
       return;
     }

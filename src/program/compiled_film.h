@@ -50,6 +50,7 @@ struct Piece {
   bool scripted = false;  // the primary track contains procedures
   Curve primary;          // count 0: the value at rest
   std::int32_t reign = -1;
+  std::int32_t integral = -1;  // of a velocity that code computes: index into CompiledFilm::integrals
 };
 
 // A track of a function's value or component, and the properties that make it live.
@@ -57,6 +58,7 @@ struct LivePart {
   int component = -1;
   Type type = Type::scalar;
   bool orientation = false, srgb_numbers = false;
+  bool velocity = false;      // its values are rates of change
   std::vector<Piece> pieces;  // by time; empty if scripted
   Track track;                // scripted: some events are procedures
   Value rest;
@@ -242,6 +244,7 @@ struct CompiledFilm {
   std::vector<Binding> defaults;                            // per function, for objects without a value
   std::map<Kind, std::vector<FunctionId>> shaping;          // functions that are part of a shape, for each kind
   std::vector<Binding> plains;                              // for strands of lives
+  std::vector<std::unique_ptr<NamedProcedure>> integrals;   // of velocities that code computes: see integrals.h
   std::vector<std::unique_ptr<NamedProcedure>> collisions;  // the laws of positions with obstacles: see collisions.h
   std::vector<Live> lives;
   std::vector<Reign> reigns;

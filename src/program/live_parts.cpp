@@ -10,6 +10,7 @@
 #include "base/cancellation.h"
 #include "base/utf8.h"
 #include "program/along.h"
+#include "program/integrals.h"
 #include "program/questions.h"
 #include "scene/kinds.h"
 #include "track/along.h"
@@ -69,12 +70,19 @@ std::optional<Value> LiveParts::answer(const Routine& code, const LivePart& part
   if (!answer && questions.lacking && by_definition(code)) return std::nullopt;  // the object has no such value
   const auto say = [&](const std::string& why, int line = 0) {
     const std::string& source = code.source;
-    asking.say({Problem::procedure, name(part.component), brief(source), why, source, line});
+    Target about{{live.object}, live.function, part.component};
+    about.velocity = part.velocity;
+    asking.say({Problem::procedure, c.document.name(about), brief(source), why, source, line});
     return std::nullopt;
   };
   if (!answer) return say(answer.error().message, answer.error().place.line);
   const Type type = part.value_type();
-  const auto fitting = fit(*answer, type, scene);
+  const auto plain = [&](const Value& v) -> Value {  // rates are plain numbers
+    if (const auto* angles = std::get_if<Angles>(&v)) return angles->xyz;
+    if (const auto* color = std::get_if<Color>(&v)) return Vec3{color->r, color->g, color->b};
+    return v;
+  };
+  const auto fitting = fit(part.velocity ? plain(*answer) : *answer, type, scene);
   if (!fitting) return say(fitting.error().message);
   double n[4];
   if (!finite({n, static_cast<std::size_t>(to_numbers(*fitting, n))})) return say("it is not finite");
@@ -263,7 +271,7 @@ Value LiveParts::as_written(const LivePart& part, double* n, bool orientation) c
 
 Value LiveParts::piece_value(const LivePart& part, std::size_t i, Time t) const {
   const Piece& p = part.pieces[i];
-  if (p.reign < 0) {
+  if (p.reign < 0 && p.integral < 0) {
     if (p.scripted) {  // the value reached at the release holds until the track's next event
       bool any = i == 0;
       part.track.events.each([&](const Event& e) { any = any || (e.time > p.from && e.time <= t); });
@@ -274,11 +282,13 @@ Value LiveParts::piece_value(const LivePart& part, std::size_t i, Time t) const 
     c.set.evaluate(p.primary, t, n.data());
     return as_written(part, n.data(), p.primary.orientation);
   }
-  const Reign& reign = c.reigns[static_cast<std::size_t>(p.reign)];
   // The value of the track at that time, also before its first event.
   const Value anchor = piece_value(part, i - 1, p.from);
   Numbers sum{};
-  reign.sum(c.set, t, sum.data());
+  if (p.integral >= 0)
+    integral_at(c, *c.integrals[static_cast<std::size_t>(p.integral)], t, asking, sum.data());
+  else
+    c.reigns[static_cast<std::size_t>(p.reign)].sum(c.set, t, sum.data());
   if (part.orientation) {
     const auto* q = std::get_if<Quat>(&anchor);
     const auto* a = std::get_if<Angles>(&anchor);

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "base/cancellation.h"
-#include "program/collisions.h"
 #include "program/compiled.h"
 #include "program/held_values.h"
 #include "program/questions.h"
@@ -19,10 +18,26 @@ namespace {
 
 constexpr std::int64_t most_steps = 10'000'000;
 constexpr std::uint64_t most_work = 10'000'000'000;  // for all steps together
-std::string circle(const NamedProcedure& p) {
+std::string circle_error(const NamedProcedure& p) {
   if (p.code->language == collision_language)
     return "its obstacles move with it or stop at it at the same time: they must not depend on its place";
+  if (p.code->language == integral_language)
+    return "its code depends on the value that it moves: a velocity can read it only at times that are a sixtieth of a "
+           "second earlier, "
+           "as in (t - 0.1)";
   return "it depends on itself: a step can read its own state only at earlier times, as in (t - dt)";
+}
+
+// Returns whether the step or a later one is being computed. Then all steps of this circle fail, whichever of them was
+// asked for first.
+bool closes_circle(const StepRun& run, std::int64_t step, Asking& asking) {
+  const OpenStep* first = asking.step;
+  while (first && (first->run != &run || step < first->step)) first = first->outer;
+  for (OpenStep* open = first ? asking.step : nullptr; open; open = open->outer) {
+    open->circle = true;
+    if (open == first) return true;
+  }
+  return false;
 }
 
 // Returns the state between `a` and `b`: numbers, vectors, colours and rotations blend, and everything else is that of
@@ -62,18 +77,6 @@ struct Stepper {
 
   Time time_of(std::int64_t step) const { return p.stepping.from + Time{every.flicks * step}; }
 
-  // Fails if a step that is being computed needs itself or a later one. All steps of this circle fail, whichever of
-  // them was asked for first.
-  Status allowed(std::int64_t step) const {
-    const OpenStep* first = asking.step;
-    while (first && (first->run != &run || step < first->step)) first = first->outer;
-    if (!first) return Nothing{};
-    for (OpenStep* open = asking.step;; open = open->outer) {
-      open->circle = true;
-      if (open == first) return fail(ErrorCode::range, circle(p));
-    }
-  }
-
   // Computes the step after a point. Returns false if it fails.
   bool advance(StepRun::Point at) const {
     Cancellation::check();
@@ -86,7 +89,7 @@ struct Stepper {
     auto state = p.code->step(questions, at.state ? *at.state : State{}, number, every.seconds(), cost);
     if (questions.called_off) throw Cancelled{};
     if (open.circle)
-      state = fail(ErrorCode::range, circle(p));
+      state = fail(ErrorCode::range, circle_error(p));
     else
       run.note(number, inner);
     at.cost += cost;
@@ -102,7 +105,7 @@ struct Stepper {
   }
 
   Result<std::shared_ptr<const State>> after(std::int64_t step) const {
-    if (Status fine = allowed(step); !fine) return fine.error();
+    if (closes_circle(run, step, asking)) return fail(ErrorCode::range, circle_error(p));
     for (StepRun::Point at; (at = run.nearest(step)).step < step;) {
       const auto failure = run.failed(at.step + 1);
       if (!failure && advance(at)) continue;
@@ -126,6 +129,19 @@ struct Stepper {
 };
 
 }  // namespace
+
+bool is_computing(const Program::Compiled& c, const NamedProcedure& p, const Asking& asking) {
+  const StepRun* run = &c.caches.steps.of(p);
+  const OpenStep* open = asking.step;
+  while (open && open->run != run) open = open->outer;
+  return open != nullptr;
+}
+
+PartOfStep::PartOfStep(const Program::Compiled& c, const NamedProcedure& p, Time t, Asking& asking) : asking_(asking) {
+  open_.run = &c.caches.steps.of(p), open_.step = (t.flicks - p.stepping.from.flicks) / p.stepping.every.flicks + 1;
+  open_.outer = asking.step, asking.step = &open_;
+}
+PartOfStep::~PartOfStep() { asking_.step = open_.outer; }
 
 StepRun::Point StepRun::nearest(std::int64_t step) {
   const std::lock_guard lock(in_use_);

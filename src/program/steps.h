@@ -80,6 +80,25 @@ struct OpenStep {
   bool circle = false;  // it is needed for its own result
 };
 
+// The languages of laws that no author writes, but that go from step to step too: see collisions.h and integrals.h.
+inline constexpr const char *collision_language = "collision", *integral_language = "integral";
+
+// Returns whether a step of the procedure, or a part of one, is being computed.
+bool is_computing(const Program::Compiled&, const NamedProcedure&, const Asking&);
+
+// Marks that the part of a step up to a time between two steps is being computed, beside the steps themselves.
+class PartOfStep {
+ public:
+  PartOfStep(const Program::Compiled&, const NamedProcedure&, Time, Asking&);
+  ~PartOfStep();
+  PartOfStep(const PartOfStep&) = delete;
+  PartOfStep& operator=(const PartOfStep&) = delete;
+
+ private:
+  Asking& asking_;
+  OpenStep open_;
+};
+
 // Returns the state of a procedure of role `steps` at a time; between two steps, the blend of their states. After a
 // step that failed, returns the last good state and reports the error to `asking`. Errors: range (a step would depend
 // on itself), type (the first step failed).

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "program/compiled.h"
+#include "program/integrals.h"
 #include "track/operations.h"
 
 namespace betwixt {
@@ -39,7 +40,8 @@ std::optional<Value> slope(const Value (&v)[3], double seconds, Type type) {
 }
 
 // Takes the rate from a velocity in force or from the curve. Returns false if neither gives one.
-bool said_velocity(const CompiledFilm& film, const LivePart& part, Time t, bool coming, double* out) {
+bool said_velocity(const Program::Compiled& film, const LivePart& part, Time t, bool coming, Asking& asking,
+                   double* out) {
   if (part.pieces.empty()) return false;
   const Time just_before{t.flicks - 1};
   const Piece& p = part.pieces[part.piece_at(coming ? just_before : t)];
@@ -50,6 +52,10 @@ bool said_velocity(const CompiledFilm& film, const LivePart& part, Time t, bool 
     double earlier[4] = {};  // extrapolates to the time itself
     film.set.evaluate(rate, {t.flicks - 2}, earlier);
     for (std::size_t i = 0; i < rate.channels; ++i) out[i] += out[i] - earlier[i];
+    return true;
+  }
+  if (p.integral >= 0) {
+    rate_at(film, *film.integrals[static_cast<std::size_t>(p.integral)], coming ? just_before : t, asking, out);
     return true;
   }
   if (p.scripted || row_of(part.type).light) return false;
@@ -82,7 +88,7 @@ std::optional<Value> Program::Compiled::velocity(std::uint32_t object, FunctionI
     bool all = live.strands.size() == 1 && own.filters.empty() && !own.parts.empty();
     bool orientation = false;
     for (const LivePart& part : own.parts) {
-      all = all && said_velocity(*this, part, t, coming, n + std::max(part.component, 0));
+      all = all && said_velocity(*this, part, t, coming, asking, n + std::max(part.component, 0));
       orientation = orientation || part.orientation;
     }
     if (all) return as_rate(n, orientation);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an object does where it would run into others. Only src/scene/functions.cpp includes this; its rows come after
-// those of src/scene/rig_functions.h.
+// How an object moves by velocities, and what it does where it would run into others. Only src/scene/functions.cpp
+// includes this; its rows come after those of src/scene/rig_functions.h.
 #pragma once
 
 #include "scene/document.h"
@@ -37,6 +37,16 @@ inline const FunctionSpec collision_functions[] = {
      .sentence = "How much of its speed towards the surface it keeps at a bounce: 1 keeps all, 0 none.",
      .written = "a number from 0 to 1",
      .example = "set ball.bounciness 0.8"},
+    {.name = "velocity-space",
+     .type = Type::text,
+     .rest = Text(std::string("parent")),
+     .words = "parent|own",
+     .place = true,
+     .sentence =
+         "The space of its velocity: that of its position (`parent`), or its own, which turns with its rotation "
+         "(`own`): a car that drives forward while it steers.",
+     .written = "parent or own, for the whole film",
+     .example = "create car box velocity-space=own\nat 1f car.position.velocity (2 0 0)"},
 };
 
 }  // namespace betwixt

@@ -118,6 +118,7 @@ enum : FunctionId {
   obstacles,
   collision,
   bounciness,
+  velocity_space,
   count
 };
 }

@@ -138,7 +138,7 @@ TEST(Functions, KindsHaveTheirs) {
            {Kind::arrow, {"to", "width"}}};
   const Scene s;
   const auto common = function_names(s, Kind::group);
-  EXPECT_EQ(common.size(), 28U);
+  EXPECT_EQ(common.size(), 29U);
   const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "stroke-round", "dash", "trim"};
   for (const bool is_flat : {false, true})
     for (const auto& [kind, names] : is_flat ? flat : own) {
