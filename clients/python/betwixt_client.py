@@ -151,6 +151,16 @@ class Server(_Closing):
             return None
         return self._answer_to(*lines)
 
+    def send(self, name, data):
+        """Gives the server the contents of a file: `server.send("logo.png", data)`. Then "@logo.png" names it in
+        commands. Returns the full name, which means these bytes for ever; raises Refused."""
+        if self._bundle is not None:
+            raise ValueError("bytes cannot be sent in a bundle")
+        if not name or any(c.isspace() for c in name):
+            raise ValueError("the name of something sent has no spaces")
+        data = bytes(data)
+        return self._heard(self._exchange(f"send {name} {len(data)}", data))["name"]
+
     @contextlib.contextmanager
     def bundle(self):
         """Collects the commands inside the `with`. At its end the server carries out all of them at once. If it refuses
@@ -246,10 +256,10 @@ class Server(_Closing):
             raise Refused(answer)
         return answer
 
-    def _exchange(self, text):
-        """Sends a text that has one answer, and returns the answer. An exception in between closes the connection:
-        otherwise the late answer could be taken for that of the next command."""
-        sent = text.encode() + b"\n"
+    def _exchange(self, text, data=b""):
+        """Sends a text that has one answer, with the bytes that follow it, and returns the answer. An exception in
+        between closes the connection: otherwise the late answer could be taken for that of the next command."""
+        sent = text.encode() + b"\n" + data
         try:
             self._send(sent)
             while "event" in (message := self._next_message(self._timeout)):

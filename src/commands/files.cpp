@@ -20,6 +20,7 @@
 #include "exchange/meshes.h"
 #include "exchange/pictures.h"
 #include "exchange/scene_file.h"
+#include "exchange/sent.h"
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
 #include "language/code_names.h"
@@ -63,6 +64,7 @@ fs::path real_path(const fs::path& path, std::error_code& why) {
 }  // namespace
 
 bool Script::may_read(const fs::path& path) const {
+  if (sent::is_ours(path)) return true;
   if (options.read_nothing) return false;
   std::error_code why;
   const fs::path real = real_path(path, why);
@@ -235,7 +237,36 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
 
 }  // namespace
 
+namespace {
+
+// Finds bytes that a host has sent. A line that is kept gets the full name, so that it means these bytes for ever.
+bool find_sent(Command& k, std::string& path, std::string_view about, fs::path& where) {
+  const std::string name = path.substr(1);
+  const auto full = sent::full_name(name);
+  if (!full) return k.cursor.fail(full.error(), about);
+  std::string instead(about);
+  const auto at = instead.find(path);
+  if (*full != name && k.script.live) {
+    if (at == instead.npos || !k.script.in_line(about))
+      return k.cursor.fail(ErrorCode::name,
+                           fmt::format("'{}' can mean other bytes later, so it cannot stand here", path), about,
+                           fmt::format("write the full name: @{}", *full));
+    k.script.respell_live(about, instead.replace(at, path.size(), "@" + *full));
+  }
+  path = "@" + *full;
+  where = sent::file_of(*full).value_or(fs::path());
+  std::error_code ignored;
+  if (!where.empty() && fs::exists(where, ignored)) return true;
+  where = k.script.root / sent::folder_name / *full;
+  if (k.script.may_read(where) && fs::exists(where, ignored)) return true;
+  return k.cursor.fail(ErrorCode::file, fmt::format("the bytes that were sent as '{}' are not here", path), about,
+                       fmt::format("they belong in the file {}/{}, beside the script", sent::folder_name, *full));
+}
+
+}  // namespace
+
 bool may_use(Command& k, std::string& path, std::string_view about, fs::path& where) {
+  if (path.starts_with('@')) return find_sent(k, path, about, where);
   where = k.script.folder / path;
   if (!k.script.may_read(where))
     return k.cursor.fail(ErrorCode::file, fmt::format("'{}' is outside the script's folder", path), about,

@@ -27,6 +27,7 @@ Script::Script(Scene& scene, Diagnostics& to, const LoadOptions& how, const Read
   live = true;
   root = home.root;
   if (!home.file.empty()) open_files.push_back(home.file);
+  files_at_home = open_files.size();
 }
 
 Home::Home(const std::string& called) : name(called) {
@@ -44,7 +45,16 @@ void Script::stamp(const Scene& s, std::string_view place, std::string_view befo
 }
 
 void Script::respell_live(std::string_view place, std::string instead) {
-  stamps.push_back({static_cast<std::size_t>(place.data() - source.text.data()), place.size(), std::move(instead)});
+  const auto at = static_cast<std::size_t>(place.data() - source.text.data());
+  std::erase_if(stamps, [&](const Stamp& s) { return s.at == at && s.length == place.size(); });  // of another object
+  const auto behind = std::find_if(stamps.begin(), stamps.end(), [&](const Stamp& s) { return s.at > at; });
+  stamps.insert(behind, {at, place.size(), std::move(instead)});
+}
+
+bool Script::in_line(std::string_view place) const {
+  const std::less_equal<const char*> up_to;
+  return open_files.size() == files_at_home && up_to(source.text.data(), place.data()) &&
+         up_to(place.data() + place.size(), source.text.data() + source.text.size());
 }
 
 void Script::respell(std::string_view place, std::string instead) {

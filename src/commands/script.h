@@ -105,6 +105,7 @@ struct Script : ReaderState {
   LoadOptions options;
   std::filesystem::path root;                     // real path of the first script's folder
   std::vector<std::filesystem::path> open_files;  // that use each other
+  std::size_t files_at_home = 0;                  // of them, while a live line itself is read
   int depth = 0;                                  // depth of the author's commands that run other commands
   bool live = false;                              // lines come one by one
   Source source;                                  // the text being read now
@@ -147,6 +148,7 @@ struct Script : ReaderState {
   bool in_time = false;     // one of the stamps gives the time
   void respell(std::string_view place, std::string instead);
   void respell_live(std::string_view place, std::string instead);  // for a line of a live author
+  bool in_line(std::string_view place) const;  // whether the place is in the line itself, not in what the line uses
   std::size_t touched = 0;     // the number of objects that the command's pattern named, if more than one
   const char* verb = nullptr;  // of the command that is being run
   void stamp(const Scene&, std::string_view place, std::string_view before, std::string_view behind);

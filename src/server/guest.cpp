@@ -35,6 +35,13 @@ void Guest::drop(std::size_t bytes) {
   if (in.empty() && in.capacity() > 2 * chunk) in = {};
 }
 
+bool Guest::take_bytes() {
+  const std::size_t some = std::min<std::uint64_t>(awaited, in.size());
+  if (wanted) sent.append(in, 0, some);
+  awaited -= some, drop(some);
+  return awaited == 0;
+}
+
 void Guest::say(std::string text) {
   waiting_ += text.size();
   if (open_ && open_->size() + text.size() <= chunk) {

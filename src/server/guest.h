@@ -22,6 +22,10 @@ struct Guest {
   int guesses = 0;
   std::string in;                 // bytes received but not processed
   std::size_t seen = 0;           // bytes of `in` known to hold no end of a line
+  std::string announced;          // its `send`, whose bytes are on their way
+  std::uint64_t awaited = 0;      // bytes of it still to come …
+  bool wanted = false;            // … which are kept, or else skipped
+  std::string sent;               // those that came
   bool skipping = false;          // the current line is too long, so its rest is skipped
   bool last_word = false;         // reads no more; the connection closes when its answers are sent
   bool half_closed = false;       // the peer has closed its sending side
@@ -43,6 +47,8 @@ struct Guest {
   bool read();
   // Removes processed bytes from the buffer.
   void drop(std::size_t bytes);
+  // Takes the bytes of a `send`, as far as they have arrived. Returns false if some are still to come.
+  bool take_bytes();
   // Appends a text to the send buffer. Does not copy a long text, and hosts may share one.
   void say(std::string text);
   void say(std::shared_ptr<const std::string> text);

@@ -93,7 +93,10 @@ Imaging::Host Imaging::arrive() {
   hosts_[last_host_].host = last_host_;
   return last_host_;
 }
-void Imaging::leave(Host host) { hosts_.erase(host), later_.erase(host); }
+void Imaging::leave(Host host) {
+  if (const auto h = hosts_.find(host); h != hosts_.end()) promised_ -= h->second.promised;
+  hosts_.erase(host), later_.erase(host);
+}
 
 std::int64_t Imaging::tick(Nanos now) const { return document().scene().ticks.whole(transport_.time(now)); }
 

@@ -107,6 +107,12 @@ class Imaging {
   Reply enter(Host, std::string_view line, Nanos now);
   // Returns true while one host has the document to itself: lines of others that change it must wait.
   bool waits() const { return alone_.has_value(); }
+  // Returns how many bytes follow this line of the host, if it is a `send` that says so.
+  std::optional<std::uint64_t> bytes_after(Host, std::string_view line) const;
+  // Returns whether these bytes are wanted. If so, the caller passes them to receive() before it enters the line. If
+  // not, it skips them and enters the line, which is then refused.
+  bool wants_bytes(Host, std::string_view line);
+  void receive(Host, std::string bytes);
   // Refuses a line that is too long to be read.
   Reply enter_too_long(Host, Nanos now);
   // Writes the time and every accepted command to the disk. On an error they may be lost, and the server must end.
@@ -160,6 +166,8 @@ class Imaging {
     std::size_t bundle_size = 0;
     std::optional<Error> bundle_broken;
     unsigned topics = 0;
+    std::size_t promised = 0;         // bytes that it is about to send
+    std::optional<std::string> sent;  // the bytes of its `send`
   };
   // A bundle's commands, carried out on a copy.
   struct Together;
@@ -260,6 +268,7 @@ class Imaging {
   Result<std::string> names(HostState&, const std::vector<std::string>&, Nanos);
   Result<std::string> set_aside_word(HostState&, const std::vector<std::string>&, Nanos);
   Result<std::string> end(HostState&, const std::vector<std::string>&, Nanos);
+  Result<std::string> send(HostState&, const std::vector<std::string>&, Nanos);
   Result<std::string> not_for_hosts(HostState&, const std::vector<std::string>&, Nanos);
 
   Options options_;
@@ -291,6 +300,7 @@ class Imaging {
   std::optional<Host> alone_;     // the host that has the document to itself …
   std::set<Host> later_;          // … and the hosts that wait for that
   std::map<Host, HostState> hosts_;
+  std::size_t promised_ = 0;  // bytes that hosts are about to send
   Host last_host_ = 0;
   std::deque<Shown> shown_;              // frames whose events have not been sent …
   bool telling_ = false;                 // … and whether a thread is sending them

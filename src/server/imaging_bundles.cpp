@@ -58,6 +58,9 @@ Imaging::Reply Imaging::collect(HostState& h, std::string_view line, Nanos now) 
   }
   if (lone && said.verb == "bundle" && !h.bundle_broken)
     h.bundle_broken = fail(ErrorCode::syntax, fmt::format("line {}: a bundle is already open", h.line));
+  if (!goes_on && !said.indented && said.verb == "send" && !h.bundle_broken)
+    h.bundle_broken = fail(ErrorCode::syntax, fmt::format("line {}: bytes cannot be sent in a bundle", h.line),
+                           "send them before the bundle");
   h.bundle_size += line.size() + 64;
   if (h.bundle_size > largest_bundle && !h.bundle_broken)
     h.bundle_broken = fail(ErrorCode::range, fmt::format("a bundle can have at most {} bytes", largest_bundle));

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "base/free_beside.h"
+#include "exchange/sent.h"
 #include "language/json.h"
 #include "scene/memory.h"
 #include "server/answers.h"
@@ -90,6 +91,7 @@ Result<Diagnostics> Imaging::begin(const std::string& file, const std::string& s
   const auto kept = gather(from, goes_on, overwrite);
   if (!kept) return kept.error();
   author_ = options_.load;
+  if (!save.empty()) sent::find_again(std::filesystem::path(save).parent_path() / sent::folder_name);
   // From here on, hosts write to the document, and they have fewer rights than the script's author.
   options_.load.read_anywhere = options_.load.tex = false;
   options_.load.read_nothing = name_.empty();

@@ -169,6 +169,10 @@ std::span<const Imaging::Word> Imaging::words() {
        &Imaging::save},
       {"set-aside", "set-aside", "Lists commands of an earlier server that failed in this one, and why.", 0,
        &Imaging::set_aside_word},
+      {"send", "send NAME LENGTH, then LENGTH bytes",
+       "Gives the server a picture, mesh, scene, drawing or sound; then @NAME names it like a file.", 2, &Imaging::send,
+       "  example: send logo.png 5120\n           (5120 bytes, then the next line)\n           set ball.texture "
+       "\"@logo.png\"\n"},
       {"names", "names", "Reserves a thousand unused numbers, for hosts that make names of them.", 0, &Imaging::names},
       {"bundle", "bundle, then commands, then end",
        "Runs the commands up to end together, at one moment: all or none; end has the answer.", 0, &Imaging::bundle,

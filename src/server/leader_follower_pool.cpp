@@ -8,7 +8,7 @@
 namespace betwixt {
 namespace {
 
-constexpr auto patience = std::chrono::milliseconds(200);  // with unfinished work at the end
+constexpr auto end_patience = std::chrono::milliseconds(200);  // with unfinished work at the end
 
 }  // namespace
 
@@ -17,7 +17,7 @@ bool LeaderFollowerPool::run(const std::function<void()>& give_up) {
   if (!hire()) return false;
   changed_.wait(lock, [&] { return stop_; });
   const auto idle = [&] { return working_ == 0; };
-  if (!changed_.wait_for(lock, patience, idle) && give_up) give_up();
+  if (!changed_.wait_for(lock, end_patience, idle) && give_up) give_up();
   changed_.wait(lock, idle);
   lock.unlock();
   for (std::thread& t : threads_) t.join();

@@ -260,8 +260,17 @@ class Server {
     if (!g.last_word && !g.full()) busy_.insert(g.file);
   }
 
+  // Enters the `send` whose bytes have all come, or were skipped.
+  bool take_sent(Guest& g) {
+    if (g.wanted) imaging_.receive(*g.host, std::exchange(g.sent, {}));
+    served = &g;
+    answer(g, imaging_.enter(*g.host, std::exchange(g.announced, {}), monotonic_now()));
+    return served = nullptr, true;
+  }
+
   // Takes the next whole line. Returns false if none has arrived.
   bool take_line(Guest& g) {
+    if (!g.announced.empty()) return g.take_bytes() && take_sent(g);
     const std::size_t end = g.in.find('\n', g.seen);
     const std::size_t longest = g.host ? Imaging::longest_line : longest_token_line;
     if (end == std::string::npos ? g.in.size() > longest : end > longest) {
@@ -276,6 +285,11 @@ class Server {
     }
     const std::string line = g.in.substr(0, end);
     if (!g.host) return g.drop(end + 1), answer(g, meet(g, line));
+    if (const auto length = imaging_.bytes_after(*g.host, line)) {
+      g.announced = line, g.awaited = *length, g.wanted = imaging_.wants_bytes(*g.host, line);
+      g.drop(end + 1);
+      return g.take_bytes() && take_sent(g);
+    }
     served = &g;
     const Imaging::Reply reply = imaging_.enter(*g.host, line, monotonic_now());
     served = nullptr;
