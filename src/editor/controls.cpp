@@ -228,8 +228,10 @@ void bring(Scene& now, Scene then, const Target& t, Time from, Time to) {
 // Returns the film's value of a target, rounded; nullopt if it cannot be the value of an event on the target's own
 // track.
 std::optional<Value> value_before(const Document& d, const Target& t, Time when, const Value& like) {
-  const Slot* slot = d.scene().objects[t.object.index].find(t.function, t.layer);
+  const Object& o = d.scene().objects[t.object.index];
+  const Slot* slot = o.find(t.function, t.layer);
   if (!fits(Twerper::linear, type_of(d.scene(), t)) || (slot && !slot->filters.empty())) return std::nullopt;
+  if (t.function == fn::position && o.find(fn::obstacles)) return std::nullopt;
   Value v = Program::compile(d).read(t, when);
   std::array<double, 4> n{};
   const int count = to_numbers(v, n.data());

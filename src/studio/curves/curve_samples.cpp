@@ -14,9 +14,10 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-// Returns whether a layer, a filter or a velocity changes the value of the track.
+// Returns whether a layer, a filter, a velocity or an obstacle changes the value of the track.
 bool is_laid_over(const Document& d, const Target& t) {
   if (t.velocity || t.layer) return false;
+  if (t.function == fn::position && d.scene().objects[t.object.index].find(fn::obstacles)) return true;
   for (const Slot& slot : d.scene().objects[t.object.index].slots) {
     if (slot.function != t.function) continue;
     const bool reigned = !slot.velocity.track->events.empty() ||

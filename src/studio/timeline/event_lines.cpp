@@ -366,7 +366,7 @@ Document bare_tracks(const Document& d, const std::vector<ObjectId>& objects, Ob
     std::vector<Slot> bare;
     for (Slot& slot : all) {
       const bool laid = of_layer && slot.layer == of_layer;
-      if (slot.layer && !laid) continue;
+      if ((slot.layer && !laid) || slot.function == fn::obstacles) continue;
       if (laid && !bare.empty() && bare.back().function == slot.function) bare.pop_back();
       slot.layer = {}, slot.filters.clear(), slot.velocity = {};
       bare.push_back(std::move(slot));

@@ -65,8 +65,8 @@ const Event* find_event(const Document&, const EventAt&);
 // Return the words for a target in a line: "on sway ", "ball.position".
 std::string layer_words(const Document&, const Target&);
 
-// Returns a document in which some objects have only their tracks: no filters, layers or velocities. With `of_layer`,
-// that layer's tracks replace the objects' own ones; read them by targets without the layer.
+// Returns a document in which some objects have only their tracks: no filters, layers, velocities or obstacles. With
+// `of_layer`, that layer's tracks replace the objects' own ones; read them by targets without the layer.
 Document bare_tracks(const Document&, const std::vector<ObjectId>&, ObjectId of_layer = {});
 
 }  // namespace betwixt::studio
