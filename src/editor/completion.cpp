@@ -127,7 +127,7 @@ void value_words(const Document& d, const FunctionSpec& spec, Words& all) {
       return words("on off");
     case Type::rotation:
     case Type::orientation:
-      return words("euler axis quat");
+      return words("euler axis quat matrix");
     case Type::shape:
       return words("shape none");
     case Type::attachment:

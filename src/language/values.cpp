@@ -272,6 +272,24 @@ bool ValueReader::axis(Vec3& out) {
                 "axes are x, y, z or a direction (x y z)");
 }
 
+// Takes the rotation of a matrix, whose columns must be three perpendicular unit vectors to 1e-3.
+bool ValueReader::rotation_of(const Mat4& m, std::string_view about, Value& out) {
+  const auto column = [&](int i) { return Vec3{m(0, i), m(1, i), m(2, i)}; };
+  for (int i = 0; i < 3; ++i)
+    for (int k = i; k < 3; ++k)
+      if (const double is = dot(column(i), column(k)); !(std::abs(is - (i == k ? 1 : 0)) <= 1e-3))
+        return c.fail(ErrorCode::range,
+                      i == k
+                          ? fmt::format("column {} of this matrix has the length {:.4g}, not 1", i + 1, std::sqrt(is))
+                          : fmt::format("columns {} and {} of this matrix are not perpendicular", i + 1, k + 1),
+                      about, "a rotation has neither scale nor shear; for those: set ball.transform matrix(…)");
+  if (dot(cross(column(0), column(1)), column(2)) < 0)
+    return c.fail(ErrorCode::range, "this matrix mirrors, so it is no rotation", about,
+                  "its third column must be the cross product of the first two");
+  out = normalize(from_matrix(m));
+  return true;
+}
+
 bool ValueReader::orientation(Value& out, bool angles) {
   c.space();
   const char* start = c.at;
@@ -284,7 +302,7 @@ bool ValueReader::orientation(Value& out, bool angles) {
     return true;
   }
   const std::string_view w = c.peek() == '(' ? std::string_view("euler") : c.word();
-  if (w == "euler" || w == "axis" || w == "quat") {
+  if (w == "euler" || w == "axis" || w == "quat" || w == "matrix") {
     c.space();
     if (c.peek() != '(') return c.fail(ErrorCode::syntax, fmt::format("'{}' needs its numbers in brackets", w), w);
   }
@@ -329,6 +347,14 @@ bool ValueReader::orientation(Value& out, bool angles) {
     // A unit quaternion stays as written, so that writing and reading back changes nothing.
     out = std::abs(l - 1) < 1e-12 ? q : Quat{q.w / l, q.x / l, q.y / l, q.z / l};
     return true;
+  }
+  if (w == "matrix") {  // row after row
+    Mat4 m;
+    if (!c.open()) return false;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        if (!c.number(m(row, column))) return false;
+    return c.close() && rotation_of(m, since(start, c), out);
   }
   const bool number = !w.empty() && (starts_like_time(w[0]));
   return c.fail(number ? ErrorCode::type : ErrorCode::syntax,

@@ -54,6 +54,7 @@ struct ValueReader {
     if (translated) translated(c.since(start), std::move(instead));
   }
   bool orientation(Value& out, bool angles);
+  bool rotation_of(const Mat4&, std::string_view about, Value& out);
   bool points(Points& out);
   // Reads one ring of points, or a list of rings, each of which then ends with its first point again (see rings()).
   bool holes(Points& out);

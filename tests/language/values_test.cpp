@@ -95,6 +95,22 @@ TEST(Values, ColorsBlendInLight) {
   expect_numbers(numbers, "a.color.r", "13f", {0.5});
 }
 
+// A matrix gives the rotation that has these rows.
+TEST(Values, RotationMatrices) {
+  const LoadedFilm s(
+      "create a box rotation=matrix(0 -1 0 1 0 0 0 0 1)\ncreate b box\nset b.rotation matrix(0.36 0.48 -0.8 -0.8 0.6 0 "
+      "0.48 0.64 0.6)\n");
+  expect_numbers(s, "a.world", "1f", {0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+  expect_numbers(s, "b.world", "1f", {0.36, 0.48, -0.8, 0, -0.8, 0.6, 0, 0, 0.48, 0.64, 0.6, 0, 0, 0, 0, 1});
+  const auto error = [](const std::string& numbers) {
+    return errors(read("create a box\nset a.rotation matrix(" + numbers + ")\n")).at(0);
+  };
+  EXPECT_EQ(error("2 0 0 0 1 0 0 0 1"), "2:16: column 1 of this matrix has the length 2, not 1");
+  EXPECT_EQ(error("1 0.6 0 0 0.8 0 0 0 1"), "2:16: columns 1 and 2 of this matrix are not perpendicular");
+  EXPECT_EQ(error("1 0 0 0 1 0 0 0 -1"), "2:16: this matrix mirrors, so it is no rotation");
+  EXPECT_EQ(error("1 0 0 0 1 0 0 0").substr(0, 2), "2:");
+}
+
 // shows: G29 G70
 TEST(Values, Rotations) {
   const LoadedFilm s(
