@@ -191,10 +191,7 @@ bool computed(Command& k, const Selected& to, Value& out) {
       if (!placed(s.objects[t.object.index].kind))
         return c.fail(ErrorCode::type, "layers and environments cannot have a parent or be one", about);
   }
-  // These functions are read only once, with the script.
-  static constexpr std::string_view settled[] = {"tex", "mode", "within", "joints", "velocity-space"};
-  const bool by_script = std::find(std::begin(settled), std::end(settled), to.spec->name) != std::end(settled);
-  if (by_script || (to.targets.empty() ? 0xffff : to.targets[0].function) == fn::sound_file)
+  if (to.spec->by_script)
     return c.fail(ErrorCode::type, fmt::format("{} cannot be computed", to.spec->name), about,
                   "it is read once, with the script; code can compute all values that change while the film plays");
   if (!to.targets.empty() && !files_in_code(k, to.targets[0].function, source, about)) return false;

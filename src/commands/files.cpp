@@ -312,9 +312,9 @@ std::span<const Verb> files_verbs() { return files_rows; }
 
 namespace {
 
-// Returns the files of a folder that "walk%03d.png" stands for, or the name itself if it has no such place for a
-// number.
-std::vector<std::string> files_like(const fs::path& folder, const std::string& name) {
+// Returns the files below the script's folder that "walk%03d.png" stands for, or the name itself if it has no such
+// place for a number.
+std::vector<std::string> files_like(const Script& script, const std::string& name) {
   constexpr std::size_t most = 10'000;
   const auto percent = name.find('%'), end = name.find_first_not_of("0123456789", percent + 1);
   if (percent == name.npos || end == name.npos || name[end] != 'd') return {name};
@@ -322,8 +322,10 @@ std::vector<std::string> files_like(const fs::path& folder, const std::string& n
   const std::string before = slash == name.npos ? "" : name.substr(0, slash + 1);
   const std::string begin = name.substr(before.size(), percent - before.size()), behind = name.substr(end + 1);
   std::vector<std::string> all;
+  const fs::path folder = script.folder / before;
+  if (!script.may_read(folder)) return {};
   std::error_code why;
-  for (const auto& e : fs::directory_iterator(folder / before, why)) {
+  for (const auto& e : fs::directory_iterator(folder, why)) {
     const std::string is = e.path().filename().string();
     if (is.size() <= begin.size() + behind.size() || !is.starts_with(begin) || !is.ends_with(behind)) continue;
     const std::string_view number = std::string_view(is).substr(begin.size(), is.size() - begin.size() - behind.size());
@@ -339,7 +341,7 @@ std::vector<std::string> files_like(const fs::path& folder, const std::string& n
 bool files_in_code(Command& k, FunctionId f, const std::string& source, std::string_view about) {
   if (f != fn::texture && f != fn::file) return true;
   for (const std::string& text : quoted_texts(source))
-    for (const std::string& name : files_like(k.script.folder, text)) {
+    for (const std::string& name : files_like(k.script, text)) {
       const fs::path where = k.script.folder / name.substr(0, name.find('#'));
       std::error_code why;
       if (name.empty() || !k.script.may_read(where) || !fs::is_regular_file(where, why)) continue;

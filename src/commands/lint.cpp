@@ -194,6 +194,15 @@ void look_at_obstacles(const Scene& s, ObjectId id, const Object& o, Remarks& ou
   said->track->events.each([&](const Event& e) { look(e.value); });
 }
 
+// Warns about a velocity-space that no velocity of the whole position uses.
+void look_at_velocity_space(ObjectId id, const Object& o, Remarks& out) {
+  const Slot* position = o.find(fn::velocity_space) ? o.find(fn::position) : nullptr;
+  if (position && !position->velocity.components.empty())
+    say(out, of(id, fn::velocity_space), ErrorCode::type,
+        fmt::format("{} has velocities of components, which velocity-space does not turn", o.name),
+        fmt::format("write the whole velocity, as in at 1f {}.position.velocity (2 0 0)", o.name));
+}
+
 // Returns the track of a function if only its events make the value, or nullptr.
 const Track* plain_track(const Slot& slot, int component) {
   if (slot.layer || !slot.filters.empty()) return nullptr;
@@ -310,6 +319,7 @@ std::vector<Remark> lint(const Scene& s) {
     look_at_lens({i}, o, out);
     look_at_joints(s, {i}, o, out);
     look_at_obstacles(s, {i}, o, out);
+    look_at_velocity_space({i}, o, out);
     for (const Slot& slot : o.slots) {
       look_at_tangents(s, {i}, slot, slot, out), look_at_tangents(s, {i}, slot, slot.velocity, out);
       look_at_code(s, {i}, slot, out);

@@ -165,7 +165,7 @@ bool ValueReader::names(Names& out) {
       return c.fail(ErrorCode::syntax,
                     word.empty() ? "a name is missing here" : fmt::format("'{}' cannot be a name", word.substr(0, 60)),
                     word.empty() ? std::string_view(c.at, c.at < c.end ? 1 : 0) : word,
-                    "as in (drift spin), outermost first, or none");
+                    "write names in brackets, as in (A B), or none; an alias can name all objects of a pattern");
     MemoryBudget::charge(sizeof name + name.size());
     list.push_back(std::move(name));
     if (list.size() > 1000) return c.fail(ErrorCode::range, "a list can have at most 1000 names", word);

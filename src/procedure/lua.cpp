@@ -160,7 +160,7 @@ class Lua final : public Routine {
         });
   }
 
-  Result<Value> between(Questions& q, const Gap& gap, std::uint64_t& cost) const override {
+  Result<Value> between(Questions& q, const TweenSegment& gap, std::uint64_t& cost) const override {
     if (role != Role::tween) return Routine::between(q, gap, cost);
     Call call;
     call.questions = &q;

@@ -16,8 +16,9 @@
 namespace betwixt {
 namespace {
 
-constexpr double touching = 1e-6;  // metres: closer surfaces touch
-constexpr double rounding = 1e-9;  // a direction that leads less into a surface is along it
+constexpr double touching = 1e-6;                            // metres: closer surfaces touch
+constexpr std::int64_t beside = flicks_per_second / 10'000;  // distance of the places that give a velocity
+constexpr double rounding = 1e-9;                            // a direction that leads less into a surface is along it
 
 // The motion among obstacles at the end of a step, in world space.
 struct Flight {
@@ -29,15 +30,10 @@ struct Flight {
   Vec3 turned(Vec3 v) const { return {dot(turn[0], v), dot(turn[1], v), dot(turn[2], v)}; }
 };
 
-State to_state(const Flight& f) {
-  return {Value(Points(std::vector<Vec3>{f.off, f.drift, f.turn[0], f.turn[1], f.turn[2]}))};
-}
+State to_state(const Flight& f) { return state_of({f.off, f.drift, f.turn[0], f.turn[1], f.turn[2]}); }
 Flight to_flight(const State& s) {
-  const auto* v = std::get_if<Value>(&s.is);
-  const auto* p = v ? std::get_if<Points>(v) : nullptr;
-  if (!p || (*p)->size() != 5) return {};
-  const auto& all = **p;
-  return {all[0], all[1], {all[2], all[3], all[4]}};
+  const auto all = vectors_of(s);
+  return all.empty() ? Flight{} : Flight{all[0], all[1], {all[2], all[3], all[4]}};
 }
 
 // One step of an object among its obstacles.
@@ -50,16 +46,6 @@ class Path {
   // Advances to a time within the step.
   void advance(Flight& f, std::int64_t until) const {
     if (!drifts()) f.drift = {}, f.turn = Flight{}.turn;
-    if (s_.obstacles.empty() && !drifts()) f.off = {};
-    if (s_.obstacles.empty()) {
-      const double seconds = Time{until - s_.from.flicks}.seconds();
-      f.off = f.off + seconds * f.drift;
-      if (!f.straight()) {
-        const Vec3 way = free(until) - free(s_.from.flicks);
-        f.off = f.off + f.turned(way) - way;
-      }
-      return;
-    }
     constexpr int most_legs = 16;
     std::int64_t at = s_.from.flicks;
     std::vector<std::size_t> held;  // obstacles that it touches
@@ -80,11 +66,14 @@ class Path {
   }
 
  private:
+  struct Surface {
+    Vec3 normal, velocity;
+  };
   struct Leg {  // a part of the step between two collisions
     std::int64_t from = 0, until = 0;
     Vec3 start;  // the free path at its beginning
     Flight flight;
-    std::vector<Vec3> normals;  // of the surfaces that it must not move into
+    std::vector<Surface> surfaces;  // that it must not move into
     bool still = false;
   };
   struct Hit {
@@ -103,24 +92,27 @@ class Path {
     if (leg.still || at == leg.from) return begun;
     const Vec3 now = free(at);
     const double seconds = Time{at - leg.from}.seconds();
-    if (leg.normals.empty() && leg.flight.straight()) return now + leg.flight.off + seconds * leg.flight.drift;
-    Vec3 way = leg.flight.turned(now - leg.start) + seconds * leg.flight.drift;
-    return begun + along(way, leg.normals);
+    if (leg.surfaces.empty() && leg.flight.straight()) return now + leg.flight.off + seconds * leg.flight.drift;
+    return begun + along(leg.flight.turned(now - leg.start) + seconds * leg.flight.drift, leg.surfaces);
   }
   // Returns the part of a way that does not lead into surfaces.
-  static Vec3 along(Vec3 way, const std::vector<Vec3>& normals) {
-    for (std::size_t pass = 0; pass < normals.size(); ++pass)
-      for (const Vec3& n : normals)
-        if (const double into = dot(way, n); into < 0) way = way - into * n;
-    for (const Vec3& n : normals)
-      if (dot(way, n) < -rounding * length(way)) return {};  // a corner
+  static Vec3 along(Vec3 way, const std::vector<Surface>& surfaces) {
+    for (std::size_t pass = 0; pass < surfaces.size(); ++pass)
+      for (const Surface& s : surfaces)
+        if (const double into = dot(way, s.normal); into < 0) way = way - into * s.normal;
+    for (const Surface& s : surfaces)
+      if (dot(way, s.normal) < -rounding * length(way)) return {};  // a corner
     return way;
   }
+  // Returns the slope of a path at one of its ends, from three places `flicks` apart; backwards if negative.
+  template <class At>
+  static Vec3 slope(std::int64_t at, std::int64_t flicks, At&& place) {
+    return (1 / (2 * Time{flicks}.seconds())) * (4.0 * place(at + flicks) - 3.0 * place(at) - place(at + 2 * flicks));
+  }
   Vec3 velocity(const Leg& leg, std::int64_t at, bool coming) const {
-    const std::int64_t most = flicks_per_second / 10'000, room = coming ? at - leg.from : s_.until.flicks - at;
-    const std::int64_t h = std::max<std::int64_t>(1, std::min(most, room / 2)), way = coming ? -h : h;
-    const double seconds = Time{way}.seconds();
-    return (1 / (2 * seconds)) * (4.0 * place(leg, at + way) - 3.0 * place(leg, at) - place(leg, at + 2 * way));
+    const std::int64_t room = coming ? at - leg.from : s_.until.flicks - at;
+    const std::int64_t h = std::max<std::int64_t>(1, std::min(beside, room / 2));
+    return slope(at, coming ? -h : h, [&](std::int64_t t) { return place(leg, t); });
   }
   // Begins a leg: what touches and would be moved into holds it back.
   Leg begin(Flight& f, std::int64_t at, std::int64_t until, std::vector<std::size_t>& held) const {
@@ -136,43 +128,36 @@ class Path {
       const Vec3 relative = way - seconds * s_.velocity_of(i);
       if (!(dot(relative, g.normal) < -rounding * length(relative))) continue;
       if (!known) held.push_back(i);
-      leg.normals.push_back(g.normal);
+      leg.surfaces.push_back({g.normal, s_.velocity_of(i)});
     }
-    if (leg.normals.empty()) return leg;
+    if (leg.surfaces.empty()) return leg;
     if (s_.law == CollisionLaw::stop) leg.still = true;
     if (s_.law == CollisionLaw::mirror) {
-      for (const Vec3& n : leg.normals) reflect(f, n);
-      leg.flight = f, leg.normals.clear();
+      for (const Surface& surface : leg.surfaces) reflect(f, surface.normal);
+      leg.flight = f, leg.surfaces.clear();
     }
-    if (s_.law == CollisionLaw::bounce) bounce_or_rest(f, leg, held);
+    if (s_.law == CollisionLaw::bounce) bounce_or_rest(f, leg);
     return leg;
   }
   // Bounces, unless that would last less than four steps: then the drift cancels the speed towards the surface, and the
   // object rests on it or slides along it.
-  void bounce_or_rest(Flight& f, Leg& leg, const std::vector<std::size_t>& held) const {
-    Leg loose = leg;
-    loose.normals.clear();
-    Vec3 surface;
-    for (const std::size_t i : held) surface = s_.velocity_of(i);  // the last one touched, as for a single obstacle
-    const Vec3 v = velocity(loose, leg.from, false) - surface;
+  void bounce_or_rest(Flight& f, Leg& leg) const {
+    const std::vector<Surface> touched = std::exchange(leg.surfaces, {});
     const std::int64_t later = std::min(s_.until.flicks, leg.from + CollisionStep::length.flicks / 2);
-    const Vec3 faster = velocity(loose, later, true) - surface - v;
-    std::vector<Vec3> resting;
-    for (const Vec3& n : leg.normals) {
-      const double into = std::min(0.0, dot(v, n));
+    const Vec3 v = velocity(leg, leg.from, false), faster = velocity(leg, later, true) - v;
+    for (const Surface& surface : touched) {
+      const Vec3 n = surface.normal;
+      const double into = std::min(0.0, dot(v - surface.velocity, n));
       const bool bounces = s_.kept * -into > 4 * std::abs(dot(faster, n)) + touching;
       f.drift = f.drift - (bounces ? 1 + s_.kept : 1) * into * n;
-      if (!bounces) resting.push_back(n);
+      if (!bounces) leg.surfaces.push_back(surface);
     }
-    leg.normals = std::move(resting), leg.flight = f;
+    leg.flight = f;
   }
   // After its first bounce, an object keeps its speed where that of its track jumps, as at the track's last event.
   void pass_key(Flight& f, const Leg& leg, std::int64_t at) const {
-    const auto speed = [&](std::int64_t h) {
-      return (1 / (2 * Time{h}.seconds())) * (4.0 * free(at + h) - 3.0 * free(at) - free(at + 2 * h));
-    };
-    constexpr std::int64_t beside = flicks_per_second / 10'000;
-    const Vec3 came = speed(-beside), goes = speed(beside);
+    const auto path = [&](std::int64_t t) { return free(t); };
+    const Vec3 came = slope(at, -beside, path), goes = slope(at, beside, path);
     if (length(goes - came) > 1e-6 + 1e-4 * (length(came) + length(goes))) f.drift = velocity(leg, at, true) - goes;
   }
   void reflect(Flight& f, Vec3 n) const {
@@ -224,7 +209,7 @@ class Path {
   }
 
   void move(Flight& f, const Leg& leg, std::int64_t at) const {
-    const bool plain = !leg.still && leg.normals.empty() && f.straight();
+    const bool plain = !leg.still && leg.surfaces.empty() && f.straight();
     if (plain)
       f.off = f.off + Time{at - leg.from}.seconds() * leg.flight.drift;
     else
@@ -262,7 +247,10 @@ class Path {
 class Collision final : public Routine {
  public:
   Collision(std::int32_t live, std::vector<std::int64_t> times) : keys(std::move(times)), live_(live) {
-    language = collision_language;
+    language = "collision";
+  }
+  std::string_view circle() const override {
+    return "its obstacles move with it or stop at it at the same time: they must not depend on its place";
   }
   const std::vector<std::int64_t> keys;  // the times of the track's events, in order
   bool stepped() const override { return true; }

@@ -54,7 +54,7 @@ struct Cutter {
   const Track& primary;  // with the set value before its first event
   const Track& said;     // without it
   const Track& velocity;
-  const bool moves_by_code = scripted(velocity) || in_own_space();
+  const bool moves_by_code = scripted(velocity) || spaced();
   const bool is_scripted = scripted(primary) || scripted(part.rest) || has_tweens(compiled.document.scene(), primary);
   std::vector<Piece> out{};
 
@@ -79,11 +79,10 @@ struct Cutter {
     return std::move(out);
   }
 
-  // Returns whether the velocity turns with the object.
-  bool in_own_space() const {
-    const Slot* said = compiled.document.scene().objects[object].find(fn::velocity_space);
-    const auto* word = said && said->set ? std::get_if<Text>(&*said->set) : nullptr;
-    return function == fn::position && part.component < 0 && word && **word == "own";
+  // Returns whether the velocity may turn with the object.
+  bool spaced() const {
+    return function == fn::position && part.component < 0 &&
+           compiled.document.scene().objects[object].find(fn::velocity_space);
   }
 
   void add_primary(Time from, const Track& track) {
@@ -98,15 +97,15 @@ struct Cutter {
     Piece p;
     p.from = reign.events.front().time;
     const Type type = part.component >= 0 ? Type::scalar : row_of(part.type).rate.value_or(part.type);
-    if (scripted(reign) || in_own_space()) {
+    if (scripted(reign) || spaced()) {
       LivePart rates;
       rates.component = part.component, rates.type = type, rates.orientation = part.orientation;
       rates.velocity = true, rates.track = plain_rates(reign), rates.rest = row_of(type).example();
       Target name{{object}, function, part.component};
       name.velocity = true;
       p.integral = static_cast<std::int32_t>(compiled.integrals.size());
-      compiled.integrals.push_back(make_integral(Live{object, function}, std::move(rates), p.from, in_own_space(),
-                                                 compiled.document.name(name)));
+      compiled.integrals.push_back(
+          make_integral(Live{object, function}, std::move(rates), p.from, spaced(), compiled.document.name(name)));
       return out.push_back(std::move(p));
     }
     p.reign = static_cast<std::int32_t>(compiled.reigns.size());

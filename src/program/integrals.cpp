@@ -25,12 +25,16 @@ Quat turn_by(Vec3 angle) { return exp(Quat{0, angle.x / 2, angle.y / 2, angle.z 
 
 class Integral final : public Routine {
  public:
-  Integral(const Live& of, LivePart rates, bool own_space) : rates_(std::move(rates)), own_space_(own_space) {
-    language = integral_language;
+  Integral(const Live& of, LivePart rates, bool spaced) : rates_(std::move(rates)), spaced_(spaced) {
+    language = "integral";
     live_.object = of.object, live_.function = of.function;
     rates_.track.events.each([&](const Event& e) { events_.push_back(e.time.flicks); });
   }
   bool stepped() const override { return true; }
+  std::string_view circle() const override {
+    return "its code depends on the value that it moves: a velocity can read it only at times that are a sixtieth of a "
+           "second earlier, as in (t - 0.1)";
+  }
   Result<State> step(Questions& q, const State& before, std::int64_t number, double,
                      std::uint64_t& cost) const override {
     auto& film = static_cast<FilmQuestions&>(q);  // only a film's steps call this
@@ -41,20 +45,18 @@ class Integral final : public Routine {
       cost += std::exchange(film.asking.cost, begun) - begun;
     }
     const Four v = rate(film.c, film.asking, film.t.flicks);
-    return State{Value(Points(std::vector<Vec3>{{sum[0], sum[1], sum[2]}, {sum[3], v[0], v[1]}, {v[2], v[3], 0}}))};
+    return state_of({{sum[0], sum[1], sum[2]}, {sum[3], v[0], v[1]}, {v[2], v[3], 0}});
   }
 
   // A state is the integral, and the velocity at that time.
   Four read(const State& s) const {
-    const auto* v = std::get_if<Value>(&s.is);
-    const auto* p = v ? std::get_if<Points>(v) : nullptr;
-    if (!p) return rates_.orientation ? Four{1, 0, 0, 0} : Four{};
-    return {(**p)[0].x, (**p)[0].y, (**p)[0].z, (**p)[1].x};
+    const auto all = vectors_of(s);
+    if (all.empty()) return rates_.orientation ? Four{1, 0, 0, 0} : Four{};
+    return {all[0].x, all[0].y, all[0].z, all[1].x};
   }
   static Four read_rate(const State& s) {
-    const auto* v = std::get_if<Value>(&s.is);
-    const auto* p = v ? std::get_if<Points>(v) : nullptr;
-    return p ? Four{(**p)[1].y, (**p)[1].z, (**p)[2].x, (**p)[2].y} : Four{};
+    const auto all = vectors_of(s);
+    return all.empty() ? Four{} : Four{all[1].y, all[1].z, all[2].x, all[2].y};
   }
   // Returns the integral between two steps for the code itself, which may read its past very often: by a cubic.
   Four hermite(const State& a, const State& b, double share) const {
@@ -85,7 +87,9 @@ class Integral final : public Routine {
     asking.work(1);
     Four n{};
     to_numbers(parts.part_value(rates_, Time{flicks}), n.data());
-    if (!own_space_) return n;
+    if (!spaced_) return n;
+    const Value space = c.value(c.find(live_.object, fn::velocity_space), Time{flicks}, asking);
+    if (const auto* word = std::get_if<Text>(&space); !word || **word != "own") return n;
     const Vec3 v = transform_vector(rotation(own_turn(c, asking, Time{flicks})), vec3(n.data()));
     return {v.x, v.y, v.z, 0};
   }
@@ -142,17 +146,17 @@ class Integral final : public Routine {
 
   Live live_;
   LivePart rates_;
-  bool own_space_;  // the velocity turns with the object
+  bool spaced_;  // the object has a velocity-space
   std::vector<std::int64_t> events_;
 };
 
 }  // namespace
 
-std::unique_ptr<NamedProcedure> make_integral(const Live& live, LivePart rates, Time from, bool own_space,
+std::unique_ptr<NamedProcedure> make_integral(const Live& live, LivePart rates, Time from, bool spaced,
                                               std::string name) {
   auto made = std::make_unique<NamedProcedure>();
   made->name = std::move(name), made->role = Role::steps;
-  made->code = std::make_shared<Integral>(live, std::move(rates), own_space);
+  made->code = std::make_shared<Integral>(live, std::move(rates), spaced);
   made->stepping = {integral_step, from, true};
   return made;
 }

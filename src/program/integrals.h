@@ -14,8 +14,8 @@
 namespace betwixt {
 
 // `rates`: the part whose track is the velocity, per second, in plain numbers. `from`: the beginning of the reign.
-// `own_space`: a position's velocity turns with the object.
-std::unique_ptr<NamedProcedure> make_integral(const Live&, LivePart rates, Time from, bool own_space, std::string name);
+// `spaced`: the object has a `velocity-space`, so its velocity may turn with it.
+std::unique_ptr<NamedProcedure> make_integral(const Live&, LivePart rates, Time from, bool spaced, std::string name);
 
 // Sets out to the integral from the beginning of the reign to t: numbers, or the rotation since, as four numbers.
 void integral_at(const Program::Compiled&, const NamedProcedure& integral, Time t, Asking&, double* out);

@@ -141,12 +141,12 @@ std::optional<Value> LiveParts::run_tween(const Routine& code, const LivePart& p
   std::optional<Value> before, behind;
   if (after >= 2) before = leaves(*near[after - 2]);
   if (after + 1 < near.size()) behind = arrives(*near[after + 1]);
-  const Gap gap{eased(static_cast<double>((t - begin.time).flicks) / length, &from, &to, length),
-                (end.time - begin.time).seconds(),
-                &values[0],
-                &values[1],
-                before ? &*before : nullptr,
-                behind ? &*behind : nullptr};
+  const TweenSegment gap{eased(static_cast<double>((t - begin.time).flicks) / length, &from, &to, length),
+                         (end.time - begin.time).seconds(),
+                         &values[0],
+                         &values[1],
+                         before ? &*before : nullptr,
+                         behind ? &*behind : nullptr};
   return answer(code, part, t, [&](Questions& q, std::uint64_t& cost) { return code.between(q, gap, cost); });
 }
 

@@ -18,15 +18,6 @@ namespace {
 
 constexpr std::int64_t most_steps = 10'000'000;
 constexpr std::uint64_t most_work = 10'000'000'000;  // for all steps together
-std::string circle_error(const NamedProcedure& p) {
-  if (p.code->language == collision_language)
-    return "its obstacles move with it or stop at it at the same time: they must not depend on its place";
-  if (p.code->language == integral_language)
-    return "its code depends on the value that it moves: a velocity can read it only at times that are a sixtieth of a "
-           "second earlier, "
-           "as in (t - 0.1)";
-  return "it depends on itself: a step can read its own state only at earlier times, as in (t - dt)";
-}
 
 // Returns whether the step or a later one is being computed. Then all steps of this circle fail, whichever of them was
 // asked for first.
@@ -89,7 +80,7 @@ struct Stepper {
     auto state = p.code->step(questions, at.state ? *at.state : State{}, number, every.seconds(), cost);
     if (questions.called_off) throw Cancelled{};
     if (open.circle)
-      state = fail(ErrorCode::range, circle_error(p));
+      state = fail(ErrorCode::range, std::string(p.code->circle()));
     else
       run.note(number, inner);
     at.cost += cost;
@@ -105,7 +96,7 @@ struct Stepper {
   }
 
   Result<std::shared_ptr<const State>> after(std::int64_t step) const {
-    if (closes_circle(run, step, asking)) return fail(ErrorCode::range, circle_error(p));
+    if (closes_circle(run, step, asking)) return fail(ErrorCode::range, std::string(p.code->circle()));
     for (StepRun::Point at; (at = run.nearest(step)).step < step;) {
       const auto failure = run.failed(at.step + 1);
       if (!failure && advance(at)) continue;
@@ -129,6 +120,14 @@ struct Stepper {
 };
 
 }  // namespace
+
+State state_of(std::vector<Vec3> vectors) { return {Value(Points(std::move(vectors)))}; }
+
+std::span<const Vec3> vectors_of(const State& s) {
+  const auto* v = std::get_if<Value>(&s.is);
+  const auto* p = v ? std::get_if<Points>(v) : nullptr;
+  return p ? std::span(**p) : std::span<const Vec3>();
+}
 
 bool is_computing(const Program::Compiled& c, const NamedProcedure& p, const Asking& asking) {
   const StepRun* run = &c.caches.steps.of(p);

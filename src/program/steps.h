@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -80,8 +81,9 @@ struct OpenStep {
   bool circle = false;  // it is needed for its own result
 };
 
-// The languages of laws that no author writes, but that go from step to step too: see collisions.h and integrals.h.
-inline constexpr const char *collision_language = "collision", *integral_language = "integral";
+// Paths among obstacles (collisions.h) and integrals (integrals.h) go from step to step too. Their states are vectors.
+State state_of(std::vector<Vec3>);
+std::span<const Vec3> vectors_of(const State&);  // empty for any other state
 
 // Returns whether a step of the procedure, or a part of one, is being computed.
 bool is_computing(const Program::Compiled&, const NamedProcedure&, const Asking&);

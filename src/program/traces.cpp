@@ -52,7 +52,6 @@ class Tracer {
     const Busy busy(busy_);
     extend(t);
     std::vector<Vec3> out;
-    const auto behind = [](Time x, const Look& l) { return x < l.time; };
     auto at = std::upper_bound(looks_.begin(), looks_.end(), first, behind);
     if (at == looks_.begin() || std::prev(at)->time != first)
       out.push_back(place(first));
@@ -72,6 +71,8 @@ class Tracer {
     Vec3 place;
   };
 
+  static bool behind(Time t, const Look& l) { return t < l.time; }
+
   struct Busy {  // resets the flag on every exit
     bool& on;
     explicit Busy(bool& flag) : on(flag) { on = true; }
@@ -90,7 +91,10 @@ class Tracer {
   Vec3 place(Time t) const {
     Asking asking;
     const std::int32_t drawer = of_ ? node(c_.value(*of_, t, asking)) : node_;
-    if (drawer < 0) return looks_.empty() ? Vec3{} : looks_.back().place;
+    if (drawer < 0) {
+      const auto later = std::upper_bound(looks_.begin(), looks_.end(), t, behind);
+      return later == looks_.begin() ? Vec3{} : std::prev(later)->place;
+    }
     const Vec3 at = transform_point(placement(c_, static_cast<std::uint32_t>(drawer), t, asking).in_world(), point_);
     if (within_ < 0) return at;
     const auto back = inverse(placement(c_, static_cast<std::uint32_t>(within_), t, asking).in_world());

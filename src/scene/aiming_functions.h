@@ -47,6 +47,7 @@ inline const FunctionSpec aiming_functions[] = {
      .type = Type::aim,
      .rest = ObjectId{},
      .kinds = bit(Kind::trace),
+     .by_script = true,
      .sentence = "The object on which a trace is drawn, so that it moves and turns along; none is the world.",
      .written = "a name",
      .example = "create t trace of=ball within=hand"},

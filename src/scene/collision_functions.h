@@ -45,7 +45,7 @@ inline const FunctionSpec collision_functions[] = {
      .sentence =
          "The space of its velocity: that of its position (`parent`), or its own, which turns with its rotation "
          "(`own`): a car that drives forward while it steers.",
-     .written = "parent or own, for the whole film",
+     .written = "parent or own",
      .example = "create car box velocity-space=own\nat 1f car.position.velocity (2 0 0)"},
 };
 

@@ -300,6 +300,7 @@ const FunctionSpec function_rows[] = {
      .rest = Text(std::string("add")),
      .kinds = bit(Kind::layer),
      .words = "add|mix",
+     .by_script = true,
      .sentence = "Whether a layer's values are added (`add`), or blend over the values below it (`mix`).",
      .written = "\"add\" or \"mix\""},
     {.name = "environments",

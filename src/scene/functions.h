@@ -33,6 +33,7 @@ struct FunctionSpec {
   double low = -1e300, high = 1e300;  // the range of valid numbers
   // Puts a value into a shape: numbers as they are held, a double or a Vec3. Null if it is not part of a shape.
   void (*shape)(Shape&, const Value&, const Scene&) = nullptr;
+  bool by_script = false;                                      // read once, with the script: code cannot compute it
   bool place = false;                                          // whether it affects the place or visibility of objects
   std::string_view sentence = {}, written = {}, example = {};  // for help; each row has its own sentence
   // Returns whether contacts can depend on it.

@@ -15,6 +15,7 @@ inline const FunctionSpec rig_functions[] = {
      .type = Type::names,
      .rest = Names(),
      .kinds = bit(Kind::mesh),
+     .by_script = true,
      .sentence =
          "The objects that the vertices of a mesh with a skin follow, in the order of its file, for the whole film.",
      .written = "(A B), or none",

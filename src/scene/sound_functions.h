@@ -21,6 +21,7 @@ inline const FunctionSpec sound_functions[] = {
      .type = Type::text,
      .rest = Text(),
      .kinds = bit(Kind::sound),
+     .by_script = true,
      .sentence = "The file of a sound.",
      .written = "\"FILE\""},
     {.name = "at",

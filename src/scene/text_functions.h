@@ -81,6 +81,7 @@ inline const FunctionSpec text_functions[] = {
            const auto found = scene.formulas->find(*std::get<Text>(v));
            if (found != scene.formulas->end()) s.formula = found->second;
          },
+     .by_script = true,
      .sentence = "A TeX formula, drawn instead of the text. Needs latex and dvisvgm, and --tex.",
      .written = "\"\\\\frac{a}{b}\""},
 };

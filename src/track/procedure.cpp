@@ -16,7 +16,7 @@ Result<State> Routine::step(Questions&, const State&, std::int64_t, double, std:
   return wrong_role("stepped procedure");
 }
 Result<double> Routine::blend(double) const { return wrong_role("twerper"); }
-Result<Value> Routine::between(Questions&, const Gap&, std::uint64_t&) const { return wrong_role("tween"); }
+Result<Value> Routine::between(Questions&, const TweenSegment&, std::uint64_t&) const { return wrong_role("tween"); }
 Result<Value> Routine::filter(Input&, double, const Parameters&) const { return wrong_role("filter"); }
 Status Routine::command(Host&, const std::vector<std::string>&) const { return wrong_role("command"); }
 

@@ -29,8 +29,8 @@ namespace betwixt {
 enum class Role : std::uint8_t { value, twerper, filter, command, steps, tween };
 inline constexpr std::array<std::string_view, 6> role_names{"value", "twerper", "filter", "command", "steps", "tween"};
 
-// The time between two events, as a tween sees it.
-struct Gap {
+// The segment between two events, as a tween sees it.
+struct TweenSegment {
   double u = 0;                                     // the fraction of the time that has passed, with eases applied
   double seconds = 0;                               // between the two events
   const Value *from = nullptr, *to = nullptr;       // the values of the two events
@@ -86,6 +86,10 @@ class Routine {
   std::string language;                           // "lua" or "plug-in"
   std::string source;                             // as written; for a plug-in its path
   virtual bool stepped() const { return false; }  // its role is `steps`
+  // Returns the error of a step that needs itself.
+  virtual std::string_view circle() const {
+    return "it depends on itself: a step can read its own state only at earlier times, as in (t - dt)";
+  }
 
   // Only the function of its role is called. `arguments`: those that another procedure passes.
   virtual Result<Value> value(Questions&, const std::vector<Value>& arguments, std::uint64_t& cost) const;
@@ -94,7 +98,7 @@ class Routine {
   virtual Result<State> step(Questions&, const State& before, std::int64_t number, double seconds_each,
                              std::uint64_t& cost) const;
   virtual Result<double> blend(double u) const;  // the factor at u, 0 to 1 along the segment, with eases applied
-  virtual Result<Value> between(Questions&, const Gap&, std::uint64_t& cost) const;
+  virtual Result<Value> between(Questions&, const TweenSegment&, std::uint64_t& cost) const;
   virtual Result<Value> filter(Input&, double seconds, const Parameters&) const;
   virtual Status command(Host&, const std::vector<std::string>& words) const;
 };

@@ -100,6 +100,22 @@ TEST(ComputedLists, ATraceFollowsTheObjectThatCodeNames) {
   EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](Vec3 p) { return p.x > 1.9 && p.y == 0; }));
 }
 
+// While code names no object, the line stays where it was, whatever was asked before.
+TEST(ComputedLists, ATraceWaitsWhileCodeNamesNoObject) {
+  const std::string film =
+      "rate 24\ncreate a sphere\na.position\n  1f (0 0 0) linear\n  97f (8 0 0)\ncreate line trace of=a last=0.5s\n"
+      "set line.of = \"(t < 1 or t > 2) and 'a' or 'none'\"\n";
+  const auto line = [](const LoadedFilm& s, const char* time) {
+    for (const Item& i : s.frame(time).items)
+      if (i.id == s.loaded.document.find("line")) return *i.shape->points;
+    return std::vector<Vec3>();
+  };
+  const LoadedFilm fresh(film), used(film);
+  (void)line(used, "97f");
+  for (const char* time : {"37f", "40f", "48f", "61f"}) EXPECT_EQ(line(fresh, time), line(used, time)) << time;
+  for (const Vec3 p : line(fresh, "40f")) EXPECT_NEAR(p.x, 2, 0.1);
+}
+
 // The pictures that code names in quotes are read with the script: single names, and all numbers of a pattern.
 TEST(ComputedLists, OfPicturesAndFonts) {
   const Folder folder;
