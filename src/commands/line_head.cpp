@@ -56,10 +56,15 @@ std::size_t opener_of(const ScriptText& text, std::size_t line) {
 std::optional<Making> making(std::string_view line) {
   const LineHead head = line_head(line);
   if (head.row || !head.verb) return std::nullopt;
-  const auto kind = kind_made(*head.verb);
+  auto kind = kind_made(*head.verb);
   if (!kind) return std::nullopt;
   std::string_view word = head.name, rest = head.rest;
   if (word == "again" && kind == NameKind::let) word = take_piece(rest);          // let again NAME
+  if (word == "kind" && kind == NameKind::function) {  // define kind NAME like OBJECT
+    std::string_view after = rest;
+    const std::string_view name = take_piece(after);
+    if (take_piece(after) == "like") kind = NameKind::kind, word = name;
+  }
   word = between(word.data(), word_end(word.data(), word.data() + word.size()));  // x in x=1
   if (word.empty()) return std::nullopt;
   return Making{head.word, word, *kind};

@@ -37,9 +37,9 @@ inline bool below_opener(std::string_view line) { return indented(line) || empty
 // Returns the line that opens the sheet or list of a row; count() if there is none.
 std::size_t opener_of(const ScriptText&, std::size_t line);
 
-// thing: an object, a layer, an environment, a display list or an alias. let: a value defined by `let`. function and
-// procedure: the author's own.
-enum class NameKind : std::uint8_t { thing, let, function, procedure };
+// thing: an object, a layer, an environment, a display list or an alias. let: a value defined by `let`. function,
+// procedure and kind: the author's own.
+enum class NameKind : std::uint8_t { thing, let, function, procedure, kind };
 // The verb of a line and the name, or the pattern of many names, that it makes.
 struct Making {
   std::string_view verb, word;

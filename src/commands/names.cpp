@@ -11,6 +11,7 @@
 
 #include "base/cancellation.h"
 #include "commands/command.h"
+#include "commands/own_kinds.h"
 #include "language/formula.h"
 #include "scene/colors.h"
 
@@ -136,6 +137,7 @@ bool let(Command& k) {
 
 bool define(Command& k) {
   auto& [s, c, time, layer, script] = k;
+  if (defines_kind(c)) return define_kind(k);
   std::string_view name;
   if (!new_name(c, name, "function's name", "/")) return false;
   const auto built_in = built_in_functions();
@@ -181,11 +183,13 @@ constexpr Verb names_rows[] = {
      "again` changes its value for the lines below.",
      "let beat = 12f\nlet turn_by = tau/6\nlet primes = (2 3 5 7)\nset ball.radius primes[2]", Verb::makes_let, let,
      "NEW; ="},
-    {"define", "define NAME TYPE [VALUE]",
+    {"define", "define NAME TYPE [VALUE] or define kind NAME like OBJECT [hidden] [of (OBJECTS)]",
      "A display function (property) of your own, which every object then has. TYPE: number, angle, vector, color, "
-     "boolean, "
-     "rotation, orientation, shape or text. VALUE is its default.",
-     "define heat number 20", Verb::makes_function, define, "NEW; TYPE; ="},
+     "boolean, rotation, orientation, shape or text. VALUE is its default. `define kind` makes a kind of your own from "
+     "a model, the OBJECT with everything below it. Objects of the kind follow later changes of the model. `hidden` "
+     "hides the model, and `of` names existing objects that become objects of the kind.",
+     "define heat number 20\ndefine kind toy like ball\ncreate copy1 toy position=(2 0 0)", Verb::makes_function,
+     define, "NEW kind; TYPE; =; like"},
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "commands/command.h"
 #include "commands/following.h"
 #include "commands/foreign_words.h"
+#include "commands/own_kinds.h"
 
 namespace betwixt {
 namespace {
@@ -34,6 +35,7 @@ struct Like {
   Object object;
   std::vector<FunctionId> said;
   std::vector<ObjectId> parts;
+  std::string kind;  // of the author's own, if the copies are its instances
 };
 
 // Adds one copy. References to the original, or to one of its parts, become references to the copy of that part.
@@ -51,12 +53,13 @@ void add_copy(Scene& s, const Like& like, const std::string& name, ObjectId pare
   }
   for (std::uint32_t n = 0; n < all.size(); ++n) {
     all[n].name = name + all[n].name.substr(old.size());
-    all[n].derived = false;
+    all[n].derived = all[n].hidden = false;
     s.names.put(all[n].name, {first + n});
   }
   for (Object& one : all) copies.apply(one);
   for (const FunctionId f : like.said) all[0].slot(f).set = like.object.find(f)->set;
   for (std::size_t n = 0; n < all.size(); ++n) add_child(s, std::move(all[n]), n == 0 ? parent : ObjectId{});
+  if (!like.kind.empty()) add_instance(s, like.kind, {first}, like.said);
 }
 
 bool create_like(Command& k, const Like& like, const std::vector<std::string>& names,
@@ -88,11 +91,16 @@ bool create(Command& k) {
     return create_scene(k, *names, parents, word);
   }
   Like like;
-  auto& [original, object, said, parts] = like;
+  auto& [original, object, said, parts, own_kind] = like;
   if (kind_word == "like") {
     if (!values(k).object(original)) return false;
     object = s.objects[original.index];
     parts = script.below(s, object.name, object.derived);
+  } else if (const OwnKind* one = s.kinds->find(kind_word)) {
+    for (const auto& name : *names)
+      if (!no_circle(k, *one, name, word)) return false;
+    own_kind = one->name, original = one->model(), object = s.objects[original.index];
+    parts.assign(one->parts.begin() + 1, one->parts.end());
   } else {
     const auto kind = find_kind(kind_word);
     if (kind == Kind::layer)
@@ -103,7 +111,9 @@ bool create(Command& k) {
                     fmt::format("to make one: animate {} every 1t by rotate(6deg, z)", word.substr(0, 40)));
     if (!kind) {
       Hint hint{std::string(foreign_word_hint(kind_word))};
-      if (hint.empty()) hint = did_you_mean(kind_word, {kind_names.begin(), kind_names.end()});
+      std::vector<std::string_view> known(kind_names.begin(), kind_names.end());
+      for (const OwnKind& one : s.kinds->all) known.push_back(one.name);
+      if (hint.empty()) hint = did_you_mean(kind_word, known);
       if (hint.empty()) hint = fmt::format("kinds are {}; and scene", fmt::join(kind_names, " "));
       return c.fail(
           ErrorCode::name,

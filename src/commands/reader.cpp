@@ -16,6 +16,7 @@
 #include "commands/line_head.h"
 #include "commands/lint.h"
 #include "commands/list_rows.h"
+#include "commands/own_kinds.h"
 #include "commands/verbs.h"
 #include "language/formula.h"
 #include "syntax/tokens.h"
@@ -131,7 +132,9 @@ bool line(Command& k, const char* line_start) {
   }
   close_list(s, script);
   sheet.open = false;
+  follow_models(s, script, {line_start, 0});  // for the rows above
   const bool done = in_places(k, [&] { return carry_out(k); });
+  if (!sheet.open) follow_models(s, script, {line_start, 0});
   if (sheet.open) sheet.opener = {line_start, c.at};
   return done;
 }
@@ -298,7 +301,7 @@ std::vector<std::string> names_missed(const Scene& s, std::string_view line) {
   auto names = names_made(line);
   std::erase_if(names, [&](const std::string& name) {
     return s.names.find(name) || s.aliases->contains(name) || s.lets->contains(name) || s.lists->contains(name) ||
-           s.defined->find(name) || find_procedure(s, name);
+           s.defined->find(name) || find_procedure(s, name) || s.kinds->find(name);
   });
   return names;
 }
@@ -341,6 +344,7 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   }
   close_list(s, script);
   show_lists(s, script);
+  follow_models(s, script, {});
   if (outermost) {
     say_masked_events(s, script), say_idle_releases(s, script);
     say_unfinished_lists(script), say_turned_falls(s, script);
@@ -377,6 +381,7 @@ void read_line(Scene& s, Script& script, std::string_view line, const std::strin
     run(s, script);
   }
   show_list(s, script);
+  follow_models(s, script, {});
   say_masked_events(s, script), say_idle_releases(s, script);
   script.left = left_open(s, script);
 }

@@ -9,6 +9,7 @@
 #include "base/names.h"
 #include "commands/command.h"
 #include "commands/following.h"
+#include "commands/own_kinds.h"
 #include "scene/names.h"
 
 namespace betwixt {
@@ -98,7 +99,11 @@ bool rename(Command& k) {
   const std::string name(word);
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the new name is missing here");
   if (!free_name(k, name, word) || !finish(c)) return false;
-  return rename_whole(k, id, name, word);
+  if (s.kinds->all.empty()) return rename_whole(k, id, name, word);
+  Rollback whole(s);
+  if (!rename_whole(k, id, name, word) || !no_circles(k, word)) return false;
+  whole.keep();
+  return true;
 }
 
 constexpr Verb renaming_rows[] = {

@@ -15,6 +15,7 @@
 #include "editor/session_state.h"
 #include "scene/colors.h"
 #include "scene/names.h"
+#include "scene/own_kinds.h"
 #include "syntax/tokens.h"
 #include "track/filter.h"
 
@@ -175,21 +176,26 @@ void object_names(const Document& d, Words& all) {
   for (const std::string& name : d.names()) all.push_back(name);
 }
 
+std::optional<Kind> kind_called(const Scene& s, std::string_view word) {
+  const OwnKind* own = s.kinds->find(word);
+  return own ? std::optional(s.objects[own->model().index].kind) : find_kind(word);
+}
+
 // The kind that a line names before its parameters.
-std::optional<Kind> kind_before(const Begun& b) {
+std::optional<Kind> kind_before(const Scene& s, const Begun& b) {
   for (std::size_t i = 1; i < b.words.size(); ++i)
-    if (has_word(words_after(b.verb, i - 1), "KIND")) return find_kind(b.words[i]);
+    if (has_word(words_after(b.verb, i - 1), "KIND")) return kind_called(s, b.words[i]);
   return std::nullopt;
 }
 
 void behind_key(const Document& d, const Begun& b, Words& all) {
   if (!has_word(words_after(b.verb, b.place()), "PARAMETER")) return;
-  if (const auto f = find_function(d.scene(), kind_before(b).value_or(Kind::sphere), b.key))
+  if (const auto f = find_function(d.scene(), kind_before(d.scene(), b).value_or(Kind::sphere), b.key))
     value_words(d, spec_of(d.scene(), *f), all);
 }
 
 void parameters(const Document& d, const Begun& b, Words& all) {
-  const auto kind = kind_before(b);
+  const auto kind = kind_before(d.scene(), b);
   if (!kind) return object_names(d, all);
   for (const auto name : function_names(d.scene(), *kind)) all.push_back(fmt::format("{}=", name));
 }
@@ -236,6 +242,7 @@ constexpr ArgumentKind argument_kinds[] = {
     {"KIND",
      [](const Offer& o) {
        for (const KindRow& k : kinds()) o.all.emplace_back(k.name);
+       for (const OwnKind& k : o.d.scene().kinds->all) o.all.push_back(k.name);
      }},
     {"PARAMETER", [](const Offer& o) { parameters(o.d, o.b, o.all); }},
     {"TYPE",
@@ -333,7 +340,7 @@ bool takes_target(std::string_view line) {
 std::optional<Kind> kind_at(std::string_view line, const Document& d) {
   const Begun b = begun(line, {});
   const std::size_t dot = first_dot(b.last);
-  if (dot == std::string_view::npos) return kind_before(b);
+  if (dot == std::string_view::npos) return kind_before(d.scene(), b);
   const auto all = select(d.scene(), b.last.substr(0, dot));
   return all.empty() ? std::nullopt : std::optional(kind(d, all.front()));
 }

@@ -11,12 +11,14 @@
 #include "base/cancellation.h"
 #include "base/names.h"
 #include "betwixt/environment.h"
+#include "betwixt/kind.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
 #include "editor/help.h"
 #include "editor/plain_values.h"
 #include "language/values.h"
 #include "scene/names.h"
+#include "scene/own_kinds.h"
 
 namespace betwixt {
 namespace {
@@ -158,11 +160,17 @@ std::string environment_lines(About& about, ObjectId id) {
   return said;
 }
 
+// Returns ", of the kind human2" for an instance of a kind of the author's own, otherwise "".
+std::string kind_of_instance(const About& about, ObjectId id) {
+  const OwnKind* kind = about.d.scene().kinds->of(id);
+  return kind ? ", of the kind " + kind->name : "";
+}
+
 std::string object_lines(About& about, ObjectId id) {
   const Document& d = about.d;
   const Time first = about.first;
   const Object& o = d.scene().objects[id.index];
-  std::string said = fmt::format("{}, {}\n", o.name, a_kind(o.kind)) + attachment_lines(d, o);
+  std::string said = fmt::format("{}, {}{}\n", o.name, a_kind(o.kind), kind_of_instance(about, id)) + attachment_lines(d, o);
   std::vector<std::string_view> at_rest;
   for (const std::string_view name : function_names(d.scene(), o.kind)) {
     const auto f = find_function(d.scene(), o.kind, name);
@@ -181,6 +189,18 @@ std::string object_lines(About& about, ObjectId id) {
   if (o.kind == Kind::environment) said += environment_lines(about, id);
   if (!at_rest.empty()) said += fmt::format("  untouched: {}\n", fmt::join(at_rest, " "));
   if (o.kind == Kind::layer) said += about.on(id);
+  return said;
+}
+
+// Lists the instances of a kind of the author's own, each with its own values.
+std::string kind_lines(const Document& d, const KindView& kind) {
+  std::string said = fmt::format("{}, a kind like {}{}: {}\n", kind.name, d.name(kind.model),
+                                 kind.hidden ? ", which is hidden" : "", counted(kind.instances.size(), "object"));
+  for (const InstanceView& one : kind.instances) {
+    said += fmt::format("  {:16}", d.name(one.root));
+    for (const Target& t : one.own) said += " " + d.name(t);
+    said += one.own.empty() ? " follows the model in everything\n" : "\n";
+  }
   return said;
 }
 
@@ -236,7 +256,8 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
     for (const auto& n : d.names()) ids.push_back(d.find(n));
   } else {
     ids = select(d.scene(), pattern);
-    if (ids.empty() && !is_pattern(pattern) && versions(d.scene(), pattern).empty()) return no_object(d, pattern);
+    if (ids.empty() && !is_pattern(pattern) && versions(d.scene(), pattern).empty() && !d.scene().kinds->find(pattern))
+      return no_object(d, pattern);
   }
   std::size_t wide = 0;
   for (ObjectId id : ids) wide = std::max(wide, d.name(id).size());
@@ -251,6 +272,10 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
                         counted(list_at(d.scene(), name, from[0])->commands.size(), "row"),
                         from.size() > 1 ? fmt::format(", {}", counted(from.size(), "version")) : "");
   }
+  for (const OwnKind& kind : d.scene().kinds->all)
+    if (meant(kind.name))
+      said += fmt::format("{:{}}  {:8}  like {}, {}\n", kind.name, wide, "kind", d.name(kind.model()),
+                          counted(kind.instances.size(), "object"));
   const auto laid = events_of_layers(d.scene());
   for (ObjectId id : ids) {
     Cancellation::check();
@@ -269,6 +294,9 @@ Result<std::string> describe(const Program& program, const std::string& word) {
   if (word.empty()) return fail(ErrorCode::name, "a name is missing here", "usage: describe NAME");
   if (const auto all = versions(d.scene(), word); !all.empty()) return list_lines(d, word, all);
   const auto ids = select(d.scene(), word);
+  if (ids.empty())
+    for (const KindView& kind : own_kinds(d))
+      if (kind.name == word) return kind_lines(d, kind);
   std::string said;
   const auto put = [&](const std::string& one) {
     Cancellation::check();

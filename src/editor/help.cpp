@@ -14,6 +14,7 @@
 #include "commands/list_rows.h"
 #include "commands/plugins.h"
 #include "commands/verbs.h"
+#include "scene/own_kinds.h"
 
 namespace betwixt {
 namespace {
@@ -193,7 +194,10 @@ std::string help_overview(const Scene& scene, bool of_the_shell) {
     out += "\n";
     list_group(group, out);
   }
-  if (!scene.defined->empty() || !scene.procedures->empty()) out += "\nOf this film and of plug-ins\n";
+  if (!scene.defined->empty() || !scene.procedures->empty() || !scene.kinds->all.empty())
+    out += "\nOf this film and of plug-ins\n";
+  for (const OwnKind& kind : scene.kinds->all)
+    out += fmt::format("  {:16} A kind, like {}.\n", kind.name, scene.objects[kind.model().index].name);
   for (const FunctionSpec& f : *scene.defined)
     out += fmt::format("  {:16} A function: {}.\n", f.name, to_string(f.type));
   for (const NamedProcedure& p : *scene.procedures) out += fmt::format("  {:16} {}\n", p.name, about(p));
@@ -231,6 +235,9 @@ std::string help_text(std::string_view word, const Scene& scene, std::optional<K
       out += fmt::format("  example: {}\n", lines);
     }
   }
+  if (const OwnKind* kind = scene.kinds->find(word))
+    out += fmt::format("{}, a kind of this film, like {}: describe {}\n  example: create NAME {}\n", word,
+                       scene.objects[kind->model().index].name, word, word);
   for (const FunctionSpec& f : *scene.defined)
     if (f.name == word) out += fmt::format("{}, a function of this film: {}\n", f.name, to_string(f.type));
   for (const NamedProcedure& p : *scene.procedures) {

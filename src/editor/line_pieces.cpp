@@ -9,10 +9,12 @@
 #include <cmath>
 
 #include "betwixt/language.h"
+#include "commands/line_head.h"
 #include "commands/list_rows.h"
 #include "commands/verbs.h"
 #include "editor/help.h"
 #include "scene/colors.h"
+#include "scene/own_kinds.h"
 #include "syntax/tokens.h"
 #include "track/filter.h"
 #include "track/twerpers.h"
@@ -53,6 +55,7 @@ struct Reading {
   std::size_t place = 0;  // the word's index, not counting `at TIME` and `on LAYER`
   std::string_view verb, before;
   bool time_due = false, layer_due = false;
+  std::optional<Making> made = making(line);
 
   Meaning number(std::string_view w) const {
     if (w[0] == '#') return Meaning::color;
@@ -69,8 +72,9 @@ struct Reading {
       return Meaning::verb;
     const Verb* const known = find_verb(verb);
     const std::string_view here = known && place > 0 ? words_at(known->words, place - 1) : std::string_view();
-    if (has_word(here, "KIND") && find_kind(w)) return Meaning::kind;
-    if (known && known->flags & Verb::makes_function && place == 1) return Meaning::function;
+    if (has_word(here, "KIND") && (find_kind(w) || scene.kinds->find(w))) return Meaning::kind;
+    if (made && w.data() == made->word.data() && made->kind == NameKind::function) return Meaning::function;
+    if (made && w.data() == made->word.data() && made->kind == NameKind::kind) return Meaning::kind;
     if (has_word(here, "FILTER") && find_filter(w)) return Meaning::twerper;
     if (row && find_verb(w)) return Meaning::verb;  // as in `attach to hand`
     if (is_option(w)) return Meaning::option;

@@ -10,6 +10,7 @@
 #include "base/names.h"
 #include "scene/document.h"
 #include "scene/names.h"
+#include "scene/own_kinds.h"
 
 namespace betwixt {
 namespace {
@@ -24,6 +25,8 @@ bool is_taken(const Scene& s, const NameAt& of, const std::string& name) {
       return s.defined->find(name).has_value();
     case NameKind::procedure:
       return find_procedure(s, name) != nullptr;
+    case NameKind::kind:
+      return find_kind(name) || s.kinds->find(name);
   }
   return false;
 }

@@ -7,6 +7,7 @@
 #include "base/names.h"
 #include "language/cursor.h"
 #include "scene/document.h"
+#include "scene/own_kinds.h"
 #include "syntax/tokens.h"
 
 namespace betwixt {
@@ -108,6 +109,7 @@ bool TextNames::known(const std::string& name, NameKind kind) const {
   if (kind == NameKind::let && s.lets->contains(name)) return true;
   if (kind == NameKind::function && s.defined->find(name)) return true;
   if (kind == NameKind::procedure && find_procedure(s, name)) return true;
+  if (kind == NameKind::kind && s.kinds->find(name)) return true;
   const auto found = by_name_.find(name);
   return found != by_name_.end() &&
          std::ranges::any_of(found->second, [&](std::size_t i) { return made_[i].kind == kind; });
@@ -128,6 +130,8 @@ std::optional<NameAt> TextNames::word_at(std::string_view line, std::size_t from
   if (named && above && is_pattern(whole) && path.at == piece.at)
     if (auto thing = found(path, NameKind::thing)) return thing;
   if (must && is_pattern(whole)) return NameAt{std::string(whole), *must, {from + piece.at, piece.length}, true};
+  if (piece.meaning == Meaning::kind || must == NameKind::kind)
+    return found(run_around(line, place, of_function), NameKind::kind);
   if (piece.meaning == Meaning::function || must == NameKind::function)
     return found(run_around(line, place, of_function), NameKind::function);
   if (must == NameKind::thing || (!must && named && !is_value_word(line, path.at, part(line, path))))

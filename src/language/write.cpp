@@ -11,6 +11,7 @@
 #include "language/values.h"
 #include "language/written_scenes.h"
 #include "scene/names.h"
+#include "scene/own_kinds.h"
 #include "scene/power.h"
 
 namespace betwixt {
@@ -337,6 +338,13 @@ struct Writer {
                value(d.from, spec, d.target.component) + " " + value(d.to, spec, d.target.component);
       }
       out += "\n";
+    }
+    for (const OwnKind& kind : s.kinds->all) {
+      out += fmt::format("define kind {} like {}{}", kind.name, name_of(kind.model()), kind.hidden ? " hidden" : "");
+      std::string of;
+      for (const Cow<KindInstance>& one : kind.instances)
+        if (const std::string name = name_of(one->parts.front()); !name.empty()) of += (of.empty() ? "" : " ") + name;
+      out += of.empty() ? "\n" : fmt::format(" of ({})\n", of);
     }
     if (s.recording) out += "record on\n";
     if (s.policy != Policy::ask) out += fmt::format("policy {}\n", policy_names[static_cast<std::size_t>(s.policy)]);

@@ -83,8 +83,16 @@ void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<Function
     std::set_union(own.begin(), own.end(), computed.begin(), computed.end(), std::back_inserter(both));
     own = std::move(both);
   }
+  if (o.hidden) {
+    const auto at = std::lower_bound(own.begin(), own.end(), fn::display);
+    if (at == own.end() || *at != fn::display) own.insert(at, fn::display);
+  }
   if (collides(o, fn::position) && own.front() != fn::position) own.insert(own.begin(), fn::position);
   for (const FunctionId f : own) {
+    if (o.hidden && f == fn::display) {
+      compiled.bindings.push_back(bind_constant(compiled, f, false, Type::boolean));
+      continue;
+    }
     const Slot* slot = o.find(f);
     bool live = collides(o, f) || (slot ? alive(scene, *slot) : scripted(spec_of(scene, f).rest));
     for (const Slot& other : o.slots) live = live || (other.function == f && find_object(scene, other.layer));

@@ -221,9 +221,9 @@ struct ScheduleCompiler {
     for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i) {
       const Node& n = compiled.nodes[i];
       const auto find = [&](FunctionId f) { return &compiled.find(n.object, f); };
-      if (n.kind == Kind::light) compiled.lights.push_back(i);
+      if (n.kind == Kind::light && !scene.objects[n.object].hidden) compiled.lights.push_back(i);
       if (n.kind == Kind::camera) {
-        if (!scene.objects[n.object].derived && !compiled.first_camera) compiled.first_camera = n.object;
+        if (const Object& o = scene.objects[n.object]; !o.derived && !o.hidden && !compiled.first_camera) compiled.first_camera = n.object;
       }
       if (n.looks || n.reaches) compiled.eyes.push_back(i);
       if (!drawable(n.kind)) continue;

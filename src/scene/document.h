@@ -27,6 +27,8 @@
 
 namespace betwixt {
 
+struct OwnKinds;  // scene/own_kinds.h
+
 // The state of a display function of an object: the value while there are no events, and the track, or the tracks of
 // its components.
 struct Strand {
@@ -47,6 +49,7 @@ struct Object {
   bool removed = false;
   bool leads = false;                              // has had children, so it may be part of a circle
   bool derived = false;                            // comes from a display list
+  bool hidden = false;                             // belongs to the hidden model of a kind: never shown nor heard
   std::vector<Slot> slots;                         // sorted by function, then layer (the object's own first)
   std::shared_ptr<const Environment> environment;  // of Kind::environment
 
@@ -149,6 +152,8 @@ struct Scene {
   Objects objects;
   NameIndex names;
   Cow<OwnFunctions> defined;  // the user's own functions; ids follow the built-in ones
+  Cow<OwnKinds> kinds;        // the user's own kinds
+  Objects kinds_saw;          // the objects when the instances of kinds were last updated; empty without kinds
   Cow<Aliases> aliases;
   Cow<Lets> lets;                               // the names in formulas
   Cow<std::multimap<Time, std::string>> notes;  // those of one time in the order in which they came

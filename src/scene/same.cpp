@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scene/document.h"
+#include "scene/own_kinds.h"
 
 namespace betwixt {
 namespace {
@@ -94,6 +95,19 @@ struct Compare {
     }
     return true;
   }
+  // Compares kinds and the roots of their instances, but not what is an instance's own.
+  bool same_kinds() const {
+    const auto roots = [](const Scene& s, const Ranks& ranks, const OwnKind& kind) {
+      std::vector<std::uint32_t> out{ranks(kind.model()).index};
+      for (const Cow<KindInstance>& one : kind.instances)
+        if (find_object(s, one->parts.front())) out.push_back(ranks(one->parts.front()).index);
+      return out;
+    };
+    return std::equal(a.kinds->all.begin(), a.kinds->all.end(), b.kinds->all.begin(), b.kinds->all.end(),
+                      [&](const OwnKind& x, const OwnKind& y) {
+                        return x.name == y.name && x.hidden == y.hidden && roots(a, ra, x) == roots(b, rb, y);
+                      });
+  }
   bool all() const {
     if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range &&
           a.background == b.background && a.appearance == b.appearance && a.notes_shown == b.notes_shown &&
@@ -101,6 +115,7 @@ struct Compare {
           a.notes == b.notes && a.procedures == b.procedures && a.recording == b.recording && a.lists == b.lists &&
           a.later_lists == b.later_lists && a.main == b.main))
       return false;
+    if (!same_kinds()) return false;
     const auto same_dial = [&](const Dial& x, const Dial& y) {
       return x.address == y.address && ra(x.target.object) == rb(y.target.object) &&
              x.target.function == y.target.function && x.target.component == y.target.component && x.low == y.low &&

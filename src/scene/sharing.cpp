@@ -23,7 +23,7 @@ bool exactly(const Slot& a, const Slot& b) {
 // Environments are never shared: their events may be equal and yet have come at other moments (their numbers differ).
 bool exactly(const Object& a, const Object& b) {
   if (a.name != b.name || a.kind != b.kind || a.removed != b.removed || a.leads != b.leads || a.derived != b.derived ||
-      a.environment || b.environment || a.slots.size() != b.slots.size())
+      a.hidden != b.hidden || a.environment || b.environment || a.slots.size() != b.slots.size())
     return false;
   for (std::size_t i = 0; i < a.slots.size(); ++i)
     if (!exactly(a.slots[i], b.slots[i])) return false;
@@ -61,6 +61,7 @@ void share(Scene& scene, const Scene& before) {
   scene.objects.share(before.objects);
   share(scene.defined, before.defined);
   share(scene.procedures, before.procedures);
+  if (scene.kinds) scene.kinds_saw = scene.objects;  // equal, and now shared
 }
 
 }  // namespace betwixt

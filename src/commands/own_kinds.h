@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The author's own kinds: `define kind`, `create NAME KIND` of such a kind, and `unlink`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands/command.h"
+#include "scene/own_kinds.h"
+
+namespace betwixt {
+
+// Updates the instances of all kinds whose models have changed since the last call. Costs little if none has.
+// `about` is the place for what it reports.
+void follow_models(Scene&, Script&, std::string_view about);
+// Makes the rest of `define kind NAME like OBJECT [hidden] [of (OBJECTS)]`, after the word `kind`.
+bool define_kind(Command&);
+// Returns whether `define kind NAME like` begins here, behind `define`.
+bool defines_kind(Cursor);
+// Fails if an instance of the kind with this name would be part of the kind's own model.
+bool no_circle(Command&, const OwnKind&, const std::string& name, std::string_view about);
+// Fails if an instance of any kind is part of its own kind's model.
+bool no_circles(Command&, std::string_view about);
+// Adds an instance whose parts have consecutive numbers from `first` on. `said`: functions set on its root.
+void add_instance(Scene&, const std::string& kind, ObjectId first, const std::vector<FunctionId>& said);
+
+}  // namespace betwixt
