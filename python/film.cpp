@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/names.h"
+#include "betwixt/kind.h"
 #include "betwixt/language.h"
 #include "betwixt/object.h"
 #include "errors.h"
@@ -187,6 +188,21 @@ std::vector<std::pair<double, std::string>> cuts(const Document& document) {
   return all;
 }
 
+py::dict kinds_of(const Document& d) {
+  py::dict all;
+  for (const KindView& kind : own_kinds(d)) {
+    py::dict instances;
+    for (const InstanceView& one : kind.instances) {
+      py::list own;
+      for (const Target& t : one.own) own.append(d.name(t));
+      instances[py::str(d.name(one.root))] = own;
+    }
+    all[py::str(kind.name)] = py::dict(py::arg("model") = d.name(kind.model), py::arg("hidden") = kind.hidden,
+                                       py::arg("instances") = instances);
+  }
+  return all;
+}
+
 std::string_view kind_named(const Film& film, const std::string& name) {
   return in_document(film, [&](const Document& d) {
     const auto found = objects(d, name);
@@ -236,6 +252,11 @@ py::class_<Film> bind_film(py::module_& m) {
                              "The notes of the script: frame and text, in the order of time.")
       .def_property_readonly("cuts", of_document(cuts),
                              "The cuts: frame and name of the new camera. The first camera begins at minus infinity.")
+      .def_property_readonly(
+          "kinds", of_document(kinds_of),
+          "The kinds that the script defines: the name of each with a dict of its \"model\", whether "
+          "it is \"hidden\", and its \"instances\". These are names of objects, each with a list of "
+          "what no longer follows the model.")
       .def("kind", kind_named, py::arg("name"), says("Returns the kind of an object, such as \"sphere\"."))
       .def(
           "time",

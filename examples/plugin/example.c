@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A plug-in: a twerper that goes beyond its end and comes back, and a filter that moves in steps. Make it with
+// A plug-in: a twerper that goes beyond its end and comes back, a filter that moves in steps, and a kind of objects.
+// Make it with
 //
 //     cc -std=c99 -O2 -shared -fPIC -I ../../include -o example.so example.c
 //
@@ -16,6 +17,8 @@
 //       1f  (0 0 0) overshoot
 //       24f (4 0 0)
 //     filter ball.color stairs step=0.5
+//     create left signal position=(-2 0 0)
+//     set left/top.color red
 #include <betwixt/plugin.h>
 #include <math.h>
 
@@ -46,5 +49,8 @@ static int stairs(const struct betwixt_input* input, const struct betwixt_parame
 BETWIXT_PLUGIN(host) {
   host->register_twerper(host, "overshoot", "goes a tenth beyond the end and comes back", overshoot, 0);
   host->register_filter(host, "stairs", "moves in steps: step=0.25", stairs, 0);
+  host->register_kind(host, "signal", "a traffic light; its lamps are NAME/top, NAME/middle and NAME/bottom",
+                      "create signal box size=(0.6 1.6 0.3) color=#303030\n"
+                      "create signal/{bottom,middle,top} sphere radius=0.2 position=(0 0.5*i-1 0.15) color=#505050\n");
   return 0;
 }

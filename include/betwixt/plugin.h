@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Plug-ins: twerpers (interpolation functions), filters, procedures, commands and display functions in C, or in any
-// language that can call C. You use them exactly like built-in ones. You need only this header to make one as a shared
-// library:
+// Plug-ins: twerpers (interpolation functions), filters, procedures, commands, display functions and kinds of objects
+// in C, or in any language that can call C. You use them exactly like built-in ones. You need only this header to make
+// one as a shared library:
 //
 //     #include <betwixt/plugin.h>
 //     static double late(double u, void* user) { (void)user; return u * u * u; }
@@ -25,7 +25,7 @@
 #include <stddef.h>
 
 /* Grows with each change of this header. A program loads plug-ins of its own version and of lower ones. */
-#define BETWIXT_PLUGIN_VERSION 1
+#define BETWIXT_PLUGIN_VERSION 2
 
 #ifdef __cplusplus
 extern "C" {
@@ -99,6 +99,10 @@ struct betwixt_host {
    */
   int (*register_function)(const struct betwixt_host*, const char* name, const char* type, const double* numbers,
                            size_t count);
+  /* Adds a kind of objects. `lines` are lines of the language that make its model: an object with the name of the kind,
+   * and everything below it. Betwixt runs them when a script first uses the kind, and hides the model. Since version 2.
+   */
+  int (*register_kind)(const struct betwixt_host*, const char* name, const char* help, const char* lines);
 };
 
 #ifdef __cplusplus

@@ -76,7 +76,8 @@ constexpr std::string_view to_reach =
 constexpr std::string_view to_morph =
     "geometry turns a shape into another: at 1f title.geometry shape(a) linear, at 24f title.geometry shape(b)";
 constexpr std::string_view to_instance =
-    "a pattern makes many of one: create p{1..1000} sphere; call draws a display list again";
+    "define kind makes objects that follow a model: define kind human like man; a pattern makes many of one: create "
+    "p{1..1000} sphere; call draws a display list again";
 constexpr std::string_view to_beyond =
     "extend sets the extrapolation, the values outside the events: extend ball.position linear";
 constexpr std::string_view to_trail = "a trace is the path that an object has drawn: create t trace of=ball";
@@ -201,7 +202,10 @@ constexpr ForeignWord all_foreign_words[] = {
     {"skeleton", to_join, "joints"},
     {"rig", to_join, "joints reach"},
     {"morph", to_morph, "geometry"},
-    {"instance", to_instance, "create call"},
+    {"instance", to_instance, "define create call"},
+    {"prefab", to_instance, "define unlink"},
+    {"symbol", to_instance, "define unlink call"},
+    {"override", to_instance, "define unlink"},
     {"trail", to_trail, "trace"},
     {"modifier", to_filter, "filter noise spring"},
     {"mirror", "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)", "scale"},

@@ -59,8 +59,8 @@ std::optional<Making> making(std::string_view line) {
   auto kind = kind_made(*head.verb);
   if (!kind) return std::nullopt;
   std::string_view word = head.name, rest = head.rest;
-  if (word == "again" && kind == NameKind::let) word = take_piece(rest);          // let again NAME
-  if (word == "kind" && kind == NameKind::function) {  // define kind NAME like OBJECT
+  if (word == "again" && kind == NameKind::let) word = take_piece(rest);  // let again NAME
+  if (word == "kind" && kind == NameKind::function) {                     // define kind NAME like OBJECT
     std::string_view after = rest;
     const std::string_view name = take_piece(after);
     if (take_piece(after) == "like") kind = NameKind::kind, word = name;

@@ -13,6 +13,7 @@
 #include "commands/following.h"
 #include "commands/foreign_words.h"
 #include "commands/own_kinds.h"
+#include "commands/plugins.h"
 
 namespace betwixt {
 namespace {
@@ -96,11 +97,13 @@ bool create(Command& k) {
     if (!values(k).object(original)) return false;
     object = s.objects[original.index];
     parts = script.below(s, object.name, object.derived);
-  } else if (const OwnKind* one = s.kinds->find(kind_word)) {
+  } else if (const OwnKind* one = find_own_kind(k, kind_word)) {
     for (const auto& name : *names)
       if (!no_circle(k, *one, name, word)) return false;
     own_kind = one->name, original = one->model(), object = s.objects[original.index];
     parts.assign(one->parts.begin() + 1, one->parts.end());
+  } else if (c.error) {
+    return false;
   } else {
     const auto kind = find_kind(kind_word);
     if (kind == Kind::layer)
@@ -113,6 +116,8 @@ bool create(Command& k) {
       Hint hint{std::string(foreign_word_hint(kind_word))};
       std::vector<std::string_view> known(kind_names.begin(), kind_names.end());
       for (const OwnKind& one : s.kinds->all) known.push_back(one.name);
+      const std::vector<std::string> of_plugins = plugin_kinds();
+      known.insert(known.end(), of_plugins.begin(), of_plugins.end());
       if (hint.empty()) hint = did_you_mean(kind_word, known);
       if (hint.empty()) hint = fmt::format("kinds are {}; and scene", fmt::join(kind_names, " "));
       return c.fail(

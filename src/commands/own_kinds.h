@@ -15,6 +15,8 @@ namespace betwixt {
 // Updates the instances of all kinds whose models have changed since the last call. Costs little if none has.
 // `about` is the place for what it reports.
 void follow_models(Scene&, Script&, std::string_view about);
+// Returns the kind, or null. Makes a plug-in's kind when it is first asked for; fails if its lines have errors.
+const OwnKind* find_own_kind(Command&, std::string_view name);
 // Makes the rest of `define kind NAME like OBJECT [hidden] [of (OBJECTS)]`, after the word `kind`.
 bool define_kind(Command&);
 // Returns whether `define kind NAME like` begins here, behind `define`.

@@ -27,6 +27,7 @@ struct Brought {
   std::vector<Word> words;
   std::vector<NamedProcedure> procedures;
   std::vector<FunctionSpec> functions;
+  std::vector<PluginKind> kinds;
 };
 Brought& brought() {
   static Brought b;
@@ -91,19 +92,25 @@ Status use_plugin(const std::string& path) {
     functions.push_back(
         {.name = f.name, .type = row->type, .rest = value_of_numbers(row->type, n), .kinds = 0xffffffff});
   }
+  for (const PluginKind& kind : plugin->kinds) {
+    if (const Status s = free(kind.name, find_kind(kind.name) ? "a kind of objects" : ""); !s) return s;
+    words.push_back({kind.name, kind.help, path});
+  }
   const auto others = static_cast<std::size_t>(
       std::count_if(all.words.begin(), all.words.end(), [&](const Word& w) { return w.path != path; }));
   if (others + words.size() > most_words)
     return refuse(ErrorCode::range, fmt::format("plug-ins can have at most {} words", most_words));
   // If the same file is loaded again, its words are replaced.
   std::erase_if(all.procedures, [&](const NamedProcedure& p) { return p.code->source == path; });
-  std::erase_if(all.functions, [&](const FunctionSpec& f) {
+  const auto replaced = [&](const auto& one) {
     return std::any_of(all.words.begin(), all.words.end(),
-                       [&](const Word& w) { return w.path == path && w.name == f.name; });
-  });
+                       [&](const Word& w) { return w.path == path && w.name == one.name; });
+  };
+  std::erase_if(all.functions, replaced), std::erase_if(all.kinds, replaced);
   std::erase_if(all.words, [&](const Word& w) { return w.path == path; });
   for (const PluginItem& item : plugin->items) all.procedures.push_back({item.name, item.role, item.code});
   all.functions.insert(all.functions.end(), functions.begin(), functions.end());
+  all.kinds.insert(all.kinds.end(), plugin->kinds.begin(), plugin->kinds.end());
   all.words.insert(all.words.end(), words.begin(), words.end());
   return Nothing{};
 }
@@ -115,6 +122,22 @@ void adopt_plugins(Scene& s) {
     if (!find_procedure(s, p.name) && s.procedures->size() < most_procedures) s.procedures.edit().push_back(p);
   for (const FunctionSpec& f : all.functions)
     if (!find_function(s, Kind::group, f.name)) s.defined.edit().push_back(f);
+}
+
+std::optional<std::string> plugin_kind(std::string_view name) {
+  Brought& all = brought();
+  const std::lock_guard lock(all.mutex);
+  for (const PluginKind& kind : all.kinds)
+    if (kind.name == name) return kind.lines;
+  return std::nullopt;
+}
+
+std::vector<std::string> plugin_kinds() {
+  Brought& all = brought();
+  const std::lock_guard lock(all.mutex);
+  std::vector<std::string> names;
+  for (const PluginKind& kind : all.kinds) names.push_back(kind.name);
+  return names;
 }
 
 std::string plugin_help(std::string_view word) {

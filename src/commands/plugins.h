@@ -4,6 +4,7 @@
 // The words that plug-ins brought to this process, and which words are taken.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ namespace betwixt {
 
 // Adds the plug-ins' words to the scene.
 void adopt_plugins(Scene&);
+// Returns the lines that make the model of a plug-in's kind, or nullopt if no plug-in brought it.
+std::optional<std::string> plugin_kind(std::string_view name);
+std::vector<std::string> plugin_kinds();  // the names of all
 // Returns the plug-in's help for one of its words, or "" if it has none or no plug-in brought the word.
 std::string plugin_help(std::string_view word);
 // Returns the plug-ins that have a word which occurs in the script.

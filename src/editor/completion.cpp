@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "commands/command.h"
+#include "commands/plugins.h"
 #include "commands/verbs.h"
 #include "editor/help.h"
 #include "editor/said_line.h"
@@ -243,6 +244,7 @@ constexpr ArgumentKind argument_kinds[] = {
      [](const Offer& o) {
        for (const KindRow& k : kinds()) o.all.emplace_back(k.name);
        for (const OwnKind& k : o.d.scene().kinds->all) o.all.push_back(k.name);
+       for (std::string& name : plugin_kinds()) o.all.push_back(std::move(name));
      }},
     {"PARAMETER", [](const Offer& o) { parameters(o.d, o.b, o.all); }},
     {"TYPE",

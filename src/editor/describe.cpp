@@ -170,7 +170,8 @@ std::string object_lines(About& about, ObjectId id) {
   const Document& d = about.d;
   const Time first = about.first;
   const Object& o = d.scene().objects[id.index];
-  std::string said = fmt::format("{}, {}{}\n", o.name, a_kind(o.kind), kind_of_instance(about, id)) + attachment_lines(d, o);
+  std::string said =
+      fmt::format("{}, {}{}\n", o.name, a_kind(o.kind), kind_of_instance(about, id)) + attachment_lines(d, o);
   std::vector<std::string_view> at_rest;
   for (const std::string_view name : function_names(d.scene(), o.kind)) {
     const auto f = find_function(d.scene(), o.kind, name);

@@ -235,7 +235,10 @@ std::string help_text(std::string_view word, const Scene& scene, std::optional<K
       out += fmt::format("  example: {}\n", lines);
     }
   }
-  if (const OwnKind* kind = scene.kinds->find(word))
+  const OwnKind* const kind = scene.kinds->find(word);
+  if (!kind && plugin_kind(word))
+    out += fmt::format("{}, a kind of a plug-in: {}\n  example: create NAME {}\n", word, plugin_help(word), word);
+  if (kind)
     out += fmt::format("{}, a kind of this film, like {}: describe {}\n  example: create NAME {}\n", word,
                        scene.objects[kind->model().index].name, word, word);
   for (const FunctionSpec& f : *scene.defined)

@@ -20,7 +20,8 @@ constexpr std::int64_t flicks_of_sample = flicks_per_second / sound_rate;
 std::vector<ObjectId> sounds_of(const Scene& scene) {
   std::vector<ObjectId> all;
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
-    if (const Object* o = find_object(scene, ObjectId{i}); o && o->kind == Kind::sound && !o->hidden) all.push_back(ObjectId{i});
+    if (const Object* o = find_object(scene, ObjectId{i}); o && o->kind == Kind::sound && !o->hidden)
+      all.push_back(ObjectId{i});
   return all;
 }
 

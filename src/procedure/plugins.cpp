@@ -194,7 +194,7 @@ bool accept(Registering& r, const char* name, bool there, bool taken) {
   else if (taken)
     r.wrong = std::string("it registers '") + name + "' twice";
   else if (!there)
-    r.wrong = std::string("it registers '") + name + "' without a function or a type";
+    r.wrong = std::string("it registers '") + name + "' without a function, a type or lines";
   return r.wrong.empty();
 }
 
@@ -224,6 +224,15 @@ int add_function(const betwixt_host* host, const char* name, const char* type, c
   return 0;
 }
 
+int add_kind(const betwixt_host* host, const char* name, const char* help, const char* lines) {
+  Registering& r = *static_cast<Registering*>(host->state);
+  const auto& all = r.plugin.kinds;
+  const bool taken = name && std::any_of(all.begin(), all.end(), [&](const auto& k) { return k.name == name; });
+  if (!accept(r, name, lines, taken)) return 1;
+  r.plugin.kinds.push_back({name, help ? help : "", lines});
+  return 0;
+}
+
 // Loads a plug-in and lets it register. Errors begin with the reason, such as "not a plug-in".
 Result<Plugin> open(const std::string& path) {
   const auto wrong = [](std::string what) { return fail(ErrorCode::file, std::move(what)); };
@@ -247,7 +256,8 @@ Result<Plugin> open(const std::string& path) {
                           add<NativeFilter, Role::filter, betwixt_filter>,
                           add<NativeValue, Role::value, betwixt_procedure>,
                           add<NativeCommand, Role::command, betwixt_command>,
-                          add_function};
+                          add_function,
+                          add_kind};
   try {
     const int refusal = entry(&host);
     if (!r.wrong.empty()) return wrong(r.wrong);

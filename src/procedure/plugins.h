@@ -21,8 +21,12 @@ struct PluginFunction {
   std::string name, type;       // the name of the type in the language
   std::vector<double> numbers;  // the value before any event
 };
+struct PluginKind {
+  std::string name, help, lines;  // the lines make the model
+};
 struct Plugin {
   std::vector<PluginItem> items;
+  std::vector<PluginKind> kinds;
   std::vector<PluginFunction> functions;
 };
 

@@ -223,7 +223,8 @@ struct ScheduleCompiler {
       const auto find = [&](FunctionId f) { return &compiled.find(n.object, f); };
       if (n.kind == Kind::light && !scene.objects[n.object].hidden) compiled.lights.push_back(i);
       if (n.kind == Kind::camera) {
-        if (const Object& o = scene.objects[n.object]; !o.derived && !o.hidden && !compiled.first_camera) compiled.first_camera = n.object;
+        if (const Object& o = scene.objects[n.object]; !o.derived && !o.hidden && !compiled.first_camera)
+          compiled.first_camera = n.object;
       }
       if (n.looks || n.reaches) compiled.eyes.push_back(i);
       if (!drawable(n.kind)) continue;

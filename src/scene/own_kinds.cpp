@@ -50,8 +50,7 @@ bool contains(const Scene& s, const OwnKind& other, const OwnKind& kind) {
     for (const OwnKind& k : s.kinds->all)
       if (!known.contains(&k) && std::any_of(k.instances.begin(), k.instances.end(), [&](const Cow<KindInstance>& one) {
             const Object& root = s.objects[one->parts.front().index];
-            return !root.removed &&
-                   (root.name == model || is_below(root.name, model) || is_below(model, root.name));
+            return !root.removed && (root.name == model || is_below(root.name, model) || is_below(model, root.name));
           }))
         known.insert(&k), open.push_back(&k);
   }

@@ -113,11 +113,10 @@ TEST(OwnKinds, WhatIsChangedOnAnInstanceStays) {
           const std::string what = part + "." + f;
           const auto mine = own.find(who + what), shared = model_says.find(what);
           const double rest = f == "scale" ? 1 : f == "shininess" ? made.numbers("man.shininess", "1f")[0] : 0;
-          const double wanted = mine != own.end() ? mine->second
-                                : shared != model_says.end()
-                                    ? shared->second
-                                    : f == "shininess" ? LoadedFilm("create a sphere\n").numbers("a.shininess", "1f")[0]
-                                                       : rest;
+          const double wanted = mine != own.end()            ? mine->second
+                                : shared != model_says.end() ? shared->second
+                                : f == "shininess" ? LoadedFilm("create a sphere\n").numbers("a.shininess", "1f")[0]
+                                                   : rest;
           EXPECT_NEAR(made.numbers(who + what, "1f")[0], wanted, 1e-12) << who << what << "\n" << text;
         }
   }
@@ -199,8 +198,7 @@ TEST(OwnKinds, TheModelCanBeHidden) {
       "create man/hat cone position=(0 2 0)\ncreate twin like man position=(3 0 0)\n");
   std::vector<std::string> seen;
   const Frame frame = film.frame("1f");
-  for (const Item& item : frame.items)
-    seen.push_back(film.loaded.document.name(item.id));
+  for (const Item& item : frame.items) seen.push_back(film.loaded.document.name(item.id));
   std::ranges::sort(seen);
   EXPECT_EQ(seen, (std::vector<std::string>{"anna", "anna/hat", "twin", "twin/hat"}));
   EXPECT_EQ(film.frame("1f").lights.size(), 2u);
@@ -209,8 +207,9 @@ TEST(OwnKinds, TheModelCanBeHidden) {
 }
 
 TEST(OwnKinds, AreListedWithWhatIsOwn) {
-  const Loaded film = read(std::string(people) + "set anna/body.color red\nset man/body.color blue\nremove bert\n"
-                                                 "carl/head.position\n  1f (0 0 1)\n");
+  const Loaded film = read(std::string(people) +
+                           "set anna/body.color red\nset man/body.color blue\nremove bert\n"
+                           "carl/head.position\n  1f (0 0 1)\n");
   const auto kinds = own_kinds(film.document);
   ASSERT_EQ(kinds.size(), 1u);
   EXPECT_EQ(kinds[0].name, "human");
@@ -266,8 +265,9 @@ TEST(OwnKinds, ErrorsByTheirPlace) {
 }
 
 TEST(OwnKinds, AThousandFollowAtOnce) {
-  std::string text = "create man group\ncreate man/part{1..20} box position=(i 0 0)\ndefine kind human like man\n"
-                     "create one{1..1000} human position=(0 i 0)\n";
+  std::string text =
+      "create man group\ncreate man/part{1..20} box position=(i 0 0)\ndefine kind human like man\n"
+      "create one{1..1000} human position=(0 i 0)\n";
   for (int i = 0; i < 20; ++i) text += fmt::format("set man/part{}.size ({} 1 1)\n", i + 1, i + 2);
   const LoadedFilm film(text);
   expect_numbers(film, "one777/part20.size", "1f", {21, 1, 1});

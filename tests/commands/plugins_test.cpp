@@ -34,6 +34,26 @@ TEST(Plugins, TheirWordsAreUsedAndExplainedLikeBuiltInOnes) {
             "did you mean 'overshoot'?");
 }
 
+// shows: G14 G19
+TEST(Plugins, TheirKindsAreMadeWhenTheyAreUsed) {
+  ASSERT_TRUE(use_plugin(at("example")) && use_plugin(at("spoilt")));
+  EXPECT_EQ(read("create a sphere\n").document.names().size(), 1u);
+  const LoadedFilm film(
+      "create left signal position=(-2 0 0)\ncreate right signal position=(2 0 0)\nset right/top.color red\n"
+      "set signal/top.radius 0.25\n");
+  const std::vector<std::string> names = film.loaded.document.names();
+  EXPECT_EQ(names.size(), 12u);
+  expect_numbers(film, {{"left/top.radius", "1f", {0.25}}, {"right/top.radius", "1f", {0.25}}});
+  expect_place(film, "left/top", "1f", {-2, 0.5, 0.15});
+  EXPECT_EQ(film.frame("1f").items.size(), 8u);  // the model is hidden
+  EXPECT_TRUE(read(write(film.loaded.document)).document == film.loaded.document);
+  EXPECT_EQ(all_told(read("create signal box\ncreate left signal\n")), std::vector<std::string>{"name 2:13 signal"});
+  const Loaded spoilt = read("create a spoilt\n");
+  EXPECT_EQ(all_told(spoilt), std::vector<std::string>{"name 1:10 spoilt"}) << said(spoilt.diagnostics);
+  EXPECT_TRUE(spoilt.document.names().empty());
+  EXPECT_EQ(read("create a signl\n").diagnostics.at(0).what.hint, "did you mean 'signal'?");
+}
+
 // shows: G19
 TEST(Plugins, WordsThatAreTakenAreRefused) {
   EXPECT_EQ(refusal("colliding"), at("colliding") + ": it registers 'quantise', which is already a filter");

@@ -87,7 +87,7 @@ TEST(Plugins, BadOnesAreRefusedInWords) {
   EXPECT_EQ(error(at("missing")), at("missing") + ": not a plug-in: it has no BETWIXT_PLUGIN");
   EXPECT_EQ(
       error(at("newer")),
-      at("newer") + ": it is made for version 2 of the plug-in interface; this program supports versions up to 1");
+      at("newer") + ": it is made for version 3 of the plug-in interface; this program supports versions up to 2");
   EXPECT_EQ(error(at("crashing")), at("crashing") + ": it crashes when loaded");
   EXPECT_EQ(error(at("double")), at("double") + ": it registers 'same' twice");
   EXPECT_EQ(error(at("refusing")), at("refusing") + ": it refuses to be loaded (its code is 7)");

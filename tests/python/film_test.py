@@ -16,6 +16,15 @@ LINE = "create ball sphere\nball.position\n  1f (0 0 0) linear\n  25f (24 12 -6)
 
 
 class Values(unittest.TestCase):
+    def test_kinds_of_the_script(self):
+        film = betwixt.loads("create man box\ndefine kind human like man hidden\ncreate {anna,bert} human\n"
+                             "set anna.color red\n")
+        self.assertEqual(film.kinds, {"human": {"model": "man", "hidden": True,
+                                                "instances": {"anna": ["anna.color"], "bert": []}}})
+        film.say("set man.size (2 2 2)\nunlink bert\nset man.size (3 3 3)")
+        self.assertEqual(list(film.eval("anna.size", 1)), [3, 3, 3])
+        self.assertEqual(list(film.eval("bert.size", 1)), [2, 2, 2])
+
     def test_a_line_is_a_line_however_its_times_are_said(self):
         film = betwixt.loads(LINE)
         for when, share in ((7, 6 / 24), (7.5, 6.5 / 24), ("7f", 6 / 24), ("7", 6 / 24), ("0.25s", 6 / 24),

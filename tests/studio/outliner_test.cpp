@@ -190,6 +190,20 @@ class OutlinerTest : public QObject {
     QCOMPARE(s.selected(), "sphere2");
   }
 
+  void makes_objects_of_own_kinds() {
+    Shown s("create man box\ndefine kind human like man\n");
+    QMenu* menu = s.panel.findChild<QToolButton*>("add")->menu();
+    for (int times = 0; times < 2; ++times) emit menu->aboutToShow();  // no entry twice
+    int found = 0;
+    QAction* human = nullptr;
+    for (QAction* a : menu->actions())
+      if (a->text() == "human") ++found, human = a;
+    QCOMPARE(found, 1);
+    human->trigger();
+    QCOMPARE(s.text(), "create man box\ndefine kind human like man\ncreate human1 human\n");
+    QVERIFY(s.at("human1").data(Qt::ToolTipRole).toString().endsWith("human"));
+  }
+
   void what_is_folded_stays_so() {
     Shown s("create car group\ncreate car/wheel box\ncreate ball sphere\n");
     s.click("car");

@@ -17,7 +17,7 @@
 
 #include "editor/made_by.h"
 #include "language/values.h"
-#include "scene/document.h"
+#include "scene/own_kinds.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
 #include "studio/viewport/kind_icons.h"
@@ -244,6 +244,16 @@ Outliner::Outliner(Workspace& workspace, QWidget* parent)
     action->setToolTip(text_of(row.sentence));
   }
   menu->setToolTipsVisible(true);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu, built_in = menu->actions().size()] {
+    while (menu->actions().size() > built_in) delete menu->actions().back();
+    const Scene& s = workspace_.document().scene();
+    for (const OwnKind& own : s.kinds->all) {
+      const QString kind = text_of(own.name), model = text_of(s.objects[own.model().index].name);
+      QAction* action =
+          menu->addAction(kind_icon(s.objects[own.model().index].kind), kind, this, [this, kind] { add(kind); });
+      action->setToolTip(tr("A kind of this film, like %1").arg(model));
+    }
+  });
   plus->setMenu(menu);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(4, 2, 4, 2);

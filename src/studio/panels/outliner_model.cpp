@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/names.h"
-#include "scene/document.h"
+#include "scene/own_kinds.h"
 #include "studio/shell/theme.h"
 #include "studio/viewport/kind_icons.h"
 
@@ -135,7 +135,11 @@ QVariant OutlinerModel::data(const QModelIndex& i, int role) const {
     return above.size() > 1 && full.startsWith(above) ? full.mid(above.size()) : full;
   }
   if (role == Qt::DecorationRole) return kind_icon(k);
-  if (role == Qt::ToolTipRole) return full + ", " + QString::fromStdString(a_kind(k));
+  if (role == Qt::ToolTipRole) {
+    const OwnKind* own = d.scene().kinds->of(id);
+    return full + ", " + QString::fromStdString(a_kind(k)) +
+           (own ? tr(", of the kind %1").arg(QString::fromStdString(own->name)) : QString());
+  }
   if (role == Qt::ForegroundRole && (derived(d, id) || (placed(k) && !shown(id)))) return colors().dim;
   return {};
 }
