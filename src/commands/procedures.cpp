@@ -12,16 +12,28 @@
 #include "base/names.h"
 #include "betwixt/program.h"
 #include "commands/command.h"
+#include "commands/command_parameters.h"
 #include "commands/plugins.h"
 #include "commands/reader.h"
 #include "language/code_names.h"
 #include "procedure/lua.h"
+#include "program/along.h"
+#include "program/asking.h"
+#include "program/compiled.h"
 #include "syntax/tokens.h"
 
 namespace betwixt {
 namespace {
 
 constexpr int deepest_command = 20;  // depth of the author's commands that run each other
+
+// Compiles code, an expression or a chunk, behind declarations of local variables on its first line.
+Result<std::shared_ptr<const Routine>> make_with_locals(Role role, const std::string& locals,
+                                                        const std::string& source) {
+  if (auto expression = make_lua(role, locals + "return " + source)) return expression;
+  if (auto chunk = make_lua(role, locals + source)) return chunk;
+  return make_lua(role, source);  // reports the error
+}
 
 // Reads [every LENGTH] [from TIME] [hold].
 bool read_stepping(Cursor& c, Stepping& out) {
@@ -60,6 +72,11 @@ bool procedure(Command& k) {
     if (c.accept_word(role_names[r])) role = static_cast<Role>(r);
   Stepping stepping;
   if (role == Role::steps && !read_stepping(c, stepping)) return false;
+  NamedProcedure made{std::string(name), role, nullptr, stepping};
+  c.space();
+  if (role == Role::command && c.peek() == '(' && !read_parameters(k, made.parameters)) return false;
+  c.space();
+  if (role == Role::command && c.peek() == '"' && !c.text(made.help)) return false;
   if (!c.accept_word("lua")) {
     const char* const here = c.at;
     const std::string_view word = c.word();
@@ -80,9 +97,12 @@ bool procedure(Command& k) {
   if (const std::string_view what = taken_by(name, role); !what.empty())
     return c.fail(ErrorCode::name, fmt::format("'{}' is already {}", name, what), name);
   const bool knows_lets = role == Role::value || role == Role::steps || role == Role::tween;
+  if (!made.parameters.empty())  // checks the code with its parameters
+    if (const auto whole = make_with_locals(role, declared(made.parameters), source); !whole)
+      return c.fail(whole.error(), about);
   auto code = knows_lets ? make_code(k, std::move(source), false, role) : make_lua(role, std::move(source));
   if (!code) return c.fail(code.error(), about);
-  NamedProcedure made{std::string(name), role, *std::move(code), stepping};
+  made.code = *std::move(code);
   const auto& all = *s.procedures;
   const auto at = std::find_if(all.begin(), all.end(), [&](const NamedProcedure& p) { return p.name == name; });
   if (at == all.end()) {
@@ -126,6 +146,13 @@ struct Hosting : Host {
     });
     return names;
   }
+  Result<Vec3> place(std::string_view line, double share, double seconds) override {
+    return or_called_off([&] { return place_of_line(line, share, seconds); });
+  }
+  Status sheet(std::string_view target, const std::vector<HostRow>& rows) override {
+    return or_called_off([&] { return write_sheet(target, rows); });
+  }
+  std::string when(double seconds) override { return write_time(from_seconds(seconds), k.scene.rate); }
 
  private:
   template <class Work>
@@ -138,6 +165,7 @@ struct Hosting : Host {
     }
   }
   Status run_line(std::string_view line) {
+    program_.reset();
     Diagnostics said;
     LoadOptions options = k.script.options;
     options.now.reset();  // they have no line in a history
@@ -156,11 +184,41 @@ struct Hosting : Host {
     if (!(std::abs(seconds) <= longest_seconds)) return fail(ErrorCode::range, "there is no such time");
     const auto t = find_target(k.scene, target);
     if (!t) return t.error();
-    return Program::compile(Document(std::make_shared<const Scene>(k.scene))).read(*t, from_seconds(seconds));
+    return program().read(*t, from_seconds(seconds));
   }
+  Result<Vec3> place_of_line(std::string_view line, double share, double seconds) {
+    if (!(std::abs(seconds) <= longest_seconds)) return fail(ErrorCode::range, "there is no such time");
+    Asking asking;
+    return place_on(program().compiled(), line, share, seconds, asking);
+  }
+  Status write_sheet(std::string_view target, const std::vector<HostRow>& rows) {
+    const auto t = find_target(k.scene, target);
+    if (!t) return t.error();
+    if (t->query()) return fail(ErrorCode::type, fmt::format("'{}' can only be read", target));
+    std::string lines(target);
+    for (const HostRow& row : rows) {
+      lines +=
+          "\n  " + when(row.from) + (row.until >= row.from ? ".." + when(row.until) : "") + " " + said(*t, row.value);
+      if (!row.rest.empty()) lines += " " + row.rest;
+    }
+    return run_line(lines);
+  }
+  // Returns the value as the language writes it.
+  std::string said(const Target& t, const Value& v) const {
+    const FunctionSpec& spec = spec_of(k.scene, t.function);
+    const auto* text = std::get_if<Text>(&v);
+    if (text && spec.type != Type::text) return **text;
+    return write_value(v, spec, t.component, [this](ObjectId id) { return k.scene.objects[id.index].name; });
+  }
+  // Returns the film as it is now. Lines that the command runs change it.
+  const Program& program() {
+    if (!program_) program_ = Program::compile(Document(std::make_shared<const Scene>(k.scene)));
+    return *program_;
+  }
+  std::optional<Program> program_;
 };
 
-// Reads the words after the command: texts without their quotes, vectors as they are written.
+// Reads the words after a command without parameters: texts without their quotes, vectors as they are written.
 bool arguments(Cursor& c, std::vector<std::string>& words) {
   while (!c.at_line_end()) {
     if (c.peek() == '"') {
@@ -184,14 +242,17 @@ bool arguments(Cursor& c, std::vector<std::string>& words) {
 
 constexpr Verb procedures_rows[] = {
     {"procedure",
-     "procedure NAME [twerper|tween|filter|command] lua \"…\", or procedure NAME steps [every LENGTH] [from TIME] "
-     "[hold] lua "
-     "\"…\"",
+     "procedure NAME [twerper|tween|filter|command] lua \"…\", or procedure NAME command (PARAMETER TYPE [= DEFAULT] "
+     "…) "
+     "[\"SENTENCE\"] lua \"…\", or procedure NAME steps [every LENGTH] [from TIME] [hold] lua \"…\"",
      "Code of your own in Lua, with a name: it computes a value, or is a twerper, a filter or a command. A `tween` is "
-     "a "
-     "twerper that gets the values of the events around it and returns the value itself. With `steps`, the code gets "
+     "a twerper that gets the values of the events around it and returns the value itself. A command can have "
+     "parameters with names, types and defaults. With `steps`, the code gets "
      "the `state` of the step before and returns the next one: a law with memory.",
-     "procedure swing lua \"return math.sin(t)\"\nprocedure chase steps lua \"(state or vec(-5, 0, 0)) * 0.9\"",
+     "procedure swing lua \"return math.sin(t)\"\n"
+     "procedure hop command (who object, at time, height number = 1) lua \"sheet(who .. '.position.y', {{at, 0}, {at + "
+     "0.5, height}, {at + 1, 0}})\"\n"
+     "hop ball at=1s\nprocedure chase steps lua \"(state or vec(-5, 0, 0)) * 0.9\"",
      Verb::makes_procedure, procedure, "NEW; twerper tween filter command steps lua; lua every from hold…"},
 };
 
@@ -214,25 +275,32 @@ Result<std::shared_ptr<const Routine>> make_code(const Command& k, std::string s
     values += (values.empty() ? "" : ", ") + value;
   }
   if (names.empty()) return make_lua(role, std::move(source));
-  const std::string known = fmt::format("local {} = {} ", names, values);
-  if (auto expression = make_lua(role, known + "return " + source)) return expression;
-  if (auto chunk = make_lua(role, known + source)) return chunk;
-  return make_lua(role, std::move(source));  // reports the error
+  return make_with_locals(role, fmt::format("local {} = {} ", names, values), source);
 }
 
 // Runs a command of the author's own: either all of its commands, or none.
 bool own_command(Command& k, const NamedProcedure& p) {
   auto& [s, c, time, layer, script] = k;
   const char* start = c.at;
-  std::vector<std::string> words;
-  if (!arguments(c, words)) return false;
+  std::vector<std::string> words, codes;
+  if (p.parameters.empty() ? !arguments(c, words)
+                           : !read_arguments(k, p, {start - p.name.size(), p.name.size()}, codes)) {
+    if (c.error && c.error->hint.empty() && c.error->code == ErrorCode::syntax) c.error->hint = "usage: " + usage_of(p);
+    return false;
+  }
   if (script.depth >= deepest_command)
     return c.fail(ErrorCode::range, fmt::format("commands call each other more than {} levels deep", deepest_command),
                   {start - p.name.size(), p.name.size()});
   Rollback all(s);
   const NamedProcedure own = p;  // a copy, because its lines may replace this procedure
   Hosting host(k);
-  const Status done = own.code->command(host, words);
+  std::shared_ptr<const Routine> code = own.code;
+  if (!codes.empty()) {
+    auto whole = make_with_locals(Role::command, declared(own.parameters, codes), own.code->source);
+    if (!whole) return c.fail(whole.error(), {start - own.name.size(), own.name.size()});
+    code = *std::move(whole);
+  }
+  const Status done = code->command(host, words);
   if (host.called_off) throw Cancelled{};
   if (done) return all.keep(), true;
   return c.fail(done.error().code,

@@ -189,7 +189,20 @@ std::optional<Kind> kind_before(const Scene& s, const Begun& b) {
   return std::nullopt;
 }
 
+const NamedProcedure* command_with_parameters(const Scene& s, std::string_view word) {
+  const NamedProcedure* own = find_procedure(s, word);
+  return own && own->role == Role::command && !own->parameters.empty() ? own : nullptr;
+}
+
 void behind_key(const Document& d, const Begun& b, Words& all) {
+  if (const NamedProcedure* own = command_with_parameters(d.scene(), b.verb)) {
+    const auto p = std::ranges::find(own->parameters, b.key, &CommandParameter::name);
+    if (p == own->parameters.end()) return;
+    if (p->type.starts_with("object")) return object_names(d, all);
+    if (p->type == "color") return value_words(d, spec_of(d.scene(), fn::color), all);
+    if (p->type == "boolean") split("on off", ' ', all);
+    return;
+  }
   if (!has_word(words_after(b.verb, b.place()), "PARAMETER")) return;
   if (const auto f = find_function(d.scene(), kind_before(d.scene(), b).value_or(Kind::sphere), b.key))
     value_words(d, spec_of(d.scene(), *f), all);
@@ -288,6 +301,10 @@ void offered(const Document& d, const Begun& b, const LineAround& around, Words&
   if (b.words.empty()) first_words(b, around.in_shell, all);
   const bool target = first_dot(b.verb) != std::string_view::npos;
   if (b.timed && target) return event_words(d, b.verb, b.words.size() == 1, all);
+  if (const NamedProcedure* own = command_with_parameters(d.scene(), b.verb)) {
+    for (const CommandParameter& p : own->parameters) all.push_back(p.name + "=");
+    return object_names(d, all);
+  }
   if (b.in_list || !by_row({d, b, around, all})) object_names(d, all);
 }
 

@@ -10,6 +10,7 @@
 #include <deque>
 #include <vector>
 
+#include "commands/command_parameters.h"
 #include "commands/foreign_words.h"
 #include "commands/list_rows.h"
 #include "commands/plugins.h"
@@ -107,11 +108,14 @@ constexpr std::string_view what(HelpGroup g) {
 
 // Describes a procedure: its role, and its author's sentence.
 std::string about(const NamedProcedure& p) {
-  static constexpr std::string_view roles[] = {"A procedure", "A twerper", "A filter", "A command"};
+  static constexpr std::array<std::string_view, role_names.size()> roles{
+      "A procedure", "A twerper", "A filter", "A command", "A stepped procedure", "A tween"};
   const bool plugin = p.code && p.code->language == "plug-in";
   std::string out = fmt::format("{} {}", roles[static_cast<std::size_t>(p.role)],
                                 plugin ? fmt::format("of the plug-in {}", p.code->source) : "of this film");
-  if (const std::string says = plugin ? plugin_help(p.name) : ""; !says.empty()) out += ": " + says;
+  std::string says = plugin ? plugin_help(p.name) : p.help;
+  if (says.ends_with('.')) says.pop_back();
+  if (!says.empty()) out += ": " + says;
   return out + ".";
 }
 
@@ -246,8 +250,13 @@ std::string help_text(std::string_view word, const Scene& scene, std::optional<K
   for (const NamedProcedure& p : *scene.procedures) {
     if (p.name != word) continue;
     out += fmt::format("{}: {}\n", p.name, about(p));
-    static constexpr std::string_view examples[] = {"set ball.radius = \"{0}()\"", "at 12f ball.radius 2 {0}",
-                                                    "filter ball.radius {0}", "{0}"};
+    if (!p.parameters.empty()) {
+      out += fmt::format("  usage: {}\n", usage_of(p));
+      continue;
+    }
+    static constexpr std::array<std::string_view, role_names.size()> examples{
+        "set ball.radius = \"{0}()\"", "at 12f ball.radius 2 {0}", "filter ball.radius {0}", "{0}",
+        "set ball.radius = \"{0}()\"", "at 12f ball.radius 2 {0}"};
     out +=
         fmt::format("  example: {}\n", fmt::format(fmt::runtime(examples[static_cast<std::size_t>(p.role)]), p.name));
   }

@@ -68,6 +68,15 @@ struct Writer {
            (s.hold ? " hold" : "");
   }
 
+  static std::string parameters(const NamedProcedure& p) {
+    std::string out;
+    for (const CommandParameter& one : p.parameters)
+      out += fmt::format("{}{} {}{}", out.empty() ? "" : ", ", one.name, one.type,
+                         one.said.empty() ? "" : " = " + one.said);
+    if (!out.empty()) out = " (" + out + ")";
+    return p.help.empty() ? out : out + " " + write_text(p.help);
+  }
+
   void row(const Event& e, const FunctionSpec& spec, int component) { row(e, spec, component, "", e.detail->ease_in); }
   void row(const Event& e, const FunctionSpec& spec, int component, const std::string& until, Time ease_in) {
     out += "  " + point(e.time) + until + " ";
@@ -198,8 +207,8 @@ struct Writer {
     if (!s.notes_shown) out += "notes off\n";
     for (const NamedProcedure& p : *s.procedures)
       if (p.code->language == "lua")
-        out += fmt::format("procedure {} {}{} lua {}\n", p.name, role_names[static_cast<std::size_t>(p.role)],
-                           stepping(p.stepping), write_text(p.code->source));
+        out += fmt::format("procedure {} {}{}{} lua {}\n", p.name, role_names[static_cast<std::size_t>(p.role)],
+                           stepping(p.stepping), parameters(p), write_text(p.code->source));
       else
         out += as_comment(fmt::format("{} comes from the plug-in {}", p.name, p.code->source));
     for (const auto& [name, let] : *s.lets) out += fmt::format("let {} = {}\n", name, write_let(let));

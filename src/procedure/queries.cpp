@@ -63,9 +63,14 @@ int place_of(lua_State* l, Machine& m) {
     return fail_with(l, "place: the first argument must be the name of a line, in quotes");
   if (!lua_isnumber(l, 2)) return fail_with(l, "place: the second argument must be a share of the length, from 0 to 1");
   if (!lua_isnoneornil(l, 3) && !lua_isnumber(l, 3)) return fail_with(l, "place: the time must be a number");
-  if (!m.call->questions) return fail_with(l, "place: only code that computes a value can use it");
-  const double at = lua_isnoneornil(l, 3) ? m.call->seconds : lua_tonumber(l, 3);
-  const auto found = m.call->questions->place(lua_tostring(l, 1), lua_tonumber(l, 2), at, m.call->steps);
+  if (!m.call->questions && !m.call->host)
+    return fail_with(l, "place: only code that computes a value and commands can use it");
+  const bool now = lua_isnoneornil(l, 3);
+  if (!m.call->questions && now) return fail_with(l, "place: the time is missing");
+  const double at = now ? m.call->seconds : lua_tonumber(l, 3);
+  const auto found = m.call->questions
+                         ? m.call->questions->place(lua_tostring(l, 1), lua_tonumber(l, 2), at, m.call->steps)
+                         : m.call->host->place(lua_tostring(l, 1), lua_tonumber(l, 2), at);
   return found ? push_answer(l, "place", Value(*found)) : push_answer(l, "place", found.error());
 }
 
@@ -106,6 +111,59 @@ int run_line(lua_State* l, Machine& m) {
   const char* line = lua_tolstring(l, 1, &size);
   const Status done = m.call->host->run({line, size});
   return done ? 0 : fail_with(l, done.error().message);
+}
+
+// Reads a row of a sheet, {TIME, VALUE, "REST"} or {{FROM, UNTIL}, VALUE, "REST"}, at the top of the stack.
+bool row_of(lua_State* l, HostRow& row, std::string& why) {
+  if (!lua_istable(l, -1)) return why = "is not a table", false;
+  lua_geti(l, -1, 1), lua_geti(l, -2, 2), lua_geti(l, -3, 3);
+  const int time = -3, value = -2, rest = -1;
+  bool timed = lua_type(l, time) == LUA_TNUMBER;
+  if (timed) row.from = lua_tonumber(l, time);
+  if (lua_istable(l, time)) {
+    lua_geti(l, time, 1), lua_geti(l, time - 1, 2);
+    timed =
+        lua_type(l, -2) == LUA_TNUMBER && lua_type(l, -1) == LUA_TNUMBER && lua_tonumber(l, -2) <= lua_tonumber(l, -1);
+    row.from = lua_tonumber(l, -2), row.until = lua_tonumber(l, -1);
+    lua_pop(l, 2);
+  }
+  auto v = to_value(l, lua_gettop(l) - 1);
+  if (!timed || !std::isfinite(row.from) || !std::isfinite(row.until))
+    why = "does not begin with a time in seconds, or two";
+  else if (lua_isnil(l, value) || !v)
+    why = "has no value";
+  else if (!lua_isnil(l, rest) && lua_type(l, rest) != LUA_TSTRING)
+    why = "has something after its value that is not a text";
+  else
+    row.value = *std::move(v), row.rest = lua_isnil(l, rest) ? "" : lua_tostring(l, rest);
+  lua_pop(l, 3);
+  return why.empty();
+}
+
+// sheet(TARGET, {{TIME, VALUE, "REST"}, …})
+int sheet_of(lua_State* l, Machine& m) {
+  if (!m.call->host) return fail_with(l, "sheet: only commands can use it");
+  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "sheet: the first argument must be a target in quotes");
+  if (!lua_istable(l, 2)) return fail_with(l, "sheet: the second argument must be a list of rows");
+  std::vector<HostRow> rows(lua_rawlen(l, 2));
+  charge(l, 20 * static_cast<double>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::string why;
+    lua_geti(l, 2, static_cast<lua_Integer>(i + 1));
+    if (!row_of(l, rows[i], why)) return fail_with(l, "sheet: row " + std::to_string(i + 1) + " " + why);
+    lua_pop(l, 1);
+  }
+  const Status done = m.call->host->sheet(lua_tostring(l, 1), rows);
+  return done ? 0 : fail_by(l, done.error());
+}
+
+// when(SECONDS) returns the time as a script writes it.
+int when_of(lua_State* l, Machine& m) {
+  if (!m.call->host) return fail_with(l, "when: only commands can use it");
+  if (lua_type(l, 1) != LUA_TNUMBER || !(std::abs(lua_tonumber(l, 1)) <= longest_seconds))
+    return fail_with(l, "when: the argument must be a time in seconds");
+  const std::string said = m.call->host->when(lua_tonumber(l, 1));
+  return lua_pushlstring(l, said.data(), said.size()), 1;
 }
 
 int objects_of(lua_State* l, Machine& m) {
@@ -168,10 +226,10 @@ int global_of(lua_State* l, Machine& m) {
 
 }  // namespace
 
-const luaL_Reg query_functions[] = {{"value", priced<value_of>}, {"touching", priced<touching_of>},
-                                    {"place", priced<place_of>}, {"input", priced<input_at>},
-                                    {"run", priced<run_line>},   {"objects", objects},
-                                    {nullptr, nullptr}};
+const luaL_Reg query_functions[] = {
+    {"value", priced<value_of>}, {"touching", priced<touching_of>}, {"place", priced<place_of>},
+    {"input", priced<input_at>}, {"run", priced<run_line>},         {"objects", objects},
+    {"sheet", priced<sheet_of>}, {"when", priced<when_of>},         {nullptr, nullptr}};
 
 int find_global(lua_State* l) { return guarded<global_of>(l); }
 

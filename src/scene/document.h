@@ -114,14 +114,24 @@ struct Stepping {
   friend bool operator==(const Stepping&, const Stepping&) = default;
 };
 
+// A named parameter of a command of the author's own.
+struct CommandParameter {
+  std::string name, type;  // `type`: a word of the language, as in "time"
+  std::string said, code;  // the default, as the script says it and in Lua; both are empty if it has none
+  friend bool operator==(const CommandParameter&, const CommandParameter&) = default;
+};
+
 // The author's or a plug-in's code, with a name.
 struct NamedProcedure {
   std::string name;
   Role role = Role::value;
   std::shared_ptr<const Routine> code;
-  Stepping stepping = {};  // of the role `steps`
+  Stepping stepping = {};                         // of the role `steps`
+  std::vector<CommandParameter> parameters = {};  // of the role `command`; without any, it gets words
+  std::string help = {};                          // the author's sentence about it
   friend bool operator==(const NamedProcedure& a, const NamedProcedure& b) {
-    return a.name == b.name && a.role == b.role && a.stepping == b.stepping && Procedure{a.code} == Procedure{b.code};
+    return a.name == b.name && a.role == b.role && a.stepping == b.stepping && a.parameters == b.parameters &&
+           a.help == b.help && Procedure{a.code} == Procedure{b.code};
   }
 };
 

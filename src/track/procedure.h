@@ -70,6 +70,13 @@ class Input {
   virtual void work(std::uint64_t) {}  // adds steps that were taken besides the reads
 };
 
+// A row of a sheet that a command writes.
+struct HostRow {
+  double from = 0, until = -1;  // seconds; `until` is not below `from` if the row has a segment of time
+  Value value;                  // a text for another type stands for itself, as in "keep" or "along road"
+  std::string rest;             // "smooth ease-in=3f"
+};
+
 // The actions of a command.
 class Host {
  public:
@@ -78,6 +85,10 @@ class Host {
       std::string_view line) = 0;  // carries out a command of the language, as if the author had typed it
   virtual Result<Value> value(std::string_view target, double seconds) = 0;  // from the document as it is now
   virtual std::vector<std::string> objects(std::string_view pattern) = 0;    // names, in the order of selection
+  // Returns the point of a line, in the world, at a share of its length.
+  virtual Result<Vec3> place(std::string_view line, double share, double seconds) = 0;
+  virtual Status sheet(std::string_view target, const std::vector<HostRow>& rows) = 0;
+  virtual std::string when(double seconds) = 0;  // the time as the language writes it, to the flick
 };
 
 class Routine {

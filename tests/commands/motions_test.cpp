@@ -12,7 +12,7 @@ namespace {
 using Complex = std::complex<long double>;
 
 constexpr long double pi_l = std::numbers::pi_v<long double>;
-Complex turn(long double turns) { return std::polar(1.0L, 2 * pi_l * turns); }
+Complex turned_by(long double turns) { return std::polar(1.0L, 2 * pi_l * turns); }
 
 void expect_place_in(std::string_view film, std::string_view object, std::string_view time, Vec3 wanted) {
   expect_place(LoadedFilm(film), object, time, wanted);
@@ -50,10 +50,10 @@ TEST(Motions, StackWithTracksAttachmentsAndEnvironments) {
       "arm.motion\n  1f..11f T(0 3) R(90deg)\n"
       "animate drift every 1t by translate(0 0 5)\nset base.environments drift\n");
   // At frame 6 the arm has turned by 45 degrees about its parent's origin and moved up by 1.5.
-  const Complex up = turn(0.25L);
+  const Complex up = turned_by(0.25L);
   const auto in_world = [&](Complex in_base) { return Complex(10, 0) + up * in_base; };
-  const Complex arm = Complex(0, 1.5L) + turn(0.125L) * Complex(1, 0);
-  const Complex tip = arm + turn(0.125L) * turn(30 / 360.0L) * Complex(2, 0);
+  const Complex arm = Complex(0, 1.5L) + turned_by(0.125L) * Complex(1, 0);
+  const Complex tip = arm + turned_by(0.125L) * turned_by(30 / 360.0L) * Complex(2, 0);
   const auto at = [&](Complex c, double z) { return Vec3{double(in_world(c).real()), double(in_world(c).imag()), z}; };
   // Frame 6 at 24 a second is 0.2083 s: tick 6 of 30 a second, so seven updates.
   expect_place(s, "arm", "6f", at(arm, 35));
@@ -70,8 +70,8 @@ TEST(Motions, HaveCentresThatAreObjects) {
   for (const int day : {0, 1, 91, 182, 365, 400}) {
     const std::string f = std::to_string(day + 1) + "f";
     const long double t = std::min(day, 365) / 365.0L;
-    const Complex earth = Complex(1, 2) + turn(t) * Complex(5, 0),
-                  moon = earth + turn(t) * turn(12 * t) * Complex(1, 0);
+    const Complex earth = Complex(1, 2) + turned_by(t) * Complex(5, 0),
+                  moon = earth + turned_by(t) * turned_by(12 * t) * Complex(1, 0);
     for (const LoadedFilm* s : {&named, &placed}) {
       expect_place(*s, "earth", f, {double(earth.real()), double(earth.imag()), 0});
       expect_place(*s, "moon", f, {double(moon.real()), double(moon.imag()), 0});
@@ -104,7 +104,7 @@ TEST(Motions, NestThirtyDeep) {
     Complex p(31, 2);
     for (int n = 29; n >= 0; --n) {
       const Complex c(n, 0.5L * n);
-      p = c + turn(static_cast<long double>(0.1 * (n + 1)) * t) * (p - c);
+      p = c + turned_by(static_cast<long double>(0.1 * (n + 1)) * t) * (p - c);
     }
     for (const char* name : {"a", "b"})
       expect_place(s, name, std::to_string(f) + "f", {double(p.real()), double(p.imag()), 0}, 1e-10);

@@ -32,6 +32,18 @@ TEST(Session, CompletesWhatIsBegun) {
     EXPECT_EQ(one(numbers), "0 of them") << numbers;
 }
 
+TEST(Session, CompletesParametersAndKindsOfTheFilm) {
+  const Folder folder;
+  Session s = opened(folder, small_film);
+  expect_done(s, "procedure hop command (who object, height number = 2, tint color = none) lua \"1\"");
+  expect_done(s, "define kind toy like ball");
+  EXPECT_EQ(s.complete("hop he"), std::vector<std::string>{"height="});
+  EXPECT_EQ(s.complete("hop who=ba"), std::vector<std::string>{"ball"});
+  EXPECT_EQ(s.complete("hop who=ball tint=tom"), std::vector<std::string>{"tomato"});
+  EXPECT_EQ(s.complete("create x to"), (std::vector<std::string>{"torus", "toy"}));
+  EXPECT_EQ(s.complete("create x toy rad"), std::vector<std::string>{"radius="});
+}
+
 // shows: G22
 TEST(Session, CompletesFiltersAndTwerpersWhereTheyStand) {
   const Folder folder;

@@ -90,6 +90,22 @@ TEST(Help, AFunctionIsExplainedForEachKind) {
 }
 
 // shows: G22
+TEST(Help, ExplainsProceduresOfAllRoles) {
+  const Folder folder;
+  Session s = opened(folder);
+  for (const std::string_view role : role_names) {
+    const std::string name = "my-" + std::string(role);
+    expect_done(s, fmt::format("procedure {} {} lua \"1\"", name, role == "value" ? "" : role));
+    const auto answer = s.enter("help " + name);
+    EXPECT_TRUE(answer.done && answer.said.starts_with(name + ": ")) << answer.said;
+    EXPECT_NE(answer.said.find("example: "), std::string::npos) << answer.said;
+  }
+  EXPECT_TRUE(s.enter("help").done);
+  expect_done(s, "procedure hop command (who object, height number = 2, back time = none) \"Hops once.\" lua \"1\"");
+  EXPECT_EQ(s.enter("help hop").said,
+            "hop: A command of this film: Hops once.\n  usage: hop who=OBJECT [height=2] [back=TIME]\n");
+}
+
 TEST(Help, GroupsAreListed) {
   EXPECT_TRUE(
       help_text("twerpers", Scene()).starts_with("Twerpers (interpolation from one event to the next)\n  hold  "));

@@ -56,6 +56,13 @@ struct FakeHost : Host {
   }
   Result<Value> value(std::string_view, double seconds) override { return Value(2 * seconds); }
   std::vector<std::string> objects(std::string_view pattern) override { return {"a" + std::string(pattern), "b"}; }
+  Result<Vec3> place(std::string_view, double share, double seconds) override { return Vec3{share, seconds, 0}; }
+  Status sheet(std::string_view target, const std::vector<HostRow>& rows) override {
+    for (const HostRow& row : rows)
+      lines.push_back(std::string(target) + " " + std::to_string(row.from) + " " + row.rest);
+    return Nothing{};
+  }
+  std::string when(double seconds) override { return std::to_string(seconds) + "s"; }
 };
 
 }  // namespace betwixt
