@@ -36,16 +36,18 @@ struct CssFunction {
 };
 using CssList = std::vector<CssFunction>;  // an empty list is `none`
 
-// The size of the element's border box in pixels; percentages refer to it.
-struct CssSize {
-  double width = 0, height = 0;
+// What a list can refer to, in pixels. A unit whose reference is unknown is an error.
+struct CssPage {
+  std::optional<double> width = {}, height = {};                    // of the element's border box: %
+  std::optional<double> font_size = {}, root_font_size = {};        // em; rem
+  std::optional<double> viewport_width = {}, viewport_height = {};  // vw, vh, vmin, vmax
 };
 
 // Reads a list such as "translate(10px, 20px) rotate(90deg) scale(2)", or "none". Accepts every function of CSS
-// Transforms 2, lengths in px and in the absolute units (inches, centimetres …), and calc(), min(), max() and clamp()
-// of known values. Errors: syntax, name, range, type (a unit that depends on the page, % without a size); place.column
-// and place.length count characters.
-Result<CssList> parse_css(std::string_view list, std::optional<CssSize> size = {});
+// Transforms 2, lengths in px, in the absolute units (inches, centimetres …) and in the units of the page, and calc(),
+// min(), max() and clamp() of known values. Errors: syntax, name, range, type (a unit that the page does not know);
+// place.column and place.length count characters.
+Result<CssList> parse_css(std::string_view list, const CssPage& = {});
 
 // Returns the product of the list. A perspective fills the fourth row: divide x, y and z of a point by its w.
 Mat4 matrix_of(const CssList&);
@@ -70,7 +72,7 @@ CssList css_accumulated(const CssList& under, const CssList& over);
 
 // Returns the motion that a browser shows from `none` to this list about `transform-origin`, in pixels. Scalings follow
 // the linear law. Errors: those of `parse_css`; type if the list has matrix(), skew() or perspective().
-Result<Motion> from_css(std::string_view list, Vec3 origin = {}, std::optional<CssSize> size = {});
+Result<Motion> from_css(std::string_view list, Vec3 origin = {}, const CssPage& = {});
 
 struct CssLists {
   std::string from, to;

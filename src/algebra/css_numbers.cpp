@@ -16,6 +16,26 @@ constexpr Unit css_angles[] = {{"deg", pi, 180}, {"grad", pi, 200}, {"rad", 1, 1
 // An inch is 96 pixels.
 constexpr Unit css_lengths[] = {{"px", 1, 1},    {"in", 96, 1}, {"cm", 9600, 254}, {"mm", 960, 254},
                                 {"q", 240, 254}, {"pt", 4, 3},  {"pc", 16, 1}};
+// A unit that depends on the page.
+struct PageUnit {
+  std::string_view name, needs;
+  double divisor;
+  std::optional<double> (*whole)(const CssPage&);  // of `divisor` such units
+};
+template <bool smaller>
+std::optional<double> viewport_side(const CssPage& p) {
+  if (!p.viewport_width || !p.viewport_height) return std::nullopt;
+  return smaller ? std::min(*p.viewport_width, *p.viewport_height) : std::max(*p.viewport_width, *p.viewport_height);
+}
+constexpr std::string_view a_viewport = "the size of the viewport";
+constexpr PageUnit page_units[] = {
+    {"em", "the font size", 1, [](const CssPage& p) { return p.font_size; }},
+    {"rem", "the font size of the root", 1, [](const CssPage& p) { return p.root_font_size; }},
+    {"vw", a_viewport, 100, [](const CssPage& p) { return p.viewport_width; }},
+    {"vh", a_viewport, 100, [](const CssPage& p) { return p.viewport_height; }},
+    {"vmin", a_viewport, 100, viewport_side<true>},
+    {"vmax", a_viewport, 100, viewport_side<false>}};
+
 constexpr std::string_view worked_out_here[] = {"calc", "min", "max", "clamp"};
 constexpr int deepest = 100;
 
@@ -29,6 +49,12 @@ template <std::size_t n>
 const Unit* unit_named(const Unit (&units)[n], std::string_view name) {
   const auto found = std::find_if(units, units + n, [&](const Unit& u) { return same_in_css(name, u.name); });
   return found == units + n ? nullptr : found;
+}
+
+const PageUnit* page_unit(std::string_view name) {
+  const auto found = std::find_if(std::begin(page_units), std::end(page_units),
+                                  [&](const PageUnit& u) { return same_in_css(name, u.name); });
+  return found == std::end(page_units) ? nullptr : found;
 }
 
 }  // namespace
@@ -92,16 +118,23 @@ std::string_view CssNumbers::unit() {
 bool CssNumbers::pixels(double& number, std::string_view name, std::size_t from, std::size_t unit_from,
                         Part percent_of) {
   if (name == "%" && percent_of != Part::none) {
-    const auto& whole = percent_of == Part::width ? width : height;
+    const auto& whole = percent_of == Part::width ? page.width : page.height;
     if (!whole)
       return fail(unit_from, at, ErrorCode::type, "'%' is not a unit of length here",
                   "use px, or give the size of the element, to which percentages refer");
     number = number / 100 * *whole;
   } else if (const Unit* u = unit_named(css_lengths, name)) {
     number = number * u->of / u->divisor;
+  } else if (const PageUnit* of_page = page_unit(name)) {
+    const auto whole = of_page->whole(page);
+    if (!whole)
+      return fail(unit_from, at, ErrorCode::type, fmt::format("'{}' is not a unit of length here", name),
+                  fmt::format("use px, or give {}", of_page->needs));
+    number = number * *whole / of_page->divisor;
   } else {
     return fail(unit_from, at, ErrorCode::type, fmt::format("'{}' is not a unit of length here", name),
-                name == "%" ? "use px: elements have no size along z" : "use px: other units depend on the page");
+                name == "%" ? "use px: elements have no size along z"
+                            : "units are px in cm mm q pt pc, em rem and vw vh vmin vmax");
   }
   return std::isfinite(number) || too_large(from);
 }

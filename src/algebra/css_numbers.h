@@ -5,6 +5,7 @@
 #pragma once
 
 #include "algebra/text.h"
+#include "betwixt/css.h"
 
 namespace betwixt::algebra {
 
@@ -13,7 +14,7 @@ bool same_in_css(std::string_view, std::string_view);
 
 struct CssNumbers : Cursor {
   enum class Part : std::uint8_t { none, width, height };
-  std::optional<double> width = {}, height = {};  // the lengths that percentages refer to
+  CssPage page = {};
 
   char peek(std::size_t further = 0) const { return at + further < text.size() ? text[at + further] : '\0'; }
   // Skips blanks and comments.

@@ -162,10 +162,10 @@ struct ListReader : algebra::CssNumbers {
   }
 };
 
-Result<CssList> read_list(std::string_view text, std::optional<CssSize> size, bool motions_only) {
+Result<CssList> read_list(std::string_view text, const CssPage& page, bool motions_only) {
   ListReader r;
   r.text = text, r.motions_only = motions_only;
-  if (size) r.width = size->width, r.height = size->height;
+  r.page = page;
   CssList list;
   r.space();
   if (algebra::same_in_css(r.word(), "none") && (r.space(), r.at == text.size())) return list;
@@ -183,10 +183,10 @@ Result<CssList> read_list(std::string_view text, std::optional<CssSize> size, bo
 
 }  // namespace
 
-Result<CssList> parse_css(std::string_view list, std::optional<CssSize> size) { return read_list(list, size, false); }
+Result<CssList> parse_css(std::string_view list, const CssPage& page) { return read_list(list, page, false); }
 
-Result<Motion> from_css(std::string_view list, Vec3 origin, std::optional<CssSize> size) {
-  const auto read = read_list(list, size, true);
+Result<Motion> from_css(std::string_view list, Vec3 origin, const CssPage& page) {
+  const auto read = read_list(list, page, true);
   if (!read) return read.error();
   Motion motion;
   for (const CssFunction& f : *read) {

@@ -14,7 +14,7 @@
 namespace betwixt::algebra_command {
 
 struct Call {
-  std::string motion, method, origin, steps_text, css_to, css_under, size;
+  std::string motion, method, origin, steps_text, css_to, css_under, size, font_size, viewport;
   std::optional<std::string> points, lesson;
   std::vector<std::string> at;
   std::int64_t steps = 24;
@@ -65,7 +65,7 @@ int show_symbols(const Call&, const Asked&);
 bool beyond_motions(const Call&);
 // Prints the frames of such a call. Returns the exit code.
 int show_css(const Call&, const Asked&);
-// Returns the size for percentages, or nullopt if the call has none.
-Result<std::optional<CssSize>> read_size(const Call&);
+// Returns what the units of the page refer to, as far as the call says it.
+Result<CssPage> read_page(const Call&);
 
 }  // namespace betwixt::algebra_command

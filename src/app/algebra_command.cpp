@@ -95,9 +95,9 @@ Status read_origin(const Call& call, Asked& asked) {
 
 // Reads the motion into `asked`. Returns the exit code.
 int read_motion(const Call& call, Asked& asked) {
-  const auto size = algebra_command::read_size(call);
-  if (!size) return complain(size.error(), wrong_call);
-  auto motion = call.css ? from_css(call.motion, asked.origin, *size) : parse_motion(call.motion);
+  const auto page = algebra_command::read_page(call);
+  if (!page) return complain(page.error(), wrong_call);
+  auto motion = call.css ? from_css(call.motion, asked.origin, *page) : parse_motion(call.motion);
   if (!motion) return algebra_command::complain_about(call.motion, motion.error());
   for (const Factor& f : motion->factors)
     if (!f.about.empty())
@@ -225,6 +225,16 @@ std::vector<Parameter> algebra_parameters(Call& call) {
            .value = "W,H",
            .sentence = "with --css: the size that % refer to, in pixels",
            .into = &call.size,
+           .needs = "--css"},
+          {.name = "--font-size",
+           .value = "PX",
+           .sentence = "with --css: the font size that em and rem refer to, in pixels",
+           .into = &call.font_size,
+           .needs = "--css"},
+          {.name = "--viewport",
+           .value = "W,H",
+           .sentence = "with --css: the size that vw, vh, vmin and vmax refer to, in pixels",
+           .into = &call.viewport,
            .needs = "--css"},
           {.name = "--origin",
            .value = "X,Y",

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "app/algebra.h"
 #include "app/command.h"
@@ -21,9 +22,9 @@ struct Lists {
 
 // Reads a list. Returns the exit code.
 int read_list(const std::string& text, const Call& call, const char* name, CssList& list) {
-  const auto size = read_size(call);
-  if (!size) return complain(size.error(), wrong_call);
-  const auto read = parse_css(text, *size);
+  const auto page = read_page(call);
+  if (!page) return complain(page.error(), wrong_call);
+  const auto read = parse_css(text, *page);
   if (!read) return complain_about(text, read.error(), name);
   list = *read;
   return all_done;
@@ -69,14 +70,15 @@ void say_what_is_lost(const CssBetween& now) {
   if (now.jumps) say("a matrix is flat and cannot be blended, so one list applies up to half way, then the other");
 }
 
+// A point behind the eye has no place; it becomes NaN.
 Status see(const Mat4& m, double k, const std::vector<Point>& rest, Shown& shown) {
   shown.matrix = m;
   for (std::size_t p = 0; p < rest.size(); ++p) {
     const Vec3 at = rest[p].at;
     const double w = m(3, 0) * at.x + m(3, 1) * at.y + m(3, 2) * at.z + m(3, 3);
-    if (w <= 0) return fail(ErrorCode::range, fmt::format("frame {}: a point is behind the eye", write_number(k)));
-    shown.points[p].at = 1 / w * transform_point(m, at);
-    if (!finite(shown.points[p].at) || !finite(m))
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    shown.points[p].at = w > 0 ? 1 / w * transform_point(m, at) : Vec3{none, none, none};
+    if ((w > 0 && !finite(shown.points[p].at)) || !finite(m))
       return fail(ErrorCode::range, fmt::format("frame {}: a position is not finite", write_number(k)));
   }
   return Nothing{};
@@ -86,17 +88,36 @@ Status see(const Mat4& m, double k, const std::vector<Point>& rest, Shown& shown
 
 bool beyond_motions(const Call& call) {
   if (!call.css_to.empty() || !call.css_under.empty()) return true;
-  const auto size = read_size(call);
-  return size && !from_css(call.motion, {}, *size);
+  const auto page = read_page(call);
+  return page && !from_css(call.motion, {}, *page);
 }
 
-Result<std::optional<CssSize>> read_size(const Call& call) {
-  if (call.size.empty()) return std::optional<CssSize>();
-  const auto size = read_points(call.size);
+namespace {
+
+// Reads W,H of an option, if it is given.
+Status read_size(const std::string& text, const char* option, std::optional<double>& width,
+                 std::optional<double>& height) {
+  if (text.empty()) return Nothing{};
+  const auto size = read_points(text);
   if (!size || size->size() != 1 || (*size)[0].numbers != 2)
-    return fail(ErrorCode::syntax, fmt::format("--size: '{}' is not a size", call.size.substr(0, 60)),
-                "as in --size 100,50");
-  return std::optional(CssSize{(*size)[0].at.x, (*size)[0].at.y});
+    return fail(ErrorCode::syntax, fmt::format("{}: '{}' is not a size", option, text.substr(0, 60)),
+                fmt::format("as in {} 100,50", option));
+  width = (*size)[0].at.x, height = (*size)[0].at.y;
+  return Nothing{};
+}
+
+}  // namespace
+
+Result<CssPage> read_page(const Call& call) {
+  CssPage page;
+  if (const Status s = read_size(call.size, "--size", page.width, page.height); !s) return s.error();
+  if (const Status s = read_size(call.viewport, "--viewport", page.viewport_width, page.viewport_height); !s)
+    return s.error();
+  if (call.font_size.empty()) return page;
+  const auto font_size = read_number(call.font_size, "--font-size");
+  if (!font_size) return font_size.error();
+  page.font_size = page.root_font_size = *font_size;
+  return page;
 }
 
 int show_css(const Call& call, const Asked& given) {

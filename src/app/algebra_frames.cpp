@@ -28,6 +28,7 @@ std::vector<std::string_view> parts(std::string_view text, std::string_view betw
 }
 
 std::string point_text(const Point& p, const char* between) {
+  if (std::isnan(p.at.x)) return "behind the eye";
   std::string out = write_number(p.at.x) + between + write_number(p.at.y);
   return p.numbers == 3 ? out + between + write_number(p.at.z) : out;
 }
@@ -35,6 +36,10 @@ std::string point_text(const Point& p, const char* between) {
 std::string frame_json(double k, const Shown& shown) {
   std::string out = fmt::format("{{\"k\":{},\"points\":[", json_number(k));
   for (std::size_t i = 0; i < shown.points.size(); ++i) {
+    if (std::isnan(shown.points[i].at.x)) {
+      out += i ? ",null" : "null";
+      continue;
+    }
     out += i ? ",[" : "[";
     for (int c = 0; c < shown.points[i].numbers; ++c) out += (c ? "," : "") + json_number(shown.points[i].at[c]);
     out += "]";

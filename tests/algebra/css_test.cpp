@@ -112,7 +112,7 @@ TEST(CssRead, WhatCannotBeReadIsToldWithItsPlace) {
     const char* hint;
   };
   const char* what = "supported: translate(), rotate() and scale(), also with X, Y, Z or 3d after the name";
-  const char* px = "use px: other units depend on the page";
+  const char* px = "units are px in cm mm q pt pc, em rem and vw vh vmin vmax";
   const char* units = "units are deg, grad, rad, turn";
   const Bad all[] = {
       {"rotate(1turn) matrix(1, 0, 0, 1, 0, 0)", 15, 6, ErrorCode::type,
@@ -151,7 +151,8 @@ TEST(CssRead, WhatCannotBeReadIsToldWithItsPlace) {
       {"scale(2px)", 8, 2, ErrorCode::type, "expected a number without a unit here, not 'px'", ""},
       {"translate(10px, 50%)", 19, 1, ErrorCode::type, "'%' is not a unit of length here",
        "use px, or give the size of the element, to which percentages refer"},
-      {"translate(1em)", 12, 2, ErrorCode::type, "'em' is not a unit of length here", px},
+      {"translate(1em)", 12, 2, ErrorCode::type, "'em' is not a unit of length here", "use px, or give the font size"},
+      {"translate(1ex)", 12, 2, ErrorCode::type, "'ex' is not a unit of length here", px},
       {"translateY(20)", 12, 2, ErrorCode::type, "a length needs its unit: 20", "px"},
       {"rotate(35)", 8, 2, ErrorCode::type, "an angle needs its unit: 35", units},
       {"rotate(35px)", 10, 2, ErrorCode::type, "'px' is not a unit of angle", units},
@@ -297,7 +298,7 @@ TEST(CssRead, WhatIsNoMotionIsAMatrix) {
       {"matrix(calc(2), 0, 0, max(1, 3), 0, 0)", scaling({2, 3, 1})},
   };
   for (const auto& [list, m] : all) {
-    const auto read = parse_css(list, CssSize{100, 20});
+    const auto read = parse_css(list, CssPage{100, 20});
     ASSERT_TRUE(read) << list << ": " << read.error().message;
     expect_near(matrix_of(*read), m, 1e-13, list);
   }
@@ -306,7 +307,12 @@ TEST(CssRead, WhatIsNoMotionIsAMatrix) {
   // The eye is 500 pixels away, and never nearer than one.
   EXPECT_EQ(matrix_of(listed("perspective(500px)"))(3, 2), -1 / 500.0);
   EXPECT_EQ(matrix_of(listed("perspective(0)"))(3, 2), -1);
-  EXPECT_EQ(from_css("translate(50%, 50%)", {}, CssSize{10, 30})->factors[0].by, (Vec3{5, 15, 0}));
+  // The page gives the other units their size.
+  const CssPage page{100, 20, 16, 10, 800, 600};
+  EXPECT_EQ(matrix_of(*parse_css("translate3d(2em, 3REM, calc(1em - 1px))", page)), translation({32, 30, 15}));
+  EXPECT_EQ(matrix_of(*parse_css("translate3d(5vw, 5vh, 0) translate(1vmin, min(1vmax, 50%))", page)),
+            translation({40 + 6, 30 + 8, 0}));
+  EXPECT_EQ(from_css("translate(50%, 50%)", {}, CssPage{10, 30})->factors[0].by, (Vec3{5, 15, 0}));
 }
 
 TEST(CssRead, WhatCannotBeWorkedOutIsTold) {
@@ -351,7 +357,7 @@ TEST(CssRead, NoTextOfAllOfCssBreaksIt) {
   for (int round = 0; round < 20'000; ++round) {
     std::string list = round % 2 ? "translateX(calc(" : "";
     for (unsigned n = random() % 12; n > 0; --n) list += parts[random() % std::size(parts)];
-    const auto read = parse_css(list, CssSize{100, 50});
+    const auto read = parse_css(list, CssPage{100, 50});
     EXPECT_TRUE(read || !read.error().message.empty()) << list;
   }
 }

@@ -134,6 +134,14 @@ has 'arms' "$out" 'row R…R, n = 3 of'
 algebra 'S(2 3 linear) R(180deg)' --count --steps 2 --points 1,0
 has 'counts, and how far beside' "$out" 'geometric: exact only at the end; in between the error is up to 1.118033988749895'
 
+algebra --css 'perspective(100px) translateZ(200px)' --steps 4 --points 0,0
+has 'behind the eye' "$out" '4       behind the eye'
+has 'before it' "$out" '1       0 0 57.14285714285714'
+algebra --css 'perspective(100px) translateZ(200px)' --steps 2 --points '0,0 0,0,-200' --at 2 --json
+has 'behind the eye as JSON' "$out" '"points":[null,[0,0,0]]'
+algebra --css 'translate(2em, 10vw)' --font-size 20 --viewport 300,200 --steps 1 --points 0,0
+has 'units of the page' "$out" '1       40 30'
+
 refused 'no motion' 1 'motion:1:8: error: expected a string of T(…), R(…) and S(…) here' 'T(1 0) X(2)'
 has 'with a caret' "$err" '         ^'
 refused 'no unit' 1 'an angle needs its unit: 90' 'R(90)'
@@ -160,9 +168,12 @@ refused 'no CSS of growth' 1 'S' 'S(2)' --to-css
 refused 'no CSS' 1 'motion:1:8: error:' --css 'skew(10em)'
 refused 'no CSS at the end' 1 "to:1:1: error: 'spin' is not a CSS transform" --css 'none' --to 'spin(1deg)'
 refused 'no CSS without its size' 1 'use px, or give the size of the element, to which percentages refer' --css 'translateX(5%)'
+refused 'no font size' 1 'use px, or give the font size' --css 'translateX(5em)'
+refused 'no viewport' 1 'use px, or give the size of the viewport' --css 'translateX(5vmin)'
+refused 'no number' 2 "--font-size: 'big' is not a number" --css 'translateX(5em)' --font-size big
+refused 'no size of a viewport' 2 "--viewport: '5' is not a size" --css 'translateX(5vw)' --viewport 5
 refused 'no size' 2 "--size: '5' is not a size" --css 'translateX(5%)' --size 5
 refused 'no method for lists' 2 'these lists are not a motion; only their frames can be printed' --css none --to 'scale(2)' --count
-refused 'behind the eye' 1 'frame 0: a point is behind the eye' --css 'perspective(1px)' --to none --points 0,0,5 --at 0
 refused 'beyond all numbers' 1 'frame 48: a position is not finite' 'S(1e300)' --at 48
 refused 'beyond all numbers as JSON' 1 'frame 1: a position is not finite' 'T(1e300 0) S(1e300)' --steps 1 --at 1 --json --points 1e300,0
 refused 'beyond all numbers by steps' 1 'a position is not finite' 'S(1e300)' --method best --at 48

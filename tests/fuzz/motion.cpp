@@ -45,7 +45,7 @@ static void lesson_of(std::string_view text) {
 
 // A list of CSS is read, mixed and accumulated, whatever it is.
 static void css(std::string_view text) {
-  const auto list = parse_css(text, CssSize{100, 50});
+  const auto list = parse_css(text, CssPage{100, 50, 16, 16, 800, 600});
   if (!list) return insist(list.error().place.column > 0, "an error of a list has a place");
   css_between({}, *list, 0.3), css_between(*list, *list, 2);
   css_between({}, css_accumulated(*list, *list), -1);
