@@ -69,12 +69,20 @@ Pixels draw(const Program& program, Time t, RenderOptions options, const std::op
   return {std::make_shared<const Picture>(std::move(shown))};
 }
 
+RenderOptions options_of(const Document& document, const std::string& style, const Size& size,
+                         std::optional<int> samples, const std::optional<std::string>& pixel_filter) {
+  RenderOptions made = options_for(document, {.style = style}, size, samples);
+  if (pixel_filter) made.pixel_filter = *pixel_filter;
+  return made;
+}
+
 Pixels picture(const Film& film, py::handle when, const Size& size, const std::string& style,
-               std::optional<int> samples, const std::optional<std::string>& shutter, std::optional<int> subframes) {
+               std::optional<int> samples, const std::optional<std::string>& pixel_filter,
+               const std::optional<std::string>& shutter, std::optional<int> subframes) {
   const Program program = unlocked([&] { return film.program(); });
   const Document& document = program.document();
   const Time t = time_of(when, document);
-  const RenderOptions options = options_for(document, {.style = style}, size, samples);
+  const RenderOptions options = options_of(document, style, size, samples, pixel_filter);
   const auto exposure = exposure_of(document, shutter, subframes);
   std::vector<std::string> problems;
   Pixels made = unlocked([&] { return draw(program, t, options, exposure, problems); });
@@ -107,15 +115,16 @@ class Telling {
 
 FilmStats render(const Film& film, const std::filesystem::path& path,
                  const std::optional<std::pair<py::object, py::object>>& segment, const Size& size,
-                 const std::string& style, std::optional<int> samples, const std::optional<std::string>& shutter,
-                 std::optional<int> subframes, int bits, int jobs, bool overwrite, bool missing, py::object progress) {
+                 const std::string& style, std::optional<int> samples, const std::optional<std::string>& pixel_filter,
+                 const std::optional<std::string>& shutter, std::optional<int> subframes, int bits, int jobs,
+                 bool overwrite, bool missing, py::object progress) {
   const Program program = unlocked([&] { return film.program(); });
   const Document& document = program.document();
   auto [first, last] = document.range();
   if (segment) first = time_of(segment->first, document), last = time_of(segment->second, document);
   if (segment && last < first) raise(fail(ErrorCode::range, "the segment ends before it begins"));
   const FrameList frames = value_or_raise(frames_between(first, last, document.rate()));
-  RenderJob job = render_job(program, path.string(), frames, options_for(document, {.style = style}, size, samples),
+  RenderJob job = render_job(program, path.string(), frames, options_of(document, style, size, samples, pixel_filter),
                              exposure_of(document, shutter, subframes), bits);
   job.film.jobs = jobs, job.film.overwrite = overwrite, job.film.only_missing = missing;
   value_or_raise(check_options(job.pictures));
@@ -187,13 +196,14 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
           "__repr__", [](const FilmStats& s) { return "<Made of " + std::to_string(s.frames) + " frames>"; },
           says("How many frames it has."));
   film.def("picture", picture, py::arg("time"), py::kw_only(), py::arg("size") = py::none(),
-           py::arg("style") = "shaded", py::arg("samples") = py::none(), py::arg("shutter") = py::none(),
-           py::arg("subframes") = py::none(),
+           py::arg("style") = "shaded", py::arg("samples") = py::none(), py::arg("pixel_filter") = py::none(),
+           py::arg("shutter") = py::none(), py::arg("subframes") = py::none(),
            says("Returns the picture at a time. Options that you leave out come from the script."));
   film.def("render", render, py::arg("path"), py::kw_only(), py::arg("frames") = py::none(),
            py::arg("size") = py::none(), py::arg("style") = "shaded", py::arg("samples") = py::none(),
-           py::arg("shutter") = py::none(), py::arg("subframes") = py::none(), py::arg("bits") = 8, py::arg("jobs") = 0,
-           py::arg("overwrite") = true, py::arg("missing") = false, py::arg("progress") = py::none(),
+           py::arg("pixel_filter") = py::none(), py::arg("shutter") = py::none(), py::arg("subframes") = py::none(),
+           py::arg("bits") = 8, py::arg("jobs") = 0, py::arg("overwrite") = true, py::arg("missing") = false,
+           py::arg("progress") = py::none(),
            says("Makes a film, or numbered pictures, in the format of the ending. `progress(done, frames, seconds)` is "
                 "called "
                 "now and then. If it returns False, the film ends and no file is left."));

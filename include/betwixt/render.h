@@ -23,6 +23,8 @@ struct RenderOptions {
   int width = 1280, height = 720;  // pixels, 1 to 8192
   int samples = 4;                 // samples a pixel; Style::takes checks whether a number is valid
   std::string style = "shaded";    // one of styles()
+  // How the samples around a pixel are averaged to it: "box", "tent", "gaussian", "mitchell" or "lanczos".
+  std::string pixel_filter = "box";
   // Allows pictures of linear light (LinearPicture). A background that the film makes transparent is transparent only
   // with this option; without it, it is black.
   bool linear = false;
@@ -70,7 +72,8 @@ class Renderer {
 bool has_blur(const Document&);
 
 // Returns the options for a film. Size and samples are those given here; if they are not given, the script's; if it
-// sets none, those of `otherwise`. The script's samples do not apply to a style whose `least_samples` is more than 1
+// sets none, those of `otherwise`; the pixel filter likewise. The script's samples do not apply to a style whose
+// `least_samples` is more than 1
 // ("traced").
 RenderOptions options_for(const Document&, RenderOptions otherwise, std::optional<std::pair<int, int>> size = {},
                           std::optional<int> samples = {});
@@ -80,7 +83,8 @@ std::optional<Blur> blur_for(const Document&, std::optional<double> shutter = {}
 
 // Checks the options. Errors: range and name, as for make_renderer.
 Status check_options(const RenderOptions&);
-// Makes a renderer. Errors: range (options out of bounds), name (no such style), machine (no graphics available).
+// Makes a renderer. Errors: range (options out of bounds), name (no such style or pixel filter), machine (no graphics
+// available).
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions&);
 
 }  // namespace betwixt

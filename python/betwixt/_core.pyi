@@ -382,6 +382,7 @@ class Film:
         size: tuple[int, int] | None = None,
         style: str = "shaded",
         samples: int | None = None,
+        pixel_filter: str | None = None,
         shutter: str | None = None,
         subframes: int | None = None,
     ) -> Picture: ...
@@ -393,6 +394,7 @@ class Film:
         size: tuple[int, int] | None = None,
         style: str = "shaded",
         samples: int | None = None,
+        pixel_filter: str | None = None,
         shutter: str | None = None,
         subframes: int | None = None,
         bits: int = 8,

@@ -160,7 +160,7 @@ class Player {
     const bool shrinks = key == Key::smaller && p.width >= 32 && p.height >= 32;
     if (grows) p.width *= 2, p.height *= 2;
     if (shrinks) p.width /= 2, p.height /= 2;
-    call_.picture = {p, std::pair(p.width, p.height), p.samples};
+    call_.picture = {p, std::pair(p.width, p.height), p.samples, p.pixel_filter};
     size_ = {0, 0};
     altered_ = fmt::format("{} {}x{} {}", p.style, p.width, p.height, p.samples);
   }

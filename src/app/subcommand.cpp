@@ -15,6 +15,7 @@
 #include "base/tell_user.h"
 #include "betwixt/language.h"
 #include "scene/appearance.h"
+#include "scene/pixel_filter.h"
 
 namespace betwixt {
 namespace {
@@ -158,7 +159,9 @@ Parameter size_parameter(std::optional<std::pair<int, int>>& size, const std::st
 }
 
 RenderOptions PictureCall::of(const Document& document) const {
-  return options_for(document, otherwise, size, samples);
+  RenderOptions made = options_for(document, otherwise, size, samples);
+  if (!pixel_filter.empty()) made.pixel_filter = pixel_filter;
+  return made;
 }
 
 Result<std::string> change_picture(PictureCall& to, const Document& document, const std::string& what,
@@ -229,6 +232,8 @@ Parameter quality_parameter(int& quality, const std::string& of) {
 std::vector<Parameter> picture_parameters(PictureCall& to) {
   std::vector<std::string> names;
   for (const Style& s : styles()) names.emplace_back(s.name);
+  std::vector<std::string> filters;
+  for (const PixelFilter& f : pixel_filters()) filters.emplace_back(f.name);
   return {
       size_parameter(to.size, fmt::format("the size in pixels; by default the script's, or {}x{}", to.otherwise.width,
                                           to.otherwise.height)),
@@ -242,7 +247,14 @@ std::vector<Parameter> picture_parameters(PictureCall& to) {
        .sentence = fmt::format("the samples per pixel: {}; by default the script's, or {}, traced {}", sample_counts(),
                                to.otherwise.samples, options_for(Document(), {.style = "traced"}).samples),
        .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
-       .words = {"1", "4", "9", "16", "64", "256", "1024"}}};
+       .words = {"1", "4", "9", "16", "64", "256", "1024"}},
+      {.name = "--pixel-filter",
+       .value = "NAME",
+       .sentence = fmt::format("how the samples are averaged to pixels: {}; by default the script's, or {}",
+                               fmt::join(filters, ", "), filters.front()),
+       .into = &to.pixel_filter,
+       .words_only = true,
+       .words = filters}};
 }
 
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>> parts) {

@@ -105,6 +105,7 @@ struct PictureCall {
   RenderOptions otherwise;
   std::optional<std::pair<int, int>> size = {};
   std::optional<int> samples = {};
+  std::string pixel_filter = {};  // "": the script's
   RenderOptions of(const Document&) const;
 };
 // Options for motion blur.

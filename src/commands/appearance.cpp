@@ -8,6 +8,7 @@
 
 #include "base/names.h"
 #include "commands/command.h"
+#include "scene/pixel_filter.h"
 
 namespace betwixt {
 namespace {
@@ -45,6 +46,21 @@ bool whole_number(Command& k, const char* what, const char* rule, bool (*fits)(l
 
 bool samples(Command& k) {
   return whole_number(k, "samples", "1, 4, 9 or 16", samples_fit, k.scene.appearance.samples);
+}
+
+bool pixel_filter(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  const std::string_view w = c.next_word();
+  const PixelFilter* filter = find_pixel_filter(w);
+  if (!filter) {
+    std::vector<std::string_view> names;
+    for (const PixelFilter& f : pixel_filters()) names.push_back(f.name);
+    const Hint near = did_you_mean(w, names);
+    return no_choice(c, w, "a pixel filter must be one of " + fmt::format("{}", fmt::join(names, ", ")), near);
+  }
+  if (!finish(c)) return false;
+  s.appearance.pixel_filter = filter->name;
+  return true;
 }
 
 bool subframes(Command& k) {
@@ -161,6 +177,10 @@ constexpr Verb appearance_rows[] = {
      Verb::once | Verb::aside, size, "1280x720 1920x1080 3840x2160"},
     {"samples", "samples 1|4|9|16", "The number of samples a pixel, more is smoother; the command line overrides it.",
      "samples 9", Verb::once | Verb::aside, samples, "1 4 9 16"},
+    {"pixel-filter", "pixel-filter box|tent|gaussian|mitchell|lanczos",
+     "How the samples are averaged to pixels (reconstruction filter): `box` is sharp and fast, `gaussian` soft, "
+     "`mitchell` between them, `lanczos` sharper. The command line overrides it.",
+     "pixel-filter mitchell", Verb::once | Verb::aside, pixel_filter, "box tent gaussian mitchell lanczos"},
     {"subframes", "subframes N",
      "The largest number of subframes that are averaged for motion blur and depth of field; the command line overrides "
      "it.",

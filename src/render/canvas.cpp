@@ -10,6 +10,7 @@
 
 #include "base/stages.h"
 #include "render/view.h"
+#include "scene/pixel_filter.h"
 
 namespace betwixt {
 namespace {
@@ -37,13 +38,29 @@ const char* const average_fragment = R"(
 uniform sampler2D samples;
 out vec4 color;
 void main() {
-  ivec2 corner = SIDE * ivec2(gl_FragCoord.xy);
+  ivec2 first = SIDE * ivec2(gl_FragCoord.xy) + FIRST, last = textureSize(samples, 0) - 1;
   vec4 sum = vec4(0.0);
-  for (int y = 0; y < SIDE; ++y)
-    for (int x = 0; x < SIDE; ++x) sum += texelFetch(samples, corner + ivec2(x, y), 0);
-  color = sum / float(SIDE * SIDE);
+  for (int y = 0; y < TAPS; ++y)
+    for (int x = 0; x < TAPS; ++x)
+      sum += weights[x] * weights[y] * texelFetch(samples, clamp(first + ivec2(x, y), ivec2(0), last), 0);
+  color = max(sum, 0.0);
 }
 )";
+
+// Returns GLSL with the filter's weights for the samples around a pixel, `side` of them per pixel. Their sum is 1.
+std::string weights_of(const PixelFilter& filter, int side) {
+  const auto offset = [&](int k) { return (k + 0.5) / side - 0.5; };
+  int first = 0;
+  while (offset(first - 1) > -filter.radius) --first;
+  std::vector<double> weights;
+  double sum = 0;
+  for (int k = first; offset(k) < filter.radius; ++k) sum += weights.emplace_back(filter.weight(offset(k)));
+  std::string list;
+  for (const double w : weights) list += fmt::format("{}{:.9f}", list.empty() ? "" : ", ", w / sum);
+  return fmt::format(
+      "#define SIDE {}\n#define FIRST {}\n#define TAPS {}\nconst float weights[TAPS] = float[TAPS]({});\n", side, first,
+      weights.size(), list);
+}
 
 // The picture's first row is what is shown on top. A linear one has its opacity multiplied in, as graphics that are
 // laid over others have it; an opacity is at least so much that light without it can be as bright (to_shown).
@@ -86,8 +103,12 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
   c.can_write_encoded_ = !c.linear_ && epoxy_has_gl_extension("GL_EXT_sRGB_write_control");
   if (c.linear_ && !epoxy_has_gl_extension("GL_EXT_color_buffer_float"))
     return fail(ErrorCode::machine, "these graphics have no pictures of light (GL_EXT_color_buffer_float)");
-  const bool multisampled = options.samples == 4 || options.samples == 16;
-  c.side_ = options.samples == 9 ? 3 : options.samples == 16 ? 2 : 1;
+  const PixelFilter& filter = *find_pixel_filter(options.pixel_filter);
+  const bool box = &filter == &pixel_filters().front();
+  // The graphics can average four samples by themselves, but only as a box does.
+  const bool multisampled = box && (options.samples == 4 || options.samples == 16);
+  c.side_ = static_cast<int>(std::lround(std::sqrt(options.samples))) / (multisampled ? 2 : 1);
+  c.averages_ = c.side_ > 1 || !box;
   const int width = c.width_ * c.side_, height = c.height_ * c.side_;
   if (multisampled) {
     auto corners = gl::new_multisampled(c.format(), GL_DEPTH24_STENCIL8, 4, width, height);
@@ -103,11 +124,11 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
   c.gradient_ = *std::move(gradient);
   c.gradient_top_ = gl::uniform(c.gradient_, "top"), c.gradient_bottom_ = gl::uniform(c.gradient_, "bottom");
   c.gradient_bends_ = gl::uniform(c.gradient_, "bends");
-  if (c.side_ == 1) return c;
+  if (!c.averages_) return c;
   auto pixels = gl::new_target(c.format(), 0, c.width_, c.height_);
   if (!pixels) return pixels.error();
   c.pixels_ = *std::move(pixels);
-  auto average = gl::new_program(gl::fill_vertex, average_fragment, fmt::format("#define SIDE {}", c.side_));
+  auto average = gl::new_program(gl::fill_vertex, weights_of(filter, c.side_) + average_fragment);
   if (!average) return average.error();
   c.average_ = *std::move(average);
   gl::set_samplers(c.average_, {{"samples", 0}});
@@ -167,7 +188,7 @@ void Canvas::finish() const {
     glBlitFramebuffer(0, 0, large_.width, large_.height, 0, 0, large_.width, large_.height, GL_COLOR_BUFFER_BIT,
                       GL_NEAREST);
   }
-  if (side_ == 1) return;
+  if (!averages_) return;
   pixels_.bind();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
@@ -190,12 +211,12 @@ Status Canvas::show() {
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glUseProgram(show_.id());
-  gl::use_texture(0, (side_ > 1 ? pixels_ : large_).color.id());
+  gl::use_texture(0, (averages_ ? pixels_ : large_).color.id());
   gl::fill();
   return Nothing{};
 }
 
-void Canvas::bind_last() const { glBindFramebuffer(GL_FRAMEBUFFER, (side_ > 1 ? pixels_ : large_).framebuffer.id()); }
+void Canvas::bind_last() const { glBindFramebuffer(GL_FRAMEBUFFER, (averages_ ? pixels_ : large_).framebuffer.id()); }
 
 void Canvas::read(Picture& out) const {
   if (StageTimes::listened()) glFinish();  // otherwise its time would be counted below

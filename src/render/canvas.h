@@ -42,7 +42,7 @@ class Canvas {
   bool can_write_encoded() const { return can_write_encoded_; }
   // Fills empty pixels with the gradient.
   void draw_behind(const Gradient&) const;
-  // Averages the samples in linear light.
+  // Averages the samples in linear light, by the pixel filter.
   void finish() const;
   // Draws the last finished picture, encoded, to the surface of the graphics system. Errors: machine.
   Status show();
@@ -56,9 +56,10 @@ class Canvas {
 
   int width_ = 0, height_ = 0, side_ = 0;
   bool linear_ = false, can_write_encoded_ = false;
+  bool averages_ = false;     // `large_` is averaged to `pixels_`
   gl::Multisampled corners_;  // four samples a pixel of `large_`; absent for plain supersampling
   gl::Target large_;          // `side_` times the picture's size
-  gl::Target pixels_;         // the picture's size; absent if `large_` has it
+  gl::Target pixels_;         // the picture; absent if `large_` is the picture
   gl::Program gradient_, average_;
   gl::Program show_;  // made on first use
   GLint gradient_top_ = 0, gradient_bottom_ = 0, gradient_bends_ = 0;

@@ -12,6 +12,7 @@
 #include "render/module.h"
 #include "render/traced.h"
 #include "scene/document.h"
+#include "scene/pixel_filter.h"
 
 namespace betwixt {
 namespace {
@@ -156,6 +157,8 @@ RenderOptions options_for(const Document& document, RenderOptions made, std::opt
   // A script's samples are for drawn styles; the path tracer needs more.
   const auto n = samples || least > 1 ? samples : document.samples();
   made.samples = n ? *n : std::max(made.samples, least);
+  if (const std::string_view filter = document.scene().appearance.pixel_filter; !filter.empty())
+    made.pixel_filter = filter;
   return made;
 }
 
@@ -181,6 +184,12 @@ Result<const Entry*> find(const RenderOptions& options) {
   if (!entry->style.takes(options.samples))
     return fail(ErrorCode::range, fmt::format("{} samples per pixel cannot be drawn", options.samples),
                 std::string(entry->style.samples));
+  if (!find_pixel_filter(options.pixel_filter)) {
+    std::vector<std::string_view> names;
+    for (const PixelFilter& f : pixel_filters()) names.push_back(f.name);
+    return fail(ErrorCode::name, fmt::format("there is no pixel filter '{}'", options.pixel_filter.substr(0, 64)),
+                fmt::format("pixel filters are {}", fmt::join(names, ", ")));
+  }
   return entry;
 }
 

@@ -15,12 +15,14 @@
 #include "base/cancellation.h"
 #include "base/stages.h"
 #include "render/blur.h"
+#include "render/filter_sampler.h"
 #include "render/path_tracer.h"
 
 namespace betwixt {
 namespace {
 
 using traced::CameraSample;
+using traced::FilterSampler;
 using traced::PathTracer;
 using traced::PixelSampler;
 using traced::World;
@@ -90,6 +92,7 @@ class Traced final : public Renderer {
       : width_(options.width),
         height_(options.height),
         samples_(static_cast<std::uint32_t>(options.samples)),
+        filter_(*find_pixel_filter(options.pixel_filter)),
         linear_(options.linear),
         unclamped_(options.unclamped),
         threads_(threads),
@@ -175,27 +178,37 @@ class Traced final : public Renderer {
     const double y = static_cast<double>(k / static_cast<std::size_t>(width_));
     const int side = samples >= 64 ? 4 : samples >= 4 ? 2 : 1;
     std::array<CameraSample, 16> cells;
-    double clear = 0;
+    std::array<double, 16> signs{};  // of a cell's samples: the sum of the signs of their weights, and their number
+    std::array<double, 16> counts{};
+    double clear = 0, weight = 0;
     for (std::uint32_t s = 0; s < samples; ++s) {
       PixelSampler sampler(static_cast<std::uint32_t>(k), part * samples + s, parts * samples);
       const auto [right, down] = sampler.next_2d();
       const auto cell = static_cast<std::size_t>(static_cast<int>(side * down) * side + static_cast<int>(side * right));
-      const CameraSample seen = path_tracer.sample((x + right) / width_, (y + down) / height_, sampler);
-      cells[cell].lit = cells[cell].lit + seen.lit, cells[cell].plain = cells[cell].plain + seen.plain;
-      cells[cell].share += seen.share, clear += seen.clear;
+      const auto [in_x, sign_x] = filter_.at(right);
+      const auto [in_y, sign_y] = filter_.at(down);
+      const double sign = sign_x * sign_y;
+      const CameraSample seen = path_tracer.sample((x + in_x) / width_, (y + in_y) / height_, sampler);
+      cells[cell].lit = cells[cell].lit + seen.lit, cells[cell].plain = cells[cell].plain + sign * seen.plain;
+      cells[cell].share += seen.share, clear += sign * seen.clear;
+      signs[cell] += sign, counts[cell] += 1, weight += sign;
     }
     Vec3 sum;
-    for (const CameraSample& c : cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const CameraSample& c = cells[i];
       sum = sum + c.plain;
-      if (c.share > 0) sum = sum + (unclamped_ ? c.lit : c.share * traced::tone_mapped(1 / c.share * c.lit));
+      if (c.share > 0)
+        sum = sum + signs[i] / counts[i] * (unclamped_ ? c.lit : c.share * traced::tone_mapped(1 / c.share * c.lit));
     }
+    if (weight == 0) weight = 1;  // a few samples whose signs cancel
     float* const out = &light_.rgba[4 * k];
-    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(sum[i] / samples);
-    out[3] = linear_ ? static_cast<float>(1 - clear / samples) : 1;
+    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(std::max(sum[i] / weight, 0.0));
+    out[3] = linear_ ? static_cast<float>(std::clamp(1 - clear / weight, 0.0, 1.0)) : 1;
   }
 
   const int width_, height_;
   const std::uint32_t samples_;
+  const FilterSampler filter_;
   const bool linear_, unclamped_;
   const unsigned threads_;
   World world_;

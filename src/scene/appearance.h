@@ -21,6 +21,7 @@ struct Appearance {
 
   std::optional<std::pair<int, int>> size;  // pixels
   std::optional<int> samples;               // a pixel
+  std::string_view pixel_filter;            // a name of the table; "": the default
   std::optional<int> subframes;             // the most pictures that one is averaged from
   bool flat = false;                        // a drawing: its own view, unlit
   bool clear = false;                       // a transparent background

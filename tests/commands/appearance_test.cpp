@@ -127,9 +127,10 @@ TEST(Appearance, NothingBehindThingsIsABackgroundToo) {
 
 TEST(Appearance, IsWrittenAndCompared) {
   const Document nothing;
-  for (const char* line : {"size 320x200", "samples 16", "film flat", "background red to #010203",
-                           "background transparent", "ambient off", "ambient #123456", "exposure -1.25",
-                           "fog gold from 0.1 to 1000", "ground on", "ground navy", "sky on", "contact on"}) {
+  for (const char* line :
+       {"size 320x200", "samples 16", "pixel-filter mitchell", "film flat", "background red to #010203",
+        "background transparent", "ambient off", "ambient #123456", "exposure -1.25", "fog gold from 0.1 to 1000",
+        "ground on", "ground navy", "sky on", "contact on"}) {
     const Document d = LoadedFilm(std::string(line) + "\n").loaded.document;
     EXPECT_FALSE(d == nothing) << line;
     const Loaded again = read(write(d));
@@ -151,6 +152,9 @@ TEST(Appearance, MistakesAreSaidWhereTheyAre) {
            {"size -64x48", "range 1:6 -64x48"},
            {"samples", "syntax 1:8"},
            {"samples 5", "range 1:9 5"},
+           {"pixel-filter", "syntax 1:13"},
+           {"pixel-filter mitchel", "type 1:14 mitchel"},
+           {"pixel-filter box tent", "syntax 1:18 tent"},
            {"samples -4", "range 1:9 -4"},
            {"samples 4.5", "range 1:9 4.5"},
            {"samples 4m", "type 1:9 4m"},

@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "betwixt/render.h"
+#include "scene/pixel_filter.h"
 #include "studio/shell/text_of.h"
 
 namespace betwixt::studio {
@@ -68,9 +69,13 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
   style_ = new QComboBox;
   for (const Style& s : styles()) style_->addItem(text_of(s.name));
   form->addRow(tr("Style"), style_);
+  filter_ = new QComboBox;
+  filter_->addItem(tr("default"));
+  for (const PixelFilter& f : pixel_filters()) filter_->addItem(text_of(f.name));
   samples_ = new QSpinBox;
   samples_->setRange(0, 4096), samples_->setSpecialValueText(tr("default"));
   form->addRow(tr("Samples per pixel"), samples_);
+  form->addRow(tr("Pixel filter"), filter_);
   subframes_ = new QSpinBox;
   subframes_->setRange(0, 4096), subframes_->setSpecialValueText(tr("as in the script"));
   subframes_->setToolTip(tr("the number of subframes that are averaged for motion blur and depth of field"));
@@ -106,7 +111,8 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
     if (!to.isEmpty()) out_->setText(to);
   });
   for (QLineEdit* e : {out_, frames_}) connect(e, &QLineEdit::textChanged, this, &ExportDialog::show_command);
-  for (QComboBox* c : {size_, style_}) connect(c, &QComboBox::currentTextChanged, this, &ExportDialog::show_command);
+  for (QComboBox* c : {size_, style_, filter_})
+    connect(c, &QComboBox::currentTextChanged, this, &ExportDialog::show_command);
   for (QSpinBox* s : {samples_, subframes_}) connect(s, &QSpinBox::valueChanged, this, &ExportDialog::show_command);
   connect(start_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(cancel_, &QPushButton::clicked, this,
@@ -127,6 +133,7 @@ QStringList ExportDialog::arguments(const QString& script) const {
   if (pixels.match(size_->currentText()).hasMatch())
     if (size_->currentText() != "1280x720" || workspace_.document().size()) all << "--size" << size_->currentText();
   if (style_->currentIndex() != 0) all << "--style" << style_->currentText();
+  if (filter_->currentIndex() > 0) all << "--pixel-filter" << filter_->currentText();
   if (samples_->value() > 0) all << "--samples" << QString::number(samples_->value());
   if (subframes_->value() > 0) all << "--subframes" << QString::number(subframes_->value());
   return all;
@@ -163,7 +170,7 @@ void ExportDialog::start() {
     return;
   }
   come_.clear(), said_.clear(), state_->clear();
-  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, samples_, subframes_})
+  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, filter_, samples_, subframes_})
     w->setEnabled(false);
   progress_->setVisible(true), progress_->setRange(0, 0);
   start_->setEnabled(false), cancel_->setText(tr("Stop"));
@@ -190,7 +197,7 @@ void ExportDialog::finish(int code) {
   take(std::exchange(come_, {}));
   progress_->setVisible(false);
   start_->setEnabled(true), cancel_->setText(tr("Close"));
-  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, samples_, subframes_})
+  for (QWidget* w : std::initializer_list<QWidget*>{out_, frames_, size_, style_, filter_, samples_, subframes_})
     w->setEnabled(true);
   if (!said_.trimmed().isEmpty()) state_->setText(said_.replace(text_->fileName(), script_name()).trimmed());
   text_.reset();

@@ -48,7 +48,7 @@ class ExportDialog : public QDialog {
 
   Workspace& workspace_;
   QLineEdit *out_, *frames_;
-  QComboBox *size_, *style_;
+  QComboBox *size_, *style_, *filter_;
   QSpinBox *samples_, *subframes_;
   QCheckBox* open_;
   QLabel *command_, *state_;
