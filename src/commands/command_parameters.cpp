@@ -143,14 +143,14 @@ bool read_parameter(Command& k, std::vector<CommandParameter>& out) {
 
 bool read_parameters(Command& k, std::vector<CommandParameter>& out) {
   Cursor& c = k.cursor;
-  if (!c.accept('(')) return c.fail_here(ErrorCode::syntax, "'(' is missing here");
-  for (c.space(); !c.accept(')'); c.space()) {
+  if (!c.open()) return false;
+  for (c.space(); c.peek() != ')'; c.space()) {
     if (c.at >= c.end) return c.fail_here(ErrorCode::syntax, "this bracket is never closed");
     if (out.size() >= most_parameters)
       return c.fail_here(ErrorCode::range, fmt::format("a command can have at most {} parameters", most_parameters));
     if (!read_parameter(k, out)) return false;
   }
-  return true;
+  return c.close();
 }
 
 std::string declared(const std::vector<CommandParameter>& all, const std::vector<std::string>& codes) {

@@ -21,16 +21,18 @@ constexpr std::size_t most_kinds = 1000;
 // Reads `of (A B …)`: the existing objects that become instances.
 bool linked(Command& k, std::vector<ObjectId>& out) {
   Cursor& c = k.cursor;
-  if (!c.accept('('))
+  c.space();
+  if (c.peek() != '(')
     return c.fail_here(ErrorCode::syntax, "names in brackets are missing here", "as in of (anna bert)");
-  while (!c.accept(')')) {
+  if (!c.open()) return false;
+  for (c.space(); c.peek() != ')'; c.space()) {
     const std::string_view word = c.next_word();
     if (word.empty()) return c.fail_here(ErrorCode::syntax, "a name or ')' is missing here");
     const std::vector<ObjectId> found = select(k.scene, word);
     if (found.empty()) return c.fail(unknown_name("object", word, near_object(k.scene, word)), word);
     out.insert(out.end(), found.begin(), found.end());
   }
-  return true;
+  return c.close();
 }
 
 // Returns the instance that an existing object is, with the parts that have the names and kinds of the model's.

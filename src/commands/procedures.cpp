@@ -103,6 +103,7 @@ bool procedure(Command& k) {
   auto code = knows_lets ? make_code(k, std::move(source), false, role) : make_lua(role, std::move(source));
   if (!code) return c.fail(code.error(), about);
   made.code = *std::move(code);
+  made.code_at = script.source.diagnose(Severity::notice, {}, about).what.place;
   const auto& all = *s.procedures;
   const auto at = std::find_if(all.begin(), all.end(), [&](const NamedProcedure& p) { return p.name == name; });
   if (at == all.end()) {
@@ -175,9 +176,11 @@ struct Hosting : Host {
     inner.copied = k.script.copied;
     read_text(k.scene, inner, line, k.script.source.name);
     k.script.copied = inner.copied;
-    for (const Diagnostic& d : said)
-      if (d.severity == Severity::error)
-        return fail(d.what.code, fmt::format("{} (in \"{}\")", d.what.message, line.substr(0, 80)), d.what.hint);
+    for (const Diagnostic& d : said) {
+      const std::string what = fmt::format("{} (in \"{}\")", d.what.message, line.substr(0, 80));
+      if (d.severity == Severity::error) return fail(d.what.code, what, d.what.hint);
+      if (d.severity == Severity::warning) k.script.note(Severity::warning, what, {k.script.verb, 0}, d.what.hint);
+    }
     return Nothing{};
   }
   Result<Value> value_of(std::string_view target, double seconds) {
@@ -197,8 +200,7 @@ struct Hosting : Host {
     if (t->query()) return fail(ErrorCode::type, fmt::format("'{}' can only be read", target));
     std::string lines(target);
     for (const HostRow& row : rows) {
-      lines +=
-          "\n  " + when(row.from) + (row.until >= row.from ? ".." + when(row.until) : "") + " " + said(*t, row.value);
+      lines += "\n  " + when(row.from) + (row.until ? ".." + when(*row.until) : "") + " " + said(*t, row.value);
       if (!row.rest.empty()) lines += " " + row.rest;
     }
     return run_line(lines);
@@ -303,9 +305,13 @@ bool own_command(Command& k, const NamedProcedure& p) {
   const Status done = code->command(host, words);
   if (host.called_off) throw Cancelled{};
   if (done) return all.keep(), true;
-  return c.fail(done.error().code,
-                fmt::format("{}: {}", own.name, with_line(done.error().place.line, done.error().message)),
-                {start - own.name.size(), own.name.size()}, done.error().hint);
+  const Error& e = done.error();
+  const std::string& file = own.code_at.file;
+  const std::string what =
+      file.empty() || own.code->language != "lua"
+          ? with_line(e.place.line, e.message)
+          : fmt::format("{}:{}: {}", file, own.code_at.line + std::max(e.place.line, 1) - 1, e.message);
+  return c.fail(e.code, fmt::format("{}: {}", own.name, what), {start - own.name.size(), own.name.size()}, e.hint);
 }
 
 std::span<const Verb> procedures_verbs() { return procedures_rows; }

@@ -113,31 +113,34 @@ int run_line(lua_State* l, Machine& m) {
   return done ? 0 : fail_with(l, done.error().message);
 }
 
-// Reads a row of a sheet, {TIME, VALUE, "REST"} or {{FROM, UNTIL}, VALUE, "REST"}, at the top of the stack.
-bool row_of(lua_State* l, HostRow& row, std::string& why) {
-  if (!lua_istable(l, -1)) return why = "is not a table", false;
-  lua_geti(l, -1, 1), lua_geti(l, -2, 2), lua_geti(l, -3, 3);
-  const int time = -3, value = -2, rest = -1;
-  bool timed = lua_type(l, time) == LUA_TNUMBER;
-  if (timed) row.from = lua_tonumber(l, time);
-  if (lua_istable(l, time)) {
-    lua_geti(l, time, 1), lua_geti(l, time - 1, 2);
-    timed =
-        lua_type(l, -2) == LUA_TNUMBER && lua_type(l, -1) == LUA_TNUMBER && lua_tonumber(l, -2) <= lua_tonumber(l, -1);
-    row.from = lua_tonumber(l, -2), row.until = lua_tonumber(l, -1);
-    lua_pop(l, 2);
+// Reads a row of a sheet, {TIME, VALUE, "REST"} or {{FROM, UNTIL}, VALUE, "REST"}, at the top of the stack. Returns why
+// it cannot be read, or "".
+std::string read_row(lua_State* l, HostRow& row) {
+  if (!lua_istable(l, -1)) return "is not a table";
+  const int table = lua_gettop(l);
+  const auto time = [&](int at, double& out) {
+    if (lua_type(l, at) != LUA_TNUMBER) return false;
+    out = lua_tonumber(l, at);
+    return std::abs(out) <= longest_seconds;
+  };
+  lua_geti(l, table, 1);
+  bool timed = false;
+  if (lua_istable(l, -1)) {
+    lua_geti(l, -1, 1), lua_geti(l, -2, 2);
+    timed = time(-2, row.from) && time(-1, row.until.emplace());
+    if (timed && *row.until < row.from) return "ends before it begins";
+  } else {
+    timed = time(-1, row.from);
   }
-  auto v = to_value(l, lua_gettop(l) - 1);
-  if (!timed || !std::isfinite(row.from) || !std::isfinite(row.until))
-    why = "does not begin with a time in seconds, or two";
-  else if (lua_isnil(l, value) || !v)
-    why = "has no value";
-  else if (!lua_isnil(l, rest) && lua_type(l, rest) != LUA_TSTRING)
-    why = "has something after its value that is not a text";
-  else
-    row.value = *std::move(v), row.rest = lua_isnil(l, rest) ? "" : lua_tostring(l, rest);
-  lua_pop(l, 3);
-  return why.empty();
+  if (!timed) return "does not begin with a time in seconds, or with two in a table";
+  if (lua_geti(l, table, 2) == LUA_TNIL) return "has no value";
+  auto v = to_value(l, lua_gettop(l));
+  if (!v) return "has a value that cannot be used: " + v.error().message;
+  row.value = *std::move(v);
+  const int rest = lua_geti(l, table, 3);
+  if (rest != LUA_TNIL && rest != LUA_TSTRING) return "has something after its value that is not a text";
+  if (rest == LUA_TSTRING) row.rest = lua_tostring(l, -1);
+  return {};
 }
 
 // sheet(TARGET, {{TIME, VALUE, "REST"}, …})
@@ -148,10 +151,10 @@ int sheet_of(lua_State* l, Machine& m) {
   std::vector<HostRow> rows(lua_rawlen(l, 2));
   charge(l, 20 * static_cast<double>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    std::string why;
     lua_geti(l, 2, static_cast<lua_Integer>(i + 1));
-    if (!row_of(l, rows[i], why)) return fail_with(l, "sheet: row " + std::to_string(i + 1) + " " + why);
-    lua_pop(l, 1);
+    if (const std::string why = read_row(l, rows[i]); !why.empty())
+      return fail_with(l, "sheet: row " + std::to_string(i + 1) + " " + why);
+    lua_settop(l, 2);
   }
   const Status done = m.call->host->sheet(lua_tostring(l, 1), rows);
   return done ? 0 : fail_by(l, done.error());

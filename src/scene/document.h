@@ -129,6 +129,7 @@ struct NamedProcedure {
   Stepping stepping = {};                         // of the role `steps`
   std::vector<CommandParameter> parameters = {};  // of the role `command`; without any, it gets words
   std::string help = {};                          // the author's sentence about it
+  Place code_at = {};                             // of the code, for the messages of a command
   friend bool operator==(const NamedProcedure& a, const NamedProcedure& b) {
     return a.name == b.name && a.role == b.role && a.stepping == b.stepping && a.parameters == b.parameters &&
            a.help == b.help && Procedure{a.code} == Procedure{b.code};

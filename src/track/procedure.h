@@ -72,7 +72,8 @@ class Input {
 
 // A row of a sheet that a command writes.
 struct HostRow {
-  double from = 0, until = -1;  // seconds; `until` is not below `from` if the row has a segment of time
+  double from = 0;              // seconds
+  std::optional<double> until;  // not before `from`; set if the row has a segment of time
   Value value;                  // a text for another type stands for itself, as in "keep" or "along road"
   std::string rest;             // "smooth ease-in=3f"
 };

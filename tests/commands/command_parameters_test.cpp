@@ -50,6 +50,24 @@ TEST(CommandParameters, ReachTheCodeWithTheirTypes) {
   EXPECT_EQ(notes[0].second, "a2 a1+a2+a3 1 0.5 -1.5 1.570796 2 1 true it's here nil 2 1 37f 0.1428571429s");
 }
 
+TEST(CommandParameters, CanBeDeclaredOverSeveralLines) {
+  const LoadedFilm film(
+      "create a sphere\nprocedure put command (who object,  # whom\n  at time = -5s,\n  n number = 3) lua "
+      "\"sheet(who .. '.radius', {{at, n, 'hold'}, {at + 1, 2 * n}})\"\nput a\nput a at=-4s n=(1 + 1)\n");
+  expect_numbers(film, {{"a.radius", "-4.5s", {3}}, {"a.radius", "-3.5s", {2}}, {"a.radius", "1f", {4}}});
+}
+
+TEST(CommandParameters, WarningsOfTheirLinesAreSaid) {
+  const Loaded film = read("create a sphere\nprocedure put command lua \"sheet('a.radius', {{1, 2}, {1, 3}})\"\nput\n");
+  ASSERT_EQ(film.diagnostics.size(), 1u);
+  EXPECT_EQ(film.diagnostics[0].severity, Severity::warning);
+  EXPECT_EQ(film.diagnostics[0].what.place.line, 3);
+  // An error names the line of the code in its file.
+  EXPECT_NE(said(read("procedure put command lua \"\"\"\n  local x = 1\n  x()\n\"\"\"\nput\n").diagnostics)
+                .find("test.bx:3: "),
+            std::string::npos);
+}
+
 TEST(CommandParameters, TimesComeBackToTheFlick) {
   std::mt19937_64 random(3);
   for (int i = 0; i < 40; ++i) {
