@@ -5,6 +5,7 @@
 # Checks the rules of the house: no room (folder of src/) includes a lower room, public headers include no third party,
 # every file has its licence and its format, every item of tests/coverage.txt has a test, all links of the pages have a
 # target, and the texts are plain.
+# shows: C106
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
 rooms=(base syntax algebra track scene program procedure exchange language commands editor export render film playback lsp server app studio)
 passed=0 failed=0

@@ -16,6 +16,7 @@ const std::string hop =
     "  sheet(who .. '.position.y', {{at, 0, 'smooth'}, {at + 0.5, height}, {at + 1, 0, 'hold ease-in=2f'}})\n"
     "  if tint then sheet(who .. '.color', {{at, tint}}) end\n\"\"\"\n";
 
+// shows: S8 G6
 TEST(CommandParameters, MakeTheEventsThatOneWouldWrite) {
   const std::string by_hand =
       "create ball sphere\ncreate cube box\nrate 24\n"

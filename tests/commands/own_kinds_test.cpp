@@ -69,6 +69,7 @@ constexpr std::string_view model =
     "man/arm.position.x.velocity\n  30f 1\n  40f release\nman/arm/hand.position.x\n  1f 0\n  24f 2 smooth\n"
     "rename man/arm/hand man/arm/fist\nset man/sign.text \"b\"\nremove man/sign\nset man.position.y 3\n";
 
+// shows: S5
 TEST(OwnKinds, AnInstanceFollowsWhateverTheModelSaysLater) {
   const std::vector<std::string> lines = lines_of(model);
   std::string all;

@@ -96,6 +96,7 @@ TEST(Values, ColorsBlendInLight) {
 }
 
 // A matrix gives the rotation that has these rows.
+// shows: S9
 TEST(Values, RotationMatrices) {
   const LoadedFilm s(
       "create a box rotation=matrix(0 -1 0 1 0 0 0 0 1)\ncreate b box\nset b.rotation matrix(0.36 0.48 -0.8 -0.8 0.6 0 "

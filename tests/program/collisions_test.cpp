@@ -20,7 +20,7 @@ LoadedFilm towards_wall(std::string_view collision) {
       collision));
 }
 
-// shows: G51
+// shows: G51 S4 G51
 TEST(Collisions, StopAtTheSurfaceUntilTheTrackComesBack) {
   for (const char* how : {"stop", "slide"}) {
     const LoadedFilm s = towards_wall(how);

@@ -88,6 +88,7 @@ TEST(Evaluation, OfFourThreadsEachHasItsOwn) {
   }
 }
 
+// shows: G87
 TEST(Evaluation, GoesOnWithAnEditedProgram) {
   EXPECT_TRUE(rc::check([] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();

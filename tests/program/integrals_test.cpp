@@ -11,7 +11,7 @@ namespace {
 
 std::string at(double seconds) { return fmt::format("{}s", seconds); }
 
-// shows: G54 G8
+// shows: G54 G8 S2
 TEST(Integrals, OfCodeAreItsIntegral) {
   const LoadedFilm s(
       "rate 24\ncreate a sphere position=(1 0 0)\nat 1f a.position.velocity = \"vec(-sin(t), cos(t), exp(-t))\"\n"
@@ -65,6 +65,7 @@ TEST(Integrals, OfAngularVelocities) {
 }
 
 // The velocity of a car that steers: it drives on a circle.
+// shows: S9
 TEST(Integrals, InOwnSpaceTurnWithTheObject) {
   const LoadedFilm s(
       "rate 24\ncreate car box velocity-space=own\nat 1f car.position.velocity (2 0 0)\n"

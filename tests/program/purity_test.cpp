@@ -118,7 +118,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
          });
 }
 
-// shows: G31 G36 G47 G55 G58 G105 R-T5 R-T11 R-T16 R-H4
+// shows: G31 G36 G47 G55 G58 G105 R-T5 R-T11 R-T16 R-H4 C7 C127
 TEST(Purity, AnyOrderAndAnyThreadGivesTheBitsOfPlaying) {
   EXPECT_TRUE(rc::check([] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();

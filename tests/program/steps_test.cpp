@@ -33,6 +33,7 @@ const std::string pursuit =
     "steps lua \"local p = state or vec(0, 6, 0) "
     "return p + normalize(value('hare.position', t - dt) - p) * (3 * dt)\"";
 
+// shows: S1
 TEST(Steps, APursuitIsThatOfAPlainLoop) {
   const LoadedFilm s(film(pursuit));
   Vec3 p{0, 6, 0};

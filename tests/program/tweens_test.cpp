@@ -12,7 +12,7 @@ namespace {
 constexpr const char* arc =
     "procedure arc tween lua \"from + (to - from) * u + vec(0, 4 * u * (1 - u), 0)\"\ncreate ball sphere\n";
 
-// shows: G50 G51
+// shows: G50 G51 S3
 TEST(Tweens, ReturnTheValueItself) {
   const LoadedFilm s(std::string("rate 24\n") + arc +
                      "ball.position\n  1f (-2 0 0) arc\n  25f (2 1 0) linear\n  49f (2 5 0)\n");

@@ -46,6 +46,7 @@ Frame squares() {
   return f;
 }
 
+// shows: S6
 TEST(PixelFilters, AreTheConvolutionOfTheirDefinition) {
   constexpr int width = 40, height = 30, side = 4;
   const Frame frame = squares();

@@ -27,6 +27,32 @@ TEST(SceneSize, CountsEventsAndWhatTheyTake) {
   EXPECT_LE(each, sizeof(Event) + 1);  // chunks and their counts
 }
 
+// shows: G90 G100
+TEST(SceneSize, AnEventTakesTheSameWhateverItsType) {
+  const auto bytes_each = [](FunctionId f, const Value& v) {
+    const auto scene_with = [&](int events) {
+      Scene s;
+      const ObjectId ball = add(s, "ball");
+      for (int k = 0; k < events; ++k) {
+        put_event(s, {ball, f}, event(k, v));
+      }
+      return size_of(s).bytes;
+    };
+    return static_cast<double>(scene_with(6400) - scene_with(1280)) / 5120;
+  };
+  const double number = bytes_each(fn::radius, 1.0);
+  // Large values are apart, and those that are equal are stored once.
+  const std::vector<std::pair<FunctionId, Value>> others{{fn::position, Vec3{1, 2, 3}},
+                                                         {fn::color, Color{1, 0, 0}},
+                                                         {fn::rotation, Quat{}},
+                                                         {fn::display, true},
+                                                         {fn::text, Text(std::string(5000, 'x'))},
+                                                         {fn::points, Points(std::vector<Vec3>(5000))},
+                                                         {fn::transform, Matrix(Mat4())}};
+  for (const auto& [f, v] : others) EXPECT_NEAR(bytes_each(f, v), number, 0.01) << f;
+  EXPECT_LE(number, 65);
+}
+
 TEST(SceneSize, CountsOnceWhatManyShare) {
   Scene s = scene_of(10'000);
   const std::size_t one = size_of(s).bytes;

@@ -28,6 +28,7 @@ std::string picture(const Folder& folder, std::uint8_t gray) {
   return folder.get("made.png");
 }
 
+// shows: S7
 TEST(Sending, APictureIsTheSameAsFromItsFile) {
   const Folder folder;
   Stage s;
