@@ -16,6 +16,7 @@
 #include "betwixt/language.h"
 #include "betwixt/picture.h"
 #include "betwixt/render.h"
+#include "betwixt/sent.h"
 #include "errors.h"
 #include "playback/film_player.h"
 #include "says.h"
@@ -207,6 +208,16 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
            says("Makes a film, or numbered pictures, in the format of the ending. `progress(done, frames, seconds)` is "
                 "called "
                 "now and then. If it returns False, the film ends and no file is left."));
+  m.def(
+      "send",
+      [](const std::string& name, const py::bytes& data) {
+        const std::string bytes = data;
+        return value_or_raise(unlocked([&] { return send_bytes(name, bytes); }));
+      },
+      py::arg("name"), py::arg("data"),
+      says("Gives this process the contents of a file: a picture, mesh, scene, drawing or sound, as the ending of the "
+           "name says. From then on every film can write \"@NAME\" where it can name a file: texture=\"@logo.png\". Returns "
+           "the full name, which means these bytes for ever."));
   m.def(
       "styles",
       [] {

@@ -32,6 +32,7 @@ from ._core import (
     Picture,
     Poses,
     Track,
+    send,
     styles,
 )
 from ._errors import Error, Warning
@@ -39,7 +40,7 @@ from ._player import Player
 
 __all__ = ["Camera", "Channel", "Diagnostic", "Error", "Event", "Film", "Frame", "Item", "KeyPiece", "Light", "Made",
            "Mesh", "MeshPart", "ObjectKeys", "Picture", "Player", "Poses", "Track", "Warning", "load", "loads",
-           "styles"]
+           "send", "styles"]
 __version__ = _core.version
 
 def load(path: str | os.PathLike[str], *, read_anywhere: bool = False, tex: bool = False) -> Film:

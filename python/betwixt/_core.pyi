@@ -19,6 +19,7 @@ Indices = npt.NDArray[np.uint32]
 version: str
 
 def styles() -> list[str]: ...
+def send(name: str, data: bytes) -> str: ...
 
 class Diagnostic:
     """An error, a warning or a notice about a script."""

@@ -310,5 +310,14 @@ aim_status aim_command(aim* h, const char* line, const char** said) {
     return status;
   });
 }
+aim_status aim_send(aim* h, const char* name, const void* bytes, size_t size) {
+  return on(h, [&](aim& it) {
+    if (!name || (!bytes && size > 0)) return it.fail(AIM_E_CALL, "the pointer for the name or the bytes is null");
+    if (*name == '\0' || std::strpbrk(name, " \t\r\n")) return it.fail(AIM_E_CALL, "the name has no blanks");
+    if (it.bundling) return it.fail(AIM_E_CALL, "bytes cannot be sent in a bundle");
+    it.interrupted = true;
+    return it.ask_with(fmt::format("send {} {}", name, size), {static_cast<const char*>(bytes), size});
+  });
+}
 
 }  // extern "C"

@@ -85,6 +85,13 @@ struct aim {
     if (!send(line + "\n")) return lost("the server closed the connection");
     return bundling && !answered_in_bundles ? AIM_OK : hear();  // a bundle has one answer, at its end
   }
+  // The same for a line that bytes follow.
+  aim_status ask_with(const std::string& line, std::string_view bytes) {
+    error.clear(), warnings.clear();
+    if (fd < 0) return fail(AIM_E_CONNECTION, "the connection is closed");
+    if (!send(line + "\n") || !send(bytes)) return lost("the server closed the connection");
+    return hear();
+  }
   aim_status hear() {
     std::string text;
     do {

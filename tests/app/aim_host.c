@@ -101,6 +101,28 @@ static void lone_bundles(aim* a) {
   check(aim_command(a, "undo", 0) == AIM_OK, "and back");
 }
 
+/* A picture of 1 x 1 pixels. */
+static const unsigned char dot[] = {
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0,    0,    0,    0x0d, 0x49, 0x48, 0x44, 0x52, 0,    0,
+    0,    1,    0,    0,    0,    1,    8,    0,    0,    0,    0,    0x3a, 0x7e, 0x9b, 0x55, 0,    0,    0,
+    0x0a, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0x60, 0,    0,    0,    2,    0,    1,    0x48, 0xaf, 0xa4,
+    0x71, 0,    0,    0,    0,    0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+
+static void sent(aim* a) {
+  check(aim_send(0, "dot.png", dot, sizeof dot) == AIM_E_CALL && aim_send(a, 0, dot, sizeof dot) == AIM_E_CALL &&
+            aim_send(a, "dot.png", 0, 5) == AIM_E_CALL && aim_send(a, "a dot.png", dot, sizeof dot) == AIM_E_CALL,
+        "calls that send nothing");
+  check(aim_send(a, "dot.png", dot, 20) == AIM_E_REFUSED && aim_send(a, "dot.exe", dot, sizeof dot) == AIM_E_REFUSED,
+        "bytes that are no picture");
+  check(aim_send(a, "dot.png", dot, sizeof dot) == AIM_OK &&
+            aim_command(a, "create photo rectangle texture=\"@dot.png\"", 0) == AIM_OK,
+        "a picture from memory");
+  check(aim_command(a, "undo", 0) == AIM_OK, "and back");
+  aim_begin_bundle(a);
+  check(aim_send(a, "dot.png", dot, sizeof dot) == AIM_E_CALL, "not in a bundle");
+  aim_end_bundle(a);
+}
+
 static void warnings(aim* a) {
   check(aim_command(a, "halt nobody*", 0) == AIM_OK && strstr(aim_warnings(a), "nothing is named 'nobody*'") != 0,
         "warnings reach the caller");
@@ -223,6 +245,7 @@ int main(int argc, char** argv) {
   null_handles();
   refused_names(a, m);
   lone_bundles(a);
+  sent(a);
   warnings(a);
   OK(aim_delete_object(a, object));
   aim_disconnect(a);

@@ -16,6 +16,17 @@ LINE = "create ball sphere\nball.position\n  1f (0 0 0) linear\n  25f (24 12 -6)
 
 
 class Values(unittest.TestCase):
+    def test_sent_bytes_are_files(self):
+        picture = betwixt.loads("create a sphere\nsize 8x8\n").picture(1).png()
+        full = betwixt.send("ball.png", picture)
+        self.assertTrue(full.startswith("@") and full.endswith("-ball.png"))
+        film = betwixt.loads('create a rectangle size=(2 2) texture="@ball.png"')
+        self.assertEqual(film.eval("a.texture", 1), full)
+        for name, data, code in (("ball.png", b"no picture", "file"), ("ball.exe", picture, "name")):
+            with self.assertRaises(betwixt.Error) as caught:
+                betwixt.send(name, data)
+            self.assertEqual(caught.exception.code, code)
+
     def test_kinds_of_the_script(self):
         film = betwixt.loads("create man box\ndefine kind human like man hidden\ncreate {anna,bert} human\n"
                              "set anna.color red\n")
