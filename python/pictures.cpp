@@ -216,7 +216,8 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
       },
       py::arg("name"), py::arg("data"),
       says("Gives this process the contents of a file: a picture, mesh, scene, drawing or sound, as the ending of the "
-           "name says. From then on every film can write \"@NAME\" where it can name a file: texture=\"@logo.png\". Returns "
+           "name says. From then on every film can write \"@NAME\" where it can name a file: texture=\"@logo.png\". "
+           "Returns "
            "the full name, which means these bytes for ever."));
   m.def(
       "styles",

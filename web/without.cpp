@@ -10,6 +10,7 @@
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
 #include "procedure/plugins.h"
+#include "render/plugin_renderer.h"
 #include "render/traced.h"
 
 namespace betwixt {
@@ -35,6 +36,9 @@ Status decode_sound(const std::string&, const Listener&, double) { return not_he
 Result<std::shared_ptr<const Sound>> read_sound(const std::string&, bool) { return std::make_shared<const Sound>(); }
 
 Result<Plugin> load_plugin(const std::string&) { return not_here("plug-ins are not loaded"); }
+Result<std::unique_ptr<Renderer>> make_plugin_renderer(const RenderOptions&, int) {
+  return not_here("plug-ins are not loaded");
+}
 
 Result<std::unique_ptr<Renderer>> make_traced(const RenderOptions&, unsigned) {
   return not_here("light is not traced");

@@ -111,8 +111,9 @@ aim_status aim_end_bundle(aim*);
 /* Sends one line of the language (docs/language.md). Sets `said`, unless it is null, to the text of the answer, valid
  * until the next call. The lines `bundle` and `end` act as aim_begin_bundle and aim_end_bundle. */
 aim_status aim_command(aim*, const char* line, const char** said);
-/* Gives the server the contents of a file: a picture, mesh, scene, drawing or sound, as the ending of the name says. From
- * then on commands can name it "@NAME": aim_command(h, "set lonely.texture \"@logo.png\"", 0). Cannot be in a bundle. */
+/* Gives the server the contents of a file: a picture, mesh, scene, drawing or sound, as the ending of the name says.
+ * From then on commands can name it "@NAME": aim_command(h, "set lonely.texture \"@logo.png\"", 0). Cannot be in a
+ * bundle. */
 aim_status aim_send(aim*, const char* name, const void* bytes, size_t size);
 
 /* ---- matrices (appendix A)

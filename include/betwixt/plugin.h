@@ -83,8 +83,43 @@ typedef int (*betwixt_filter)(const struct betwixt_input* input, const struct be
                               size_t count, struct betwixt_value* out, void* user);
 typedef int (*betwixt_procedure)(const struct betwixt_questions* questions, const struct betwixt_value* arguments,
                                  size_t count, struct betwixt_value* out, void* user);
+/* Passed to a renderer: what a picture shows, as columns. Space is right-handed with y up, in metres. Matrices are 16
+ * numbers row by row, for column vectors. Colours are linear light. The pointers are valid until your function returns.
+ */
+struct betwixt_mesh_range { /* the part of `position`, `normal` and `triangle` that is the mesh of an object */
+  size_t first_vertex, vertices, first_triangle, triangles;
+};
+struct betwixt_light {
+  int sun; /* 1: parallel light along `direction`, otherwise a lamp at `position` */
+  double position[3], direction[3], color[3];
+  double range; /* of a lamp: metres at which its light has faded to nothing */
+};
+struct betwixt_frame {
+  int width, height;                     /* of the picture, in pixels */
+  size_t count;                          /* visible objects, in the order of their creation */
+  const double* world;                   /* for each object 16: from mesh space to the world */
+  const double* color;                   /* for each object 4: red, green, blue, and opacity from 0 to 1 */
+  const struct betwixt_mesh_range* mesh; /* for each object; objects with equal shapes share one */
+  const float* position;                 /* for each vertex 3, in mesh space */
+  const float* normal;                   /* for each vertex 3 */
+  const unsigned* triangle;              /* for each triangle 3 vertices of its mesh, counted from first_vertex */
+  size_t light_count;
+  const struct betwixt_light* light;
+  double camera[16]; /* from camera space to the world; the camera looks along -z */
+  int orthographic;
+  /* A point (x y z) in camera space is at (scale[0] x, scale[1] y) / -z of the picture, or for an orthographic camera
+   * at (scale[0] x, scale[1] y). The picture goes from -1 to 1 in both directions, y up. */
+  double scale[2];
+  double background[3];
+};
+
 typedef int (*betwixt_command)(const struct betwixt_commands* commands, const char* const* words, size_t count,
                                const char** why, void* user);
+
+/* Fills `rgba`, width * height pixels of red, green, blue (sRGB) and opacity, row by row from the top. It is
+ * transparent black at first. Runs in a process of its own: it may keep what it likes there, and if it crashes, only
+ * its picture is lost. It has 60 seconds for a picture. */
+typedef int (*betwixt_renderer)(const struct betwixt_frame* frame, unsigned char* rgba, const char** why, void* user);
 
 /* The program. Each function returns 0, or 1 if the name is taken or not valid (a letter, then letters, digits, -, _).
  */
@@ -103,6 +138,9 @@ struct betwixt_host {
    * and everything below it. Betwixt runs them when a script first uses the kind, and hides the model. Since version 2.
    */
   int (*register_kind)(const struct betwixt_host*, const char* name, const char* help, const char* lines);
+  /* Adds a style, which `--style NAME` chooses. Since version 2. */
+  int (*register_renderer)(const struct betwixt_host*, const char* name, const char* help, betwixt_renderer,
+                           void* user);
 };
 
 #ifdef __cplusplus

@@ -28,6 +28,7 @@ struct Brought {
   std::vector<NamedProcedure> procedures;
   std::vector<FunctionSpec> functions;
   std::vector<PluginKind> kinds;
+  std::vector<PluginRenderer> renderers;
 };
 Brought& brought() {
   static Brought b;
@@ -96,6 +97,12 @@ Status use_plugin(const std::string& path) {
     if (const Status s = free(kind.name, find_kind(kind.name) ? "a kind of objects" : ""); !s) return s;
     words.push_back({kind.name, kind.help, path});
   }
+  for (const PluginRenderer& renderer : plugin->renderers) {
+    static constexpr std::string_view built_in[] = {"shaded", "wireframe", "hidden-line", "traced"};
+    const bool taken = std::find(std::begin(built_in), std::end(built_in), renderer.name) != std::end(built_in);
+    if (const Status s = free(renderer.name, taken ? "a style" : ""); !s) return s;
+    words.push_back({renderer.name, renderer.help, path});
+  }
   const auto others = static_cast<std::size_t>(
       std::count_if(all.words.begin(), all.words.end(), [&](const Word& w) { return w.path != path; }));
   if (others + words.size() > most_words)
@@ -107,9 +114,11 @@ Status use_plugin(const std::string& path) {
                        [&](const Word& w) { return w.path == path && w.name == one.name; });
   };
   std::erase_if(all.functions, replaced), std::erase_if(all.kinds, replaced);
+  std::erase_if(all.renderers, replaced);
   std::erase_if(all.words, [&](const Word& w) { return w.path == path; });
   for (const PluginItem& item : plugin->items) all.procedures.push_back({item.name, item.role, item.code});
   all.functions.insert(all.functions.end(), functions.begin(), functions.end());
+  all.renderers.insert(all.renderers.end(), plugin->renderers.begin(), plugin->renderers.end());
   all.kinds.insert(all.kinds.end(), plugin->kinds.begin(), plugin->kinds.end());
   all.words.insert(all.words.end(), words.begin(), words.end());
   return Nothing{};
@@ -138,6 +147,20 @@ std::vector<std::string> plugin_kinds() {
   std::vector<std::string> names;
   for (const PluginKind& kind : all.kinds) names.push_back(kind.name);
   return names;
+}
+
+std::optional<PluginRenderer> plugin_renderer(std::string_view name) {
+  Brought& all = brought();
+  const std::lock_guard lock(all.mutex);
+  for (const PluginRenderer& renderer : all.renderers)
+    if (renderer.name == name) return renderer;
+  return std::nullopt;
+}
+
+std::vector<PluginRenderer> plugin_renderers() {
+  Brought& all = brought();
+  const std::lock_guard lock(all.mutex);
+  return all.renderers;
 }
 
 std::string plugin_help(std::string_view word) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "procedure/plugins.h"
 #include "scene/document.h"
 
 namespace betwixt {
@@ -18,6 +19,8 @@ void adopt_plugins(Scene&);
 // Returns the lines that make the model of a plug-in's kind, or nullopt if no plug-in brought it.
 std::optional<std::string> plugin_kind(std::string_view name);
 std::vector<std::string> plugin_kinds();  // the names of all
+std::optional<PluginRenderer> plugin_renderer(std::string_view name);
+std::vector<PluginRenderer> plugin_renderers();
 // Returns the plug-in's help for one of its words, or "" if it has none or no plug-in brought the word.
 std::string plugin_help(std::string_view word);
 // Returns the plug-ins that have a word which occurs in the script.

@@ -233,6 +233,15 @@ int add_kind(const betwixt_host* host, const char* name, const char* help, const
   return 0;
 }
 
+int add_renderer(const betwixt_host* host, const char* name, const char* help, betwixt_renderer function, void* user) {
+  Registering& r = *static_cast<Registering*>(host->state);
+  const auto& all = r.plugin.renderers;
+  const bool taken = name && std::any_of(all.begin(), all.end(), [&](const auto& k) { return k.name == name; });
+  if (!accept(r, name, function, taken)) return 1;
+  r.plugin.renderers.push_back({name, help ? help : "", r.path, function, user});
+  return 0;
+}
+
 // Loads a plug-in and lets it register. Errors begin with the reason, such as "not a plug-in".
 Result<Plugin> open(const std::string& path) {
   const auto wrong = [](std::string what) { return fail(ErrorCode::file, std::move(what)); };
@@ -257,7 +266,8 @@ Result<Plugin> open(const std::string& path) {
                           add<NativeValue, Role::value, betwixt_procedure>,
                           add<NativeCommand, Role::command, betwixt_command>,
                           add_function,
-                          add_kind};
+                          add_kind,
+                          add_renderer};
   try {
     const int refusal = entry(&host);
     if (!r.wrong.empty()) return wrong(r.wrong);

@@ -10,6 +10,8 @@
 
 #include "track/procedure.h"
 
+struct betwixt_frame;  // betwixt/plugin.h
+
 namespace betwixt {
 
 struct PluginItem {
@@ -24,9 +26,15 @@ struct PluginFunction {
 struct PluginKind {
   std::string name, help, lines;  // the lines make the model
 };
+struct PluginRenderer {
+  std::string name, help, path;  // `path`: of the plug-in
+  int (*function)(const struct betwixt_frame*, unsigned char* rgba, const char** why, void* user) = nullptr;
+  void* user = nullptr;
+};
 struct Plugin {
   std::vector<PluginItem> items;
   std::vector<PluginKind> kinds;
+  std::vector<PluginRenderer> renderers;
   std::vector<PluginFunction> functions;
 };
 

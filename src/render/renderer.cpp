@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
+#include <mutex>
 #include <tuple>
 
 #include "base/stages.h"
 #include "betwixt/render.h"
+#include "commands/plugins.h"
 #include "render/blur.h"
 #include "render/gl.h"
 #include "render/module.h"
+#include "render/plugin_renderer.h"
 #include "render/traced.h"
 #include "scene/document.h"
 #include "scene/pixel_filter.h"
@@ -120,25 +124,42 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }
 
 Error no_such_style(const std::string& name) {
-  std::string all;
-  const Entry* near = nullptr;
-  for (const Entry& e : table) {
-    all += (all.empty() ? "" : ", ") + std::string(e.style.name);
-    if (distance(name.substr(0, 64), e.style.name) <= 3) near = &e;
+  std::string all, near;
+  for (const Style& s : styles()) {
+    all += (all.empty() ? "" : ", ") + std::string(s.name);
+    if (distance(name.substr(0, 64), s.name) <= 3) near = s.name;
   }
   return fail(ErrorCode::name, fmt::format("there is no style '{}'", name.substr(0, 64)),
-              near != nullptr ? std::string(near->style.name) : "the styles are " + all);
+              near.empty() ? "the styles are " + all : near);
 }
+
+// The styles of the program and of plug-ins. Lists that were given out stay valid when plug-ins are loaded.
+class StyleList {
+ public:
+  const std::vector<Style>& all() {
+    const std::lock_guard lock(mutex_);
+    const std::vector<PluginRenderer> more = plugin_renderers();
+    if (!lists_.empty() && lists_.back().size() == std::size(table) + more.size()) return lists_.back();
+    std::vector<Style>& list = lists_.emplace_back();
+    for (const Entry& e : table) list.push_back(e.style);
+    for (const PluginRenderer& renderer : more) {
+      const std::string &name = texts_.emplace_back(renderer.name), &what = texts_.emplace_back(renderer.help);
+      list.push_back({name, what, any, is_any, 1});
+    }
+    return list;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::deque<std::vector<Style>> lists_;
+  std::deque<std::string> texts_;
+};
 
 }  // namespace
 
 const std::vector<Style>& styles() {
-  static const std::vector<Style> all = [] {
-    std::vector<Style> list;
-    for (const Entry& e : table) list.push_back(e.style);
-    return list;
-  }();
-  return all;
+  static StyleList list;
+  return list.all();
 }
 
 bool has_blur(const Document& document) {
@@ -180,6 +201,9 @@ Result<const Entry*> find(const RenderOptions& options) {
                 "each side must have from 1 to 8192 pixels");
   const auto* entry =
       std::find_if(std::begin(table), std::end(table), [&](const Entry& e) { return e.style.name == options.style; });
+  static constexpr Entry of_plugins{{"", "", any, is_any, 1},
+                                    [](const RenderOptions& o) { return make_plugin_renderer(o); }};
+  if (entry == std::end(table) && plugin_renderer(options.style)) entry = &of_plugins;
   if (entry == std::end(table)) return no_such_style(options.style);
   if (!entry->style.takes(options.samples))
     return fail(ErrorCode::range, fmt::format("{} samples per pixel cannot be drawn", options.samples),
