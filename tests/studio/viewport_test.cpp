@@ -124,6 +124,73 @@ class ViewportTest : public QObject {
     QCOMPARE(std::get<Vec3>(*all[1].value).y, 2 + f.value("ball.position", "13f").split(' ')[1].toDouble() - 2);
   }
 
+  // The places are those of matrix products: R takes (1 0) to (0 1), then T takes it to (3 2).
+  void factors_of_a_motion_have_handles() {
+    Film f({"film flat", "create wheel disc radius=0.3 position=(1 0 0)",
+            "at 1f..25f wheel.motion T(3 1) R(90deg @ 0 0) back-out ease-out=3f"});
+    f.select("wheel");
+    const auto last = [&] { return f.text().trimmed().split('\n').last(); };
+    f.drag(at(3, 2), at(4, 3));  // the tip of the way
+    QVERIFY2(last().contains("wheel.motion T(4 2) R(90deg) back-out ease-out=3f"), qPrintable(last()));
+    QCOMPARE(f.value("wheel.world.x", "25f"), QString("4"));
+    QCOMPARE(f.value("wheel.world.y", "25f"), QString("3"));
+    f.workspace.undo();
+    QVERIFY(last().contains("T(3 1)"));
+    f.drag(at(0, 1), at(-1, 0));  // the arm of the rotation
+    QVERIFY2(last().contains("T(3 1) R(180deg)"), qPrintable(last()));
+    QCOMPARE(f.value("wheel.world.x", "25f"), QString("2"));
+    f.drag(at(0, 0), at(0, 1));  // its centre: (1 0) goes to (-1 2), and then by (3 1)
+    QVERIFY2(last().contains("T(3 1) R(180deg @ 0 1)"), qPrintable(last()));
+    QCOMPARE(f.value("wheel.world.x", "25f"), QString("2"));
+    QCOMPARE(f.value("wheel.world.y", "25f"), QString("3"));
+  }
+
+  void turning_round_counts_on() {
+    Film f({"film flat", "create wheel disc radius=0.3 position=(1 0 0)", "at 1f..25f wheel.motion R(90deg)"});
+    f.select("wheel");
+    QTest::mousePress(&f.view, Qt::LeftButton, {}, at(0, 1));
+    for (int k = 1; k <= 36; ++k) {
+      const double a = (90 + 10 * k) * pi / 180;
+      f.move(at(1.5 * std::cos(a), 1.5 * std::sin(a)));
+    }
+    QTest::mouseRelease(&f.view, Qt::LeftButton, {}, at(0, 1.5));
+    QVERIFY2(f.text().contains("R(450deg)"), qPrintable(f.text()));
+    QCOMPARE(f.value("wheel.world.y", "25f"), QString("1"));
+  }
+
+  void growths_and_what_cannot_be_dragged() {
+    Film f({"film flat", "create sun disc position=(-3 -3 0)", "create wheel disc radius=0.3 position=(1 0 0)",
+            "at 1f..25f wheel.motion S(2) R(90deg @ sun)"});
+    f.select("wheel");
+    // R about the sun takes (1 0) to (-3 -3) + (-3 4); S doubles it.
+    QCOMPARE(f.value("wheel.world.x", "25f"), QString("-12"));
+    const QString before = f.text();
+    f.drag(at(-3, -3), at(-2, -3));  // a centre that is an object stays, and the object is not selected by a drag
+    QVERIFY(f.text().contains("R(90deg @ sun)"));
+    Film g({"film flat", "create wheel disc radius=0.3 position=(1 0 0)", "at 1f..25f wheel.motion S(2)"});
+    g.select("wheel");
+    g.drag(at(2, 0), at(3, 1));
+    QVERIFY2(g.text().contains("wheel.motion S(3 3)") || g.text().contains("wheel.motion S(3)"), qPrintable(g.text()));
+    QTest::mousePress(&g.view, Qt::LeftButton, {}, at(3, 0));
+    g.move(at(4, 0));
+    QTest::keyClick(&g.view, Qt::Key_Escape);
+    QTest::mouseRelease(&g.view, Qt::LeftButton, {}, at(4, 0));
+    QCOMPARE(g.value("wheel.world.x", "25f"), QString("3"));
+  }
+
+  void a_motion_is_found_with_what_follows_it() {
+    Film f({"create a box", "at 1f..25f a.motion T(1 0 0) R(1turn axis y) sine-in", "at 30f..40f a.motion T(0 1 0)",
+            "create b box", "at 1f b.position (1 2 3)"});
+    const Document& d = f.workspace.document();
+    const auto at_frame = [&](double k) { return motion_row(d, f.find("a"), d.rate().frame(k)); };
+    QVERIFY(at_frame(12) && at_frame(12)->motion.factors.size() == 2);
+    QCOMPARE(QString::fromStdString(at_frame(12)->line(Motion{{translate_by({2, 0, 0})}})),
+             QString("at 1f..25f a.motion T(2 0) sine-in"));
+    QVERIFY(!at_frame(27) && !at_frame(50));
+    QVERIFY(at_frame(30));
+    QVERIFY(!motion_row(d, f.find("b"), d.rate().frame(1)));
+  }
+
   void of_components_those_with_tracks_get_rows() {
     Film f({"film flat", "create ball disc", "at 1f ball.position.x 0", "at 25f ball.position.x 0"});
     f.select("ball");

@@ -162,8 +162,11 @@ void Viewport::mouseMoveEvent(QMouseEvent* e) {
   at_ = e->position();
   switch (gesture_) {
     case Gesture::none: {
+      const auto of_motion = motion_handles();
+      const auto hot_motion = of_motion ? of_motion->part_at(scope(), at_) : std::nullopt;
+      if (std::exchange(hot_motion_, hot_motion) != hot_motion) update();
       const auto h = handles();
-      const Part hot = h ? h->part_at(at_) : Part::none;
+      const Part hot = h && !hot_motion ? h->part_at(at_) : Part::none;
       if (std::exchange(hot_, hot) != hot) update();
       break;
     }
@@ -185,6 +188,9 @@ void Viewport::mouseMoveEvent(QMouseEvent* e) {
       break;
     case Gesture::pull:
       go_on_pulling(at_, e->modifiers());
+      break;
+    case Gesture::motion:
+      drag_motion(at_, e->modifiers());
       break;
   }
 }
@@ -209,6 +215,9 @@ void Viewport::mouseReleaseEvent(QMouseEvent* e) {
       break;
     case Gesture::pull:
       if (!pull_by_keys_) end_pull(true);
+      break;
+    case Gesture::motion:
+      end_motion(true);
       break;
     case Gesture::none:
       break;
@@ -252,6 +261,7 @@ void Viewport::keyPressEvent(QKeyEvent* e) {
     if (!pulling_key(e)) e->ignore();
     return;
   }
+  if (motion_drag_) return e->key() == Qt::Key_Escape ? end_motion(false) : e->ignore();
   const bool plain = !(e->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
   ViewportSwitches s = switches_;
   const auto use = [&](Tool t) { s.tool = t, s.handles = true, set_switches(s); };

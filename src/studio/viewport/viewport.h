@@ -13,9 +13,11 @@
 #include "studio/shell/workspace.h"
 #include "studio/viewport/ghosts.h"
 #include "studio/viewport/handles.h"
+#include "studio/viewport/motion_handles.h"
 #include "studio/viewport/picture_maker.h"
 #include "studio/viewport/trails.h"
 
+class QMenu;
 class QToolButton;
 class QComboBox;
 
@@ -89,7 +91,7 @@ class Viewport : public QWidget {
   void dropEvent(QDropEvent*) override;
 
  private:
-  enum class Gesture { none, orbit, pan, zoom, press, box, pull };
+  enum class Gesture { none, orbit, pan, zoom, press, box, pull, motion };
   struct Icon {  // of an object without a shape
     ObjectId id;
     Kind kind;
@@ -123,6 +125,11 @@ class Viewport : public QWidget {
   void show_pull();
   void end_pull(bool carry_out);
   bool pulling_key(QKeyEvent*);
+  // Of the motion of the object that is selected alone.
+  std::optional<MotionHandles> motion_handles() const;
+  void drag_motion(QPointF, Qt::KeyboardModifiers);
+  void end_motion(bool carry_out);
+  void add_motion_menu(QMenu&);
   void press_on(QPointF, Qt::KeyboardModifiers);
   Vec3 place_under(QPointF) const;
   void select_in_box(Qt::KeyboardModifiers);
@@ -176,6 +183,14 @@ class Viewport : public QWidget {
   Vec3 pivot_;
   std::optional<ObjectId> pressed_;
   std::optional<Pull> pull_;
+  struct MotionDrag {
+    MotionHandles handles;
+    MotionHandles::Part part;
+    double turned = 0;  // radians: the angle until now, whole turns included
+    std::string line = {};
+  };
+  std::optional<MotionDrag> motion_drag_;
+  std::optional<MotionHandles::Part> hot_motion_;
   bool pull_by_keys_ = false, called_off_ = false;  // the latter by the button that otherwise opens a menu
   Part hot_ = Part::none;
   QString refusal_;

@@ -53,6 +53,14 @@ std::optional<Hit> Viewport::hit(QPointF p) const {
 }
 
 void Viewport::press_on(QPointF p, Qt::KeyboardModifiers modifiers) {
+  if (auto h = motion_handles())
+    if (const auto part = h->part_at(scope(), p)) {
+      workspace_.pause();
+      const double angle = h->row().motion.factors[part->factor].angle;
+      motion_drag_ = MotionDrag{*std::move(h), *part, angle};
+      gesture_ = Gesture::motion;
+      return update();
+    }
   if (const auto h = handles())
     if (const Part part = h->part_at(p); part != Part::none) return begin_pull(switches_.tool, part, p);
   if (switches_.trails && !workspace_.playhead().playing())
@@ -117,6 +125,7 @@ void Viewport::contextMenuEvent(QContextMenuEvent* e) {
     add(tr("Hide"), "hide");
     add(tr("Hide from now on"), "at " + workspace_.when(workspace_.time()) + " hide");
     add(tr("Remove"), "remove");
+    add_motion_menu(menu);
   }
   if (!menu.isEmpty()) menu.exec(e->globalPos());
 }
@@ -235,6 +244,66 @@ bool Viewport::pulling_key(QKeyEvent* e) {
   say_refusal();
   show_pull();
   return true;
+}
+
+// ---- Motions
+
+std::optional<MotionHandles> Viewport::motion_handles() const {
+  if (plain_ || !switches_.handles || workspace_.selected().size() != 1 || workspace_.playhead().playing())
+    return std::nullopt;
+  return MotionHandles::make(workspace_.program(), workspace_.selected().front(), shown_time());
+}
+
+void Viewport::drag_motion(QPointF p, Qt::KeyboardModifiers modifiers) {
+  const Motion now = motion_drag_->handles.dragged(scope(), motion_drag_->part, p, motion_drag_->turned,
+                                                   modifiers & Qt::ControlModifier);
+  motion_drag_->turned = now.factors[motion_drag_->part.factor].angle;
+  const MotionRow& row = motion_drag_->handles.row();
+  motion_drag_->line = now == row.motion ? std::string() : row.line(now);
+  motion_drag_->line.empty() ? workspace_.look_back() : (void)workspace_.look_ahead({motion_drag_->line});
+  update();
+}
+
+void Viewport::end_motion(bool carry_out) {
+  const std::string line = motion_drag_->line;
+  motion_drag_.reset();
+  gesture_ = Gesture::none;
+  carry_out && !line.empty() ? (void)workspace_.say(line) : workspace_.look_back();
+  grip_.reset();
+  update();
+}
+
+// Adds what can be done with the factors of the motion that acts now: swap, remove and add.
+void Viewport::add_motion_menu(QMenu& menu) {
+  if (workspace_.selected().size() != 1) return;
+  const auto row = motion_row(workspace_.document(), workspace_.selected().front(), shown_time());
+  if (!row) return;
+  QMenu* of = menu.addMenu(tr("Motion"));
+  of->setToolTipsVisible(true);
+  const auto add = [&](const QString& words, const Motion& motion) {
+    of->addAction(words, this, [this, line = row->line(motion)] {
+        workspace_.say(line);
+      })->setToolTip(QString::fromStdString(row->line(motion)));
+  };
+  const auto& all = row->motion.factors;
+  const auto word = [&](std::size_t k) { return QString::fromStdString(to_string(Motion{{all[k]}})).left(40); };
+  for (std::size_t k = 0; k + 1 < all.size() && k < 12; ++k) {
+    Motion swapped = row->motion;
+    std::swap(swapped.factors[k], swapped.factors[k + 1]);
+    add(tr("Swap %1 and %2").arg(word(k), word(k + 1)), swapped);
+  }
+  for (std::size_t k = 0; all.size() > 1 && k < all.size() && k < 12; ++k) {
+    Motion fewer = row->motion;
+    fewer.factors.erase(fewer.factors.begin() + static_cast<std::ptrdiff_t>(k));
+    add(tr("Remove %1").arg(word(k)), fewer);
+  }
+  for (const auto& [words, factor] : {std::pair(tr("Add a translation"), translate_by({1, 0, 0})),
+                                      {tr("Add a rotation"), rotate_by(pi / 2)},
+                                      {tr("Add a scaling"), scale_by({2, 2, 1})}}) {
+    Motion more = row->motion;
+    more.factors.insert(more.factors.begin(), factor);
+    add(words, more);
+  }
 }
 
 }  // namespace betwixt::studio

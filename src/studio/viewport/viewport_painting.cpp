@@ -42,6 +42,7 @@ void Viewport::paintEvent(QPaintEvent*) {
   if (!workspace_.selected().empty()) paint_outlines(p, s);
   if (is_free() || !workspace_.selected().empty()) paint_icons(p, s);
   if (is_free() && stands) paint_camera(p, s);
+  if (const auto motion = motion_handles()) motion->paint(p, s, motion_drag_ ? motion_drag_->part : hot_motion_);
   if (pull_)
     paint_pull(p);
   else if (const auto h = handles())
