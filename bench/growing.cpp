@@ -56,6 +56,13 @@ std::string lines(Size n, std::string_view line) {
   return out;
 }
 
+// A model of twenty parts, and so many instances that there are n objects in all.
+std::string instances(Size n) {
+  return film(n) + "create m group\ncreate m/p{1..19} box position=(i 0 0)\ndefine kind k like m hidden\n" +
+         fmt::format("create o{{1..{}}} k position=(0 i 0)\n", std::max<Size>(n / 20, 1));
+}
+std::string kind(Size n) { return film(n) + "define kind k like hand\n"; }
+
 std::string flat(Size n) { return "film flat\n" + moving(n); }
 
 Size kept = 0;
@@ -132,10 +139,14 @@ const Row rows[] = {
     {"remove group", grouped, "remove g"},
     {"rename group", grouped, "rename g h"},
     {"environments", spinning, "set o*.environments (spin)"},
+    {"change of a model", instances, "set m/p7.color gold"},
+    {"new part of a model", instances, "create m/q sphere"},
+    {"unlink", instances, "unlink o*"},
     // A line for each object.
     {"create, each", film, nullptr, "create p# sphere"},
     {"create like, each", film, nullptr, "create p# like hand"},
     {"create like many, each", balls, nullptr, "create p# like o#"},
+    {"create of a kind, each", kind, nullptr, "create p# k"},
     {"create below, each", grouped, nullptr, "create g/p# sphere"},
     {"set, each", balls, nullptr, "set o#.color gold"},
     {"event, each", balls, nullptr, "at 1f o#.position (1 0 0)"},
