@@ -33,9 +33,12 @@ target_link_libraries(bench_lsp PRIVATE betwixt_server)
 add_executable(bench_growing bench/growing.cpp)
 target_include_directories(bench_growing PRIVATE bench)
 target_link_libraries(bench_growing PRIVATE betwixt_editor betwixt_export)
+add_executable(bench_laws bench/laws.cpp)
+target_include_directories(bench_laws PRIVATE bench)
+target_link_libraries(bench_laws PRIVATE betwixt_commands)
 # In a build with tests the benchmarks are built only on request: ninja benchmarks.
 set(benchmarks bench_parse bench_environments bench_contacts bench_algebra bench_frames bench_checks bench_memory
-    bench_drawing bench_first_picture bench_lsp bench_growing)
+    bench_drawing bench_first_picture bench_lsp bench_growing bench_laws)
 add_custom_target(benchmarks DEPENDS ${benchmarks})
 if(NOT BETWIXT_BENCH)
   set_target_properties(${benchmarks} PROPERTIES EXCLUDE_FROM_ALL ON)
