@@ -100,9 +100,9 @@ bool unlink(Command& k) {
   std::string_view word;
   std::vector<ObjectId> found;
   if (!objects(k, word, found) || !finish(c)) return false;
-  const auto named = [&](const Cow<KindInstance>& one) {
-    return std::find(found.begin(), found.end(), one->parts.front()) != found.end();
-  };
+  std::vector<bool> chosen(s.objects.size());
+  for (const ObjectId id : found) chosen[id.index] = true;
+  const auto named = [&](const Cow<KindInstance>& one) { return chosen[one->parts.front().index]; };
   std::size_t count = 0;
   for (const OwnKind& kind : s.kinds->all)
     count += static_cast<std::size_t>(std::count_if(kind.instances.begin(), kind.instances.end(), named));
