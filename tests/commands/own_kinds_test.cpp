@@ -265,6 +265,48 @@ TEST(OwnKinds, ErrorsByTheirPlace) {
   }
 }
 
+// Random lines about models, instances and their parts; many are errors. What is made can be written, and is the same
+// when it is read again.
+TEST(OwnKinds, RandomFilmsAreWrittenAndReadBack) {
+  const std::vector<std::string> names{"m",   "m/a", "m/b", "m/a/c", "n",     "n/a", "x",
+                                       "x/a", "y",   "y/q", "m/z",   "m/a/i", "n/k"};
+  const std::vector<std::string> forms{"create # @",
+                                       "create # @ position=(% 0 0)",
+                                       "create # like #",
+                                       "define kind @ like #",
+                                       "set #.position (% 1 2)",
+                                       "#.scale\n  1f (1 1 1)\n  %f (2 2 2)",
+                                       "rename # #",
+                                       "remove #",
+                                       "unlink #",
+                                       "unlink kind k1",
+                                       "couple # to #",
+                                       "define kind @ like # hidden of (#)",
+                                       "filter #.position wobble",
+                                       "at 3f hide #",
+                                       "set #.shininess 0.%"};
+  for (unsigned seed = 0; seed < 250; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto pick = [&](const std::vector<std::string>& all) { return all[random() % all.size()]; };
+    const auto line = [&] {
+      std::string out;
+      for (const char c : pick(forms))
+        out += c == '#'   ? pick(names)
+               : c == '@' ? pick({"k1", "k2", "sphere", "box", "group"})
+               : c == '%' ? std::to_string(2 + random() % 8)
+                          : std::string(1, c);
+      return out + "\n";
+    };
+    std::string text = "create m group\ncreate m/a box\ndefine kind k1 like m\n";
+    for (std::size_t k = random() % 40; k > 0; --k) text += line();
+    const Loaded first = read(text);
+    const std::string written = write(first.document);
+    const Loaded second = read(written);
+    ASSERT_FALSE(has_errors(second.diagnostics)) << text << "\n" << written << said(second.diagnostics);
+    ASSERT_EQ(first.document, second.document) << text << "\n" << written << "\n" << write(second.document);
+  }
+}
+
 TEST(OwnKinds, AThousandFollowAtOnce) {
   std::string text =
       "create man group\ncreate man/part{1..20} box position=(i 0 0)\ndefine kind human like man\n"
