@@ -16,7 +16,8 @@ namespace betwixt {
 
 struct InstanceView {
   ObjectId root;
-  std::vector<Target> own;  // what no longer follows the model; whole display functions
+  std::vector<Target> own;           // what no longer follows the model; whole display functions
+  std::vector<std::string> missing;  // the parts that it lacks, as in "/hat"
 };
 struct KindView {
   std::string name;

@@ -134,24 +134,38 @@ struct Update {
     }
     one.parts = std::move(stay);
     std::erase_if(go, [&](ObjectId id) { return !find_object(s, id); });
+    take_along(go);
     if (!go.empty()) remove_objects(s, go, script.speakers(s, go));
+  }
+
+  // Adds the instance's own objects below the parts that go, as `remove` does.
+  void take_along(std::vector<ObjectId>& go) {
+    std::string names;
+    const std::size_t count = go.size();
+    for (std::size_t i = 0; i < count; ++i)
+      for (const ObjectId id : script.below(s, s.objects[go[i].index].name, false))
+        if (std::find(go.begin(), go.end(), id) == go.end()) {
+          names += (names.empty() ? "'" : ", '") + s.objects[id.index].name + "'";
+          go.push_back(id);
+        }
+    if (!names.empty())
+      script.note(Severity::warning, fmt::format("the model's part is removed, and with it {}", names), about);
   }
 
   // Renames a part of an instance whose model was renamed, if it still has the model's old name.
   void rename(ObjectId id, const std::string& root, const std::string& old_name, const std::string& new_name) {
     const std::string wanted = root + new_name.substr(is.size());
     const std::string& name = s.objects[id.index].name;
-    if (name == wanted || name != root + old_name.substr(was.size()) || !room_for(wanted)) return;
+    if (name == wanted || name != root + old_name.substr(was.size()) || !room_for(wanted, "keeps its name")) return;
     s.names.erase(name);
     s.objects.edit(id.index).name = wanted;
     s.names.put(wanted, id);
   }
 
-  bool room_for(const std::string& name) {
+  bool room_for(const std::string& name, const char* otherwise) {
     if (!s.names.find(name) && !s.aliases->contains(name) && versions(s, name).empty()) return true;
     script.note(Severity::warning,
-                fmt::format("'{}' already exists, so the part of '{}' with this name is left out", name, kind.name),
-                about);
+                fmt::format("'{}' already exists, so the part of '{}' {} here", name, kind.name, otherwise), about);
     return false;
   }
 
@@ -160,7 +174,7 @@ struct Update {
     auto next = static_cast<std::uint32_t>(s.objects.size());
     for (std::size_t k = kept; k < kind.parts.size(); ++k) {
       const std::string name = root + after[kind.parts[k].index].name.substr(is.size());
-      const bool room = next < most_objects && room_for(name);
+      const bool room = next < most_objects && room_for(name, "is left out");
       one.parts.push_back(room ? ObjectId{next++} : ObjectId{});
       if (room) s.names.put(name, one.parts.back());
     }
@@ -221,6 +235,15 @@ std::vector<Target> own_values(const Scene& s, const OwnKind& kind, const KindIn
   return out;
 }
 
+std::vector<std::string> missing_parts(const Scene& s, const OwnKind& kind, const KindInstance& one) {
+  std::vector<std::string> out;
+  const std::string& model = s.objects[kind.model().index].name;
+  for (std::size_t k = 0; k < kind.parts.size(); ++k)
+    if (const Object& part = s.objects[kind.parts[k].index]; !part.removed && !find_object(s, one.parts[k]))
+      out.push_back(part.name.substr(model.size()));
+  return out;
+}
+
 }  // namespace
 
 void follow_models(Scene& s, Script& script, std::string_view about) {
@@ -245,7 +268,7 @@ std::vector<KindView> own_kinds(const Document& d) {
     out.push_back({kind.name, kind.model(), kind.hidden, {}});
     for (const Cow<KindInstance>& one : kind.instances)
       if (find_object(s, one->parts.front()))
-        out.back().instances.push_back({one->parts.front(), own_values(s, kind, *one)});
+        out.back().instances.push_back({one->parts.front(), own_values(s, kind, *one), missing_parts(s, kind, *one)});
   }
   return out;
 }

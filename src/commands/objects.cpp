@@ -119,7 +119,7 @@ bool create(Command& k) {
       const std::vector<std::string> of_plugins = plugin_kinds();
       known.insert(known.end(), of_plugins.begin(), of_plugins.end());
       if (hint.empty()) hint = did_you_mean(kind_word, known);
-      if (hint.empty()) hint = fmt::format("kinds are {}; and scene", fmt::join(kind_names, " "));
+      if (hint.empty()) hint = fmt::format("kinds are {}; and scene", fmt::join(known, " "));
       return c.fail(
           ErrorCode::name,
           kind_word.empty() ? "a kind is missing here" : fmt::format("there is no kind '{}'", kind_word.substr(0, 40)),

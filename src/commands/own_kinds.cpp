@@ -54,7 +54,8 @@ bool link(Command& k, OwnKind& kind, const std::vector<ObjectId>& roots, std::st
     const Object& o = s.objects[root.index];
     if (root == kind.model() || o.kind != model.kind || o.derived)
       return k.cursor.fail(ErrorCode::type, fmt::format("'{}' cannot be an instance of '{}'", o.name, kind.name), about,
-                           fmt::format("an instance is {}, like the model", a_kind(model.kind)));
+                           root == kind.model() ? "it is the model of this kind"
+                                                : fmt::format("an instance is {}, like the model", a_kind(model.kind)));
     if (const OwnKind* other = s.kinds->of(root))
       return k.cursor.fail(ErrorCode::name, fmt::format("'{}' is already an instance of '{}'", o.name, other->name),
                            about, fmt::format("unlink {} first", o.name));
@@ -108,7 +109,7 @@ bool unlink(Command& k) {
     count += static_cast<std::size_t>(std::count_if(kind.instances.begin(), kind.instances.end(), named));
   if (count == 0 && !found.empty())
     return c.fail(ErrorCode::type, fmt::format("'{}' is no instance of a kind of your own", word.substr(0, 60)), word,
-                  "unlink kind NAME ends a kind and unlinks all its instances");
+                  "name the whole instance; a part of it follows with it. unlink kind NAME ends a kind");
   if (count > 0)
     for (OwnKind& kind : s.kinds.edit().all) std::erase_if(kind.instances, named);
   return true;

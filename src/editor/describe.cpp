@@ -200,7 +200,8 @@ std::string kind_lines(const Document& d, const KindView& kind) {
   for (const InstanceView& one : kind.instances) {
     said += fmt::format("  {:16}", d.name(one.root));
     for (const Target& t : one.own) said += " " + d.name(t);
-    said += one.own.empty() ? " follows the model in everything\n" : "\n";
+    if (!one.missing.empty()) said += fmt::format(" without {}", fmt::join(one.missing, " "));
+    said += one.own.empty() && one.missing.empty() ? " follows the model in everything\n" : "\n";
   }
   return said;
 }

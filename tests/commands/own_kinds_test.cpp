@@ -223,6 +223,18 @@ TEST(OwnKinds, AreListedWithWhatIsOwn) {
   EXPECT_EQ(all, (std::vector<std::string>{"anna", "anna.position", "anna/body.color", "carl", "carl/head.position"}));
 }
 
+TEST(OwnKinds, WhatIsBelowALostPartGoesWithIt) {
+  const Loaded film = read(std::string(people) + "create anna/head/hat cone\nremove bert/body\nremove man/head\n");
+  EXPECT_FALSE(has_errors(film.diagnostics));
+  EXPECT_FALSE(film.document.find("anna/head/hat"));
+  EXPECT_TRUE(std::ranges::any_of(film.diagnostics, [](const Diagnostic& d) {
+    return d.severity == Severity::warning && d.what.message.find("anna/head/hat") != std::string::npos;
+  }));
+  const auto kinds = own_kinds(film.document);
+  EXPECT_TRUE(kinds[0].instances[0].missing.empty());
+  EXPECT_EQ(kinds[0].instances[1].missing, std::vector<std::string>{"/body"});
+}
+
 TEST(OwnKinds, EndWithTheirModel) {
   const Loaded film = read(std::string(people) + "remove man\nset anna/body.color red\n");
   EXPECT_FALSE(has_errors(film.diagnostics));
