@@ -92,7 +92,12 @@ struct Update {
     for (const ObjectId id : kind.parts)
       if (kind.hidden && !s.objects[id.index].hidden) s.objects.edit(id.index).hidden = true;
     std::erase_if(kind.instances, [&](const auto& one) { return s.objects[one->parts.front().index].removed; });
-    for (Cow<KindInstance>& one : kind.instances) Cancellation::check(), update(one.edit());
+    for (Cow<KindInstance>& one : kind.instances) {
+      Cancellation::check();
+      KindInstance now = *one;
+      update(now);
+      if (!(now == *one)) one = Cow<KindInstance>(std::move(now));  // the others stay shared with earlier documents
+    }
   }
 
   void update(KindInstance& one) {

@@ -5,11 +5,9 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 #include <cerrno>
 #include <csignal>
@@ -90,13 +88,13 @@ class PluginProcess {
       if (Status begun = start(); !begun) return begun;
     const char go = 'g';
     char answer = 0;
-    if (::write(to_[1], &go, 1) == 1) {
-      pollfd waiting{from_[0], POLLIN, 0};
+    if (::send(channel_, &go, 1, MSG_NOSIGNAL) == 1) {
+      pollfd waiting{channel_, POLLIN, 0};
       int ready = 0;
       do ready = ::poll(&waiting, 1, patience_);
       while (ready < 0 && errno == EINTR);
       if (ready == 0) return stop(), wrong(fmt::format("takes more than {} seconds for a picture", patience_ / 1000.0));
-      while (::read(from_[0], &answer, 1) < 0 && errno == EINTR) {
+      while (::read(channel_, &answer, 1) < 0 && errno == EINTR) {
       }
     }
     if (answer == 'y') return Nothing{};
@@ -111,25 +109,26 @@ class PluginProcess {
   }
 
   Status start() {
-    if (::pipe(to_) != 0 || ::pipe(from_) != 0) return wrong("cannot be started: there is no pipe");
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+      return wrong("cannot be started: there is no channel to its process");
     child_ = ::fork();
+    if (child_ == 0) serve(ends[1]);
+    ::close(ends[1]);
+    channel_ = ends[0];
     if (child_ < 0) return stop(), wrong("cannot be started: there is no process");
-    if (child_ == 0) serve();
-    ::close(to_[0]), ::close(from_[1]);
-    to_[0] = from_[1] = -1;
     return Nothing{};
   }
 
   // The plug-in's process: fills a picture for each byte that it reads.
-  [[noreturn]] void serve() const {
-#ifdef __linux__
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-    for (const int s : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTERM, SIGINT, SIGPIPE}) std::signal(s, SIG_DFL);
+  [[noreturn]] void serve(int channel) const {
+    for (const int s : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTERM, SIGINT, SIGPIPE, SIGALRM})
+      std::signal(s, SIG_DFL);
     const int last = static_cast<int>(std::min<long>(::sysconf(_SC_OPEN_MAX), 4096));
     for (int fd = 3; fd < last; ++fd)
-      if (fd != to_[0] && fd != from_[1]) ::close(fd);
-    for (char go = 0; ::read(to_[0], &go, 1) == 1;) {
+      if (fd != channel) ::close(fd);
+    for (char go = 0; ::read(channel, &go, 1) == 1;) {
+      ::alarm(static_cast<unsigned>(patience_ / 1000 + 5));  // in case the program is gone by then
       const char* why = nullptr;
       char answer = 'n';
       try {
@@ -138,14 +137,15 @@ class PluginProcess {
         why = "it threw an exception";
       }
       std::strncpy(shared_->why, why ? why : "it gave no reason", longest_message - 1);
-      if (::write(from_[1], &answer, 1) != 1) break;
+      ::alarm(0);
+      if (::write(channel, &answer, 1) != 1) break;
     }
     ::_exit(0);
   }
 
   void stop() {
-    for (int* fd : {&to_[0], &to_[1], &from_[0], &from_[1]})
-      if (*fd >= 0) ::close(*fd), *fd = -1;
+    if (channel_ >= 0) ::close(channel_);
+    channel_ = -1;
     if (child_ <= 0) return void(child_ = -1);
     ::kill(child_, SIGKILL);
     while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
@@ -160,7 +160,7 @@ class PluginProcess {
   PluginRenderer renderer_;
   int patience_;  // ms
   pid_t child_ = -1;
-  int to_[2] = {-1, -1}, from_[2] = {-1, -1};
+  int channel_ = -1;
   Shared* shared_ = nullptr;
   std::size_t size_ = 0;
 };

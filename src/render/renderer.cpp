@@ -139,7 +139,10 @@ class StyleList {
   const std::vector<Style>& all() {
     const std::lock_guard lock(mutex_);
     const std::vector<PluginRenderer> more = plugin_renderers();
-    if (!lists_.empty() && lists_.back().size() == std::size(table) + more.size()) return lists_.back();
+    const auto same = [](const Style& s, const PluginRenderer& r) { return s.name == r.name && s.what == r.help; };
+    if (!lists_.empty() &&
+        std::equal(lists_.back().begin() + std::size(table), lists_.back().end(), more.begin(), more.end(), same))
+      return lists_.back();
     std::vector<Style>& list = lists_.emplace_back();
     for (const Entry& e : table) list.push_back(e.style);
     for (const PluginRenderer& renderer : more) {

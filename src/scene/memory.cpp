@@ -8,6 +8,7 @@
 #include "base/cancellation.h"
 #include "base/memory.h"
 #include "scene/document.h"
+#include "scene/own_kinds.h"
 #include "scene/rig.h"
 #include "track/procedure.h"
 
@@ -75,6 +76,21 @@ std::size_t apart(const DisplayLists& before, const DisplayLists& after) {
     const std::size_t n = list->commands.size();
     sum += shared_bytes<DisplayList> + sum_held(list->tags) + in_heap((n + part - 1) / part * sizeof(Cow<int>)) +
            shared_bytes<std::vector<DisplayCommand>> + in_heap(std::min(n, part) * sizeof(DisplayCommand));
+  }
+  return sum;
+}
+
+// Kinds: an edit copies the list of instances, and the instances that it changes.
+std::size_t apart(const OwnKinds& before, const OwnKinds& after) {
+  std::size_t sum = shared_bytes<OwnKinds> + bytes_held(before.all);
+  for (const OwnKind& kind : before.all) {
+    const OwnKind* there = after.find(kind.name);
+    sum += bytes_held(kind.name) + bytes_held(kind.parts) + bytes_held(kind.instances);
+    for (std::size_t i = 0; i < kind.instances.size(); ++i) {
+      const Cow<KindInstance>& one = kind.instances[i];
+      if (there && i < there->instances.size() && there->instances[i].same(one)) continue;
+      sum += shared_bytes<KindInstance> + bytes_held(one->parts) + bytes_held(one->own);
+    }
   }
   return sum;
 }
@@ -179,6 +195,7 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
   whole(before.views, after.views), whole(before.cuts, after.cuts);
   whole(before.meshes, after.meshes), whole(before.pictures, after.pictures), whole(before.sounds, after.sounds);
   whole(before.formulas, after.formulas);
+  if (before.kinds && !before.kinds.same(after.kinds)) lost.sum.bytes += apart(*before.kinds, *after.kinds);
   if (!before.lists.same(after.lists))
     lost.sum.bytes += shared_bytes<DisplayLists> + apart(*before.lists, *after.lists);
   if (!before.later_lists.same(after.later_lists)) {

@@ -34,6 +34,7 @@ struct KindInstance {
   // which there was no room, does not exist.
   std::vector<ObjectId> parts;
   std::map<OwnSlot, std::uint8_t> own;  // the aspects that no longer follow the model
+  friend bool operator==(const KindInstance&, const KindInstance&) = default;
 };
 
 struct OwnKind {

@@ -113,11 +113,10 @@ TEST(OwnKinds, WhatIsChangedOnAnInstanceStays) {
         for (const std::string& f : functions) {
           const std::string what = part + "." + f;
           const auto mine = own.find(who + what), shared = model_says.find(what);
-          const double rest = f == "scale" ? 1 : f == "shininess" ? made.numbers("man.shininess", "1f")[0] : 0;
-          const double wanted = mine != own.end()            ? mine->second
-                                : shared != model_says.end() ? shared->second
-                                : f == "shininess" ? LoadedFilm("create a sphere\n").numbers("a.shininess", "1f")[0]
-                                                   : rest;
+          const double rest = f == "scale"       ? 1
+                              : f == "shininess" ? LoadedFilm("create a sphere\n").numbers("a.shininess", "1f")[0]
+                                                 : 0;
+          const double wanted = mine != own.end() ? mine->second : shared != model_says.end() ? shared->second : rest;
           EXPECT_NEAR(made.numbers(who + what, "1f")[0], wanted, 1e-12) << who << what << "\n" << text;
         }
   }
@@ -265,15 +264,8 @@ TEST(OwnKinds, ErrorsByTheirPlace) {
       {"unlink kind humen", "name 1:13 humen"},
       {"unlink", "syntax 1:7"},
   };
-  const Loaded good = read(head);
   for (const auto& [line, wanted] : cases) {
-    const Loaded bad = read(head + line + "\n");
-    ASSERT_EQ(all_told(bad).size(), 1u) << line << "\n" << said(bad.diagnostics);
-    std::string is = all_told(bad)[0];
-    const auto place = is.find(' ') + 1, colon = is.find(':');
-    is.replace(place, colon - place, "1");
-    EXPECT_TRUE(is.starts_with(wanted)) << line << "\n" << is;
-    EXPECT_EQ(bad.document, good.document) << line;
+    expect_refused(head, line, wanted);
   }
 }
 

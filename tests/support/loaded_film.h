@@ -105,4 +105,17 @@ inline std::string first_error(const std::string& text) {
   return all.empty() ? std::string() : all[0];
 }
 
+// Expects that a line after good lines is refused with one error, "CODE 1:COLUMN SUBJECT" or its beginning, and changes
+// nothing.
+inline void expect_refused(const std::string& good, const std::string& line, const std::string& wanted) {
+  const Loaded bad = read(good + line + "\n");
+  const auto all = all_told(bad);
+  ASSERT_EQ(all.size(), 1u) << line << "\n" << said(bad.diagnostics);
+  std::string is = all[0];
+  const auto place = is.find(' ') + 1, colon = is.find(':');
+  is.replace(place, colon - place, "1");
+  EXPECT_TRUE(is.starts_with(wanted)) << line << "\n" << is << "\n" << said(bad.diagnostics);
+  EXPECT_EQ(bad.document, read(good).document) << line;
+}
+
 }  // namespace betwixt
