@@ -8,6 +8,7 @@
 #include <array>
 
 #include "base/names.h"
+#include "language/code_names.h"
 #include "procedure/lua.h"
 #include "scene/names.h"
 
@@ -16,24 +17,12 @@ namespace {
 
 constexpr std::size_t most_parameters = 30;
 
-std::string lua_text(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 32 || c == '"' || c == '\\' || byte == 127)
-      out += fmt::format("\\{:03}", byte);
-    else
-      out += c;
-  }
-  return out + '"';
-}
-
 std::string in_lua(const Value& v) {
-  if (const auto* n = std::get_if<double>(&v)) return fmt::format("{:.17g}", *n);
+  if (const auto* n = std::get_if<double>(&v)) return write_number(*n);
   if (const auto* b = std::get_if<bool>(&v)) return *b ? "true" : "false";
-  if (const auto* p = std::get_if<Vec3>(&v)) return fmt::format("vec({:.17g}, {:.17g}, {:.17g})", p->x, p->y, p->z);
-  if (const auto* c = std::get_if<Color>(&v)) return fmt::format("rgb({:.17g}, {:.17g}, {:.17g})", c->r, c->g, c->b);
-  if (const auto* t = std::get_if<Text>(&v)) return lua_text(**t);
+  if (const auto* p = std::get_if<Vec3>(&v)) return write_code(*p);
+  if (const auto* c = std::get_if<Color>(&v)) return write_code(*c);
+  if (const auto* t = std::get_if<Text>(&v)) return write_code(*t);
   return "nil";
 }
 
@@ -49,7 +38,7 @@ bool read_value(Command& k, std::string& code) {
 bool read_object(Command& k, std::string& code) {
   ObjectId id;
   if (!values(k).object(id)) return false;
-  code = lua_text(k.scene.objects[id.index].name);
+  code = write_text(k.scene.objects[id.index].name);
   return true;
 }
 
@@ -61,22 +50,16 @@ bool read_objects(Command& k, std::string& code) {
   if (all.empty() && !is_pattern(word)) return c.fail(unknown_name("object", word, near_object(k.scene, word)), word);
   if (all.empty()) return c.fail(nothing_named(word), word);
   code = "{";
-  for (const ObjectId id : all) code += lua_text(k.scene.objects[id.index].name) + ",";
+  for (const ObjectId id : all) code += write_text(k.scene.objects[id.index].name) + ",";
   code += "}";
   return true;
 }
 
-bool read_time(Command& k, std::string& code) {
+template <bool (Cursor::*read)(Time&)>
+bool read_seconds(Command& k, std::string& code) {
   Time t;
-  if (!k.cursor.time(t)) return false;
-  code = fmt::format("{:.17g}", t.seconds());
-  return true;
-}
-
-bool read_length(Command& k, std::string& code) {
-  Time t;
-  if (!k.cursor.length(t)) return false;
-  code = fmt::format("{:.17g}", t.seconds());
+  if (!(k.cursor.*read)(t)) return false;
+  code = write_number(t.seconds());
   return true;
 }
 
@@ -86,8 +69,8 @@ struct ParameterType {
 };
 constexpr std::array<ParameterType, 10> parameter_types{{{"object", read_object},
                                                          {"objects", read_objects},
-                                                         {"time", read_time},
-                                                         {"length", read_length},
+                                                         {"time", read_seconds<&Cursor::time>},
+                                                         {"length", read_seconds<&Cursor::length>},
                                                          {"number", read_value<Type::scalar>},
                                                          {"angle", read_value<Type::angle>},
                                                          {"vector", read_value<Type::vector>},
