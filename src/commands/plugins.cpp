@@ -11,6 +11,7 @@
 #include "commands/verbs.h"
 #include "procedure/lua.h"
 #include "procedure/plugins.h"
+#include "scene/styles.h"
 
 namespace betwixt {
 namespace {
@@ -98,8 +99,7 @@ Status use_plugin(const std::string& path) {
     words.push_back({kind.name, kind.help, path});
   }
   for (const PluginRenderer& renderer : plugin->renderers) {
-    static constexpr std::string_view built_in[] = {"shaded", "wireframe", "hidden-line", "traced"};
-    const bool taken = std::find(std::begin(built_in), std::end(built_in), renderer.name) != std::end(built_in);
+    const bool taken = std::find(style_names.begin(), style_names.end(), renderer.name) != style_names.end();
     if (const Status s = free(renderer.name, taken ? "a style" : ""); !s) return s;
     words.push_back({renderer.name, renderer.help, path});
   }

@@ -17,6 +17,7 @@
 #include "render/traced.h"
 #include "scene/document.h"
 #include "scene/pixel_filter.h"
+#include "scene/styles.h"
 
 namespace betwixt {
 namespace {
@@ -101,13 +102,16 @@ struct Entry {
   Result<std::unique_ptr<Renderer>> (*make)(const RenderOptions&);
 };
 constexpr Entry table[] = {
-    {{"shaded", "lit surfaces with soft shadows, highlights and glass", squares, is_square, 1},
+    {{style_names[0], "lit surfaces with soft shadows, highlights and glass", squares, is_square, 1},
      surfaceless<make_shaded>},
-    {{"wireframe", "all edges as fine lines", squares, is_square, 1}, surfaceless<make_wireframe>},
-    {{"hidden-line", "edges as fine lines, without hidden ones", squares, is_square, 1}, surfaceless<make_hidden_line>},
-    {{"traced", "path tracing, for final pictures", any, is_any, 64},
+    {{style_names[1], "all edges as fine lines", squares, is_square, 1}, surfaceless<make_wireframe>},
+    {{style_names[2], "edges as fine lines, without hidden ones", squares, is_square, 1},
+     surfaceless<make_hidden_line>},
+    {{style_names[3], "path tracing, for final pictures", any, is_any, 64},
      [](const RenderOptions& options) { return make_traced(options); }},
 };
+
+static_assert(std::size(table) == style_names.size());
 
 // Returns the edit distance: letters to change, add or drop from `a` to `b`.
 std::size_t distance(std::string_view a, std::string_view b) {
