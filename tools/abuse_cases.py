@@ -258,6 +258,16 @@ def spheres(count, *then):
     return [f"create o{{1..{count}}} sphere", *then]
 
 
+def sent(name, data):
+    """The line and the bytes that send a file."""
+    return f"send {name} {len(data)}\n".encode() + data
+
+
+def small(name, side, value):
+    """Sends a picture whose bytes are all the same."""
+    return sent(name, png(side, side, zlib.compress((b"\0" + bytes([value % 256]) * side) * side)))
+
+
 LOOP = "for i = 1, 1e9 do end return 1"
 # Name in the report -> what to send. A string is sent at once. The lines of a list are sent one by one, each after the
 # answer to the line before.
@@ -407,6 +417,15 @@ LINES = {
     "a script that uses itself": 'use "itself.bx"',
     "three hosts, three files": ['create s sound file="bomb.wv"', 'create m mesh file="large.obj"', "set ball.radius = \"" + "t and " * 10000 + "t\""],
     # The protocol.
+    # Files that hosts send.
+    "a picture of 261 kB that is sent": [sent("bomb.png", bombs()["bomb.png"])],
+    "500 small pictures, then ten of 1024 x 1024": [*(small("p.png", 4, i) for i in range(500)),
+                                                    *(small("q.png", 1024, i) for i in range(10))],
+    "noise with each ending": [sent("noise." + end, random.randbytes(100_000)) for end in
+                               ("png", "jpg", "obj", "stl", "glb", "gltf", "svg", "wav", "mp3", "ogg", "flac", "ttf", "otf")],
+    "2 GB of one picture": [b"send a.png 2147483648\n" + bytes(64 << 20)],
+    "64 MiB of a mesh": [sent("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n" + b"f 1 2 3\n" * 8_000_000)],
+    "half a picture, and no more": b"send a.png 100000\n" + bytes(50_000),
     "a line of 64 MB": "x" * (64 << 20),
     "a million empty lines": "\n" * 1_000_000,
     "brackets that stay open": "set ball.position (" * 20_000,

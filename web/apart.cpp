@@ -46,8 +46,11 @@ std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, cons
   return out;
 }
 
+// The page protects what is outside it.
+std::unique_ptr<FontFace> open_own_font(std::shared_ptr<const OwnFont> font) { return open_font_bytes(font->bytes); }
+
 // Is never called: files are read by the reader, or not at all.
-Parsed parse_here(ParserTask, const std::string& path, FileSource&, bool) {
+Parsed parse_here(ParserTask, const std::string& path, FileSource&, bool, std::string_view) {
   return fail(ErrorCode::file, fmt::format("{} cannot be read", path));
 }
 

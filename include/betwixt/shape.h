@@ -56,6 +56,7 @@ struct Letters {
 };
 
 struct Outline;  // src/scene/outline.h
+struct OwnFont;  // src/scene/own_font.h
 
 // The description of a shape in object space; src/render turns it into triangles. Lengths are in metres.
 //   sphere   radius, about the origin              disc      radius, in the plane z = 0, facing +z
@@ -90,6 +91,7 @@ struct Shape {
   bool filled = true, stroke_round = false;
   Points points, holes;
   Text text, font;
+  std::shared_ptr<const OwnFont> own_font;  // a font that the film brings as a file; nullptr: one of the machine's
   Letters letters;
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const Outline> formula;  // set by TeX, with an em of 1 m; shared by all shapes with the same text

@@ -97,7 +97,7 @@ void look_through(PageFilm& film, const Document& document) {
   std::set<std::string> paths, left;
   bool moves = false, focuses = false;
   const auto look = [&](const std::shared_ptr<const Shape>& shape) {
-    if (!shape || shape->kind != Kind::text || shape->formula) return;
+    if (!shape || shape->kind != Kind::text || shape->formula || shape->own_font) return;
     const Typeface face{*shape->font, shape->letters.weight, shape->letters.italic};
     if (face == Typeface{std::string(usual_font)} && has_only_usual_letters(*shape->text)) return;
     if (!find_font(face.family)) return;

@@ -16,13 +16,14 @@
 #include "betwixt/picture.h"
 #include "commands/command.h"
 #include "commands/reader.h"
-#include "exchange/fonts.h"
+#include "exchange/font_face.h"
 #include "exchange/meshes.h"
 #include "exchange/pictures.h"
 #include "exchange/scene_file.h"
 #include "exchange/sent.h"
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
+#include "exchange/typefaces.h"
 #include "language/code_names.h"
 #include "scene/memory.h"
 
@@ -209,18 +210,18 @@ bool part_of_scene(Command& k, std::string& path, std::string_view about) {
                 did_you_mean(part.substr(1), names));
 }
 
-// Loads the file that `file` (of a mesh or a sound) or `texture` names into the scene. Makes `path` relative to the
-// first script's folder.
+// Loads the file that `file` (of a mesh or a sound), `texture` or `font` names into the scene. Makes `path` relative to
+// the first script's folder.
 bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
-  if (f == fn::font) {
+  if (f == fn::font && !names_font_file(path)) {
     const Status known = find_font(path);
     if (!known) script.note(Severity::warning, known.error().message, about, known.error().hint);
     return true;
   }
   static const FunctionId tex = *find_built_in(Kind::text, "tex");
   if (f == tex) return path.empty() || tex_formula(k, path, about);
-  if ((f != fn::file && f != fn::texture && f != fn::sound_file) || path.empty()) return true;
+  if ((f != fn::file && f != fn::texture && f != fn::sound_file && f != fn::font) || path.empty()) return true;
   if (f == fn::file && path.find('#') != path.npos) return part_of_scene(k, path, about);
   fs::path where;
   if (!may_use(k, path, about, where)) return false;
@@ -232,6 +233,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   };
   if (f == fn::file) return add(s.meshes, "mesh", [&] { return load_mesh(where.string(), may_read, any_size); });
   if (f == fn::sound_file) return add(s.sounds, "sound", [&] { return read_sound(where.string(), any_size); });
+  if (f == fn::font) return add(s.fonts, "font", [&] { return load_font(where.string()); });
   return add(s.pictures, "picture", [&] { return load_picture(where.string(), any_size); });
 }
 
@@ -339,7 +341,7 @@ std::vector<std::string> files_like(const Script& script, const std::string& nam
 }  // namespace
 
 bool files_in_code(Command& k, FunctionId f, const std::string& source, std::string_view about) {
-  if (f != fn::texture && f != fn::file) return true;
+  if (f != fn::texture && f != fn::file && f != fn::font) return true;
   for (const std::string& text : quoted_texts(source))
     for (const std::string& name : files_like(k.script, text)) {
       const fs::path where = k.script.folder / name.substr(0, name.find('#'));
@@ -348,7 +350,9 @@ bool files_in_code(Command& k, FunctionId f, const std::string& source, std::str
       std::string path = name;
       if (!asset(k, f, path, about)) return false;
       if (path == name) continue;  // else the code of an included script uses a name of its own
-      if (f == fn::texture)
+      if (f == fn::font)
+        k.scene.fonts.edit()[name] = k.scene.fonts->at(path);
+      else if (f == fn::texture)
         k.scene.pictures.edit()[name] = k.scene.pictures->at(path);
       else
         k.scene.meshes.edit()[name] = k.scene.meshes->at(path);

@@ -17,6 +17,7 @@ namespace {
 Scene with_files_of(const Scene& was) {
   Scene scene;
   scene.meshes = was.meshes, scene.pictures = was.pictures, scene.sounds = was.sounds, scene.formulas = was.formulas;
+  scene.fonts = was.fonts;
   return scene;
 }
 

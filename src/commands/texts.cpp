@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, 3> part_names{"letters", "words", "lines"
 // The settings that place a text's parts. They must be constant through the film, or the parts would have no fixed
 // places.
 struct Setting {
-  std::string text, font;
+  std::string text;
+  FontName font = "";
   Letters letters;
   double size = 1;
 };
@@ -55,7 +56,7 @@ bool setting_of(Command& k, const Object& o, std::string_view about, Setting& ou
   if (shape.formula)
     return k.cursor.fail(ErrorCode::type, fmt::format("'{}' is a formula; formulas cannot be split", o.name), about,
                          "use 'typed' to show its glyphs one by one");
-  out = {*shape.text, *shape.font, shape.letters, shape.size.y};
+  out = {*shape.text, font_of(shape), shape.letters, shape.size.y};
   return true;
 }
 

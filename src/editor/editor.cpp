@@ -27,6 +27,7 @@ Point Editor::read(std::string_view text, Diagnostics& said) const {
   Scene scene;
   const Scene& now = now_.document.scene();
   scene.meshes = now.meshes, scene.pictures = now.pictures, scene.sounds = now.sounds, scene.formulas = now.formulas;
+  scene.fonts = now.fonts;
   Script script(scene, said, options_, {}, home_);
   read_text(scene, script, text, home_.name);
   share(scene, now);

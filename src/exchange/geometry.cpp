@@ -73,8 +73,8 @@ Mesh text_mesh(const Shape& s) {
   Mesh all;
   const double size = s.size.y;
   if (!sane(s.size.y) || !(size > 0) || !sane(s.depth)) return all;
-  const SetText set = set_text(*s.text, *s.font, s.letters);
-  const Typeface face{*s.font, s.letters.weight, s.letters.italic};
+  const SetText set = set_text(*s.text, font_of(s), s.letters);
+  const Typeface face{s.own_font ? s.own_font->digest : *s.font, s.letters.weight, s.letters.italic};
   std::vector<std::shared_ptr<const Mesh>> glyphs;
   for (const SetText::Glyph& g : set.glyphs) glyphs.push_back(filled.get(face, g, std::max(s.depth / size, 0.0)));
   for (const SetText::Place& p : set.places) append(all, *glyphs[p.glyph], size, p.at);
@@ -104,7 +104,7 @@ Outline outline_of(const Shape& s) {
   }
   if (!sane(s.size.y) || !(s.size.y > 0) || !sane(s.depth)) return {};
   if (s.formula) return set_formula(s);
-  Outline outline = text_outline(*s.text, *s.font, s.letters);
+  Outline outline = text_outline(*s.text, font_of(s), s.letters);
   for (auto& contour : outline.contours)
     for (auto& p : contour) p = s.size.y * p;
   return outline;

@@ -20,7 +20,7 @@ Parsed parsed(Result<T> result) {
 
 }  // namespace
 
-Parsed parse_here(ParserTask task, const std::string& path, FileSource& files, bool any_size) {
+Parsed parse_here(ParserTask task, const std::string& path, FileSource& files, bool any_size, std::string_view line) {
   Unpacking unpacking(any_size);
   CountedFiles counted(files, unpacking);
   try {
@@ -33,6 +33,10 @@ Parsed parse_here(ParserTask task, const std::string& path, FileSource& files, b
         return parsed(parse_linear_picture(path, counted));
       case ParserTask::drawing:
         return parsed(parse_drawing(path, counted));
+      case ParserTask::letters: {
+        auto bytes = counted.read(path);
+        return bytes ? parsed(parse_letters(*std::move(bytes), path, line)) : Parsed(bytes.error());
+      }
       default:
         return parsed(parse_scene(path, counted));
     }

@@ -177,33 +177,51 @@ ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size, bool
   return {any_size || !alone ? plenty : std::min(plenty, becomes), seconds, 3 * seconds};
 }
 
-std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read, bool any_size,
-                                  std::optional<ParserCeilings> most) {
-  const auto file = open_whole(path);
-  if (!file) return file.error();
-  struct stat about {};
-  if (::fstat(file->fd(), &about) != 0) return machine_error(path, errno);
-  const ParserRequest request{
-      task, any_size, most.value_or(parser_ceilings(path, static_cast<std::uint64_t>(about.st_size), any_size))};
+namespace {
+
+// `line`: behind the path in the message.
+std::optional<Parsed> converse(const ParserRequest& request, const std::string& path, std::string_view line, int file,
+                               const MayRead& may_read) {
   const OpenFile memory(::memfd_create("betwixt-parsed", MFD_CLOEXEC));
   if (!memory) return machine_error(path, errno);
-  Line line;
-  if (line.ends[0] < 0) return machine_error(path, errno);
+  Line talk;
+  if (talk.ends[0] < 0) return machine_error(path, errno);
   std::string text(reinterpret_cast<const char*>(&request), sizeof request);
   text += path;
+  if (request.task == ParserTask::letters) (text += '\0') += line;
   if (text.size() > longest_message) return machine_error(path, ENAMETOOLONG);
-  const std::array files{line.ends[1], memory.fd(), file->fd()};
+  const std::array files{talk.ends[1], memory.fd(), file};
   const int reason = waiting().send(text, files);
   if (reason == ENOENT) return std::nullopt;
   if (reason != 0) return machine_error(path, reason);
-  line.hang_up(1);
-  if (const Status done = Conversation(line.ends[0], path, may_read).listen(request.most); !done) return done.error();
+  talk.hang_up(1);
+  if (const Status done = Conversation(talk.ends[0], path, may_read).listen(request.most); !done) return done.error();
   Parsed parsed;
   if (const int why = read_parsed(memory.fd(), parsed); why == EBADMSG)
     return fail(ErrorCode::file, fmt::format("{} is damaged: the program that reads it gave a wrong answer", path));
   else if (why != 0)
     return machine_error(path, why);
   return parsed;
+}
+
+}  // namespace
+
+std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read, bool any_size,
+                                  std::optional<ParserCeilings> most) {
+  const auto file = open_whole(path);
+  if (!file) return file.error();
+  struct stat about {};
+  if (::fstat(file->fd(), &about) != 0) return machine_error(path, errno);
+  const auto size = static_cast<std::uint64_t>(about.st_size);
+  return converse({task, any_size, most.value_or(parser_ceilings(path, size, any_size))}, path, {}, file->fd(),
+                  may_read);
+}
+
+std::optional<Parsed> shape_apart(const std::string& name, int file, std::string_view line,
+                                  const ParserCeilings& most) {
+  const MayRead nothing = [](const std::string&) { return false; };
+  if (::lseek(file, 0, SEEK_SET) != 0) return machine_error(name, errno);
+  return converse({ParserTask::letters, 1, most}, name, line, file, nothing);
 }
 
 }  // namespace betwixt

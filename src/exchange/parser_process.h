@@ -25,8 +25,11 @@ ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size, bool
 std::optional<Parsed> parse_apart(ParserTask, const std::string& path, const MayRead&, bool any_size = false,
                                   std::optional<ParserCeilings> = {});
 
-// Reads it in this process, without protection.
-Parsed parse_here(ParserTask, const std::string& path, FileSource&, bool any_size = false);
+// Shapes a line with the font in an open file, whose position it changes. `name`: for errors.
+std::optional<Parsed> shape_apart(const std::string& name, int file, std::string_view line, const ParserCeilings&);
+
+// Reads it in this process, without protection. `line`: for letters.
+Parsed parse_here(ParserTask, const std::string& path, FileSource&, bool any_size = false, std::string_view line = {});
 
 // Returns the program's path: $BETWIXT_PARSER; beside the running program; in libexec/betwixt beside its folder or the
 // library's; or beside a folder of $PATH. Returns "" if it is in none of these.

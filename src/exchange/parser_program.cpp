@@ -62,12 +62,13 @@ void work(const ParserMessage& message) {
   if (message.files.size() != 3 || message.text.size() <= sizeof(ParserRequest)) return;
   ParserRequest request;
   std::memcpy(&request, message.text.data(), sizeof request);
-  const std::string path = message.text.substr(sizeof request);
+  std::string path = message.text.substr(sizeof request), line;
+  if (const auto end = path.find('\0'); end != path.npos) line = path.substr(end + 1), path.resize(end);
   const int job = message.files[0].fd(), memory = message.files[1].fd();
   if (!say(job, {&says_begun, 1})) return;
   give_up_all_but_reading(request.most);
   AskingShelf files(job, path, message.files[2].fd());
-  if (write_parsed(parse_here(request.task, path, files, request.any_size != 0), memory) == 0)
+  if (write_parsed(parse_here(request.task, path, files, request.any_size != 0, line), memory) == 0)
     say(job, {&says_done, 1});
 }
 

@@ -18,6 +18,7 @@
 #include "base/sha256.h"
 #include "betwixt/picture.h"
 #include "exchange/drawing.h"
+#include "exchange/font_face.h"
 #include "exchange/meshes.h"
 #include "exchange/pictures.h"
 #include "exchange/scene_file.h"
@@ -66,7 +67,7 @@ Store& store() {
   return all;
 }
 
-enum class Content { picture, mesh, scene, drawing, sound };
+enum class Content { picture, mesh, scene, drawing, sound, font };
 struct Ending {
   std::string_view ending;
   Content content;
@@ -75,7 +76,8 @@ constexpr std::array endings{
     Ending{"png", Content::picture}, Ending{"jpg", Content::picture}, Ending{"jpeg", Content::picture},
     Ending{"obj", Content::mesh},    Ending{"stl", Content::mesh},    Ending{"glb", Content::scene},
     Ending{"gltf", Content::scene},  Ending{"svg", Content::drawing}, Ending{"wav", Content::sound},
-    Ending{"mp3", Content::sound},   Ending{"ogg", Content::sound},   Ending{"flac", Content::sound},
+    Ending{"ttf", Content::font},    Ending{"otf", Content::font},    Ending{"mp3", Content::sound},
+    Ending{"ogg", Content::sound},   Ending{"flac", Content::sound},
 };
 const Ending* find_ending(const std::string& name) {
   const std::string end = ending(name);
@@ -98,11 +100,9 @@ Status check_name(const std::string& name) {
       !std::all_of(name.begin(), name.end(), plain))
     return fail(ErrorCode::name, fmt::format("'{}' cannot be the name of something sent", shown),
                 "a name has at most 64 letters a-z, digits, '-', '_' and '.', as in logo.png");
-  if (const std::string end = ending(name); end == "ttf" || end == "otf" || end == "woff2")
-    return fail(ErrorCode::name, "fonts cannot be sent", "install the font on the machine that shows the film");
   if (!find_ending(name))
     return fail(ErrorCode::name, fmt::format("the ending of '{}' does not say what the bytes are", shown),
-                "endings are png, jpg, jpeg, obj, stl, glb, gltf, svg, wav, mp3, ogg and flac");
+                "endings are png, jpg, jpeg, obj, stl, glb, gltf, svg, wav, mp3, ogg, flac, ttf and otf");
   return Nothing{};
 }
 
@@ -133,6 +133,8 @@ Status check_content(Content content, const std::string& path) {
       return whether(load_drawing(path, only, false));
     case Content::sound:
       return whether(read_sound(path));
+    case Content::font:
+      return whether(load_font(path));
   }
   return Nothing{};
 }

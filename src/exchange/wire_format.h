@@ -12,13 +12,14 @@
 #include "betwixt/mesh.h"
 #include "betwixt/result.h"
 #include "exchange/drawing.h"
+#include "exchange/font_face.h"
 #include "exchange/scene_file.h"
 
 namespace betwixt {
 
-using Parsed =
-    std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error, std::shared_ptr<const SceneFile>,
-                 std::shared_ptr<const DrawingFile>, std::shared_ptr<const LinearPicture>>;
+using Parsed = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error,
+                            std::shared_ptr<const SceneFile>, std::shared_ptr<const DrawingFile>,
+                            std::shared_ptr<const LinearPicture>, std::shared_ptr<const ShapedLine>>;
 
 // Both return 0 or the system's error number. EBADMSG: the memory holds no valid result.
 int write_parsed(const Parsed&, int memory);

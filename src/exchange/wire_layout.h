@@ -12,7 +12,15 @@
 namespace betwixt::wire {
 
 // A header, then blocks, each preceded by its length.
-enum class Holds : std::uint32_t { mesh = 1, picture = 2, error = 3, scene = 4, drawing = 5, linear_picture = 6 };
+enum class Holds : std::uint32_t {
+  mesh = 1,
+  picture = 2,
+  error = 3,
+  scene = 4,
+  drawing = 5,
+  linear_picture = 6,
+  letters = 7
+};
 struct Head {
   std::uint32_t holds = 0;
   std::uint32_t detail = 0;  // of an error: its code, and the permission that it needs in the second byte

@@ -265,6 +265,31 @@ std::shared_ptr<const DrawingFile> take_drawing(Taker& from) {
   return at == points.size() && rest.empty() && sound(*drawing) ? drawing : nullptr;
 }
 
+// Returns whether all are numbers that letters can have.
+bool sound(const ShapedLine& line) {
+  const auto near = [](double v) { return std::abs(v) <= 1e6; };
+  const auto point = [&](const Vec3& p) { return near(p.x) && near(p.y) && near(p.z); };
+  for (const ShapedGlyph& g : line.glyphs)
+    if (!near(g.advance) || !point(g.shift)) return false;
+  for (const auto& [number, contours] : line.outlines)
+    for (const auto& contour : contours)
+      if (!std::all_of(contour.begin(), contour.end(), point)) return false;
+  return true;
+}
+
+std::shared_ptr<const ShapedLine> take_letters(Taker& from) {
+  auto line = std::make_shared<ShapedLine>();
+  std::uint64_t outlines = 0, contours = 0;
+  if (!from.block(line->glyphs) || !from.one(outlines) || outlines > line->glyphs.size()) return nullptr;
+  for (std::uint64_t i = 0; i < outlines; ++i) {
+    auto& [number, outline] = line->outlines.emplace_back();
+    if (!from.one(number) || !from.one(contours) || contours > most_pieces) return nullptr;
+    for (std::uint64_t k = 0; k < contours; ++k)
+      if (!from.block(outline.emplace_back())) return nullptr;
+  }
+  return sound(*line) ? line : nullptr;
+}
+
 // Returns false if nothing valid was read.
 template <class T>
 bool keep(std::shared_ptr<const T> read, Parsed& out) {
@@ -298,6 +323,8 @@ bool take(Taker& from, Parsed& out) {
       return keep(take_drawing(from), out);
     case Holds::linear_picture:
       return keep(take_picture<LinearPicture>(from), out);
+    case Holds::letters:
+      return keep(take_letters(from), out);
   }
   return false;
 }

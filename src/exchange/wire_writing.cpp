@@ -102,6 +102,14 @@ class Giver {
     block(things), block(points), block(names);
     for (const std::string& sentence : d.left_out) block(sentence.substr(0, longest_words));
   }
+  void letters(const ShapedLine& line) {
+    one(Head{static_cast<std::uint32_t>(Holds::letters), 0});
+    block(line.glyphs), one(static_cast<std::uint64_t>(line.outlines.size()));
+    for (const auto& [number, contours] : line.outlines) {
+      one(number), one(static_cast<std::uint64_t>(contours.size()));
+      for (const auto& contour : contours) block(contour);
+    }
+  }
   void error(const Error& e) {
     one(Head{static_cast<std::uint32_t>(Holds::error), detail_of(e)});
     block(e.message.substr(0, longest_words)), block(e.hint.substr(0, longest_words));
@@ -132,6 +140,8 @@ int write_parsed(const Parsed& parsed, int memory) {
     to.scene(**scene);
   } else if (const auto* drawing = std::get_if<std::shared_ptr<const DrawingFile>>(&parsed)) {
     to.drawing(**drawing);
+  } else if (const auto* letters = std::get_if<std::shared_ptr<const ShapedLine>>(&parsed)) {
+    to.letters(**letters);
   } else {
     to.error(std::get<Error>(parsed));
   }

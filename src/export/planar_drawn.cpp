@@ -139,7 +139,7 @@ double most_off(const std::vector<DrawnPart>& a, const std::vector<DrawnPart>& b
 // Returns whether both have the same letters, possibly in several forms.
 bool one_thing(const Shape& a, const Shape& b) {
   return a.kind == b.kind && a.filled == b.filled && a.letters == b.letters && *a.text == *b.text &&
-         *a.font == *b.font && a.formula == b.formula;
+         *a.font == *b.font && a.own_font == b.own_font && a.formula == b.formula;
 }
 
 }  // namespace

@@ -185,6 +185,7 @@ struct Scene {
   Cow<std::vector<FromFile>> from_files;
   Cow<std::map<std::string, std::shared_ptr<const Picture>>> pictures;
   Cow<std::map<std::string, std::shared_ptr<const Sound>>> sounds;
+  Cow<std::map<std::string, std::shared_ptr<const OwnFont>>> fonts;
   Cow<std::map<std::string, std::shared_ptr<const Outline>>> formulas;  // set by TeX, by their text
 };
 

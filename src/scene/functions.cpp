@@ -11,6 +11,7 @@
 #include "scene/document.h"
 #include "scene/flat_functions.h"
 #include "scene/kinds.h"
+#include "scene/own_font.h"
 #include "scene/rig_functions.h"
 #include "scene/sound_functions.h"
 #include "scene/text_functions.h"
@@ -206,8 +207,13 @@ const FunctionSpec function_rows[] = {
      .type = Type::text,
      .rest = Text(std::string("DejaVu Sans")),
      .kinds = bit(Kind::text),
-     .shape = [](Shape& s, const Value& v, const Scene&) { s.font = std::get<Text>(v); },
-     .sentence = "The font of letters.",
+     .shape =
+         [](Shape& s, const Value& v, const Scene& scene) {
+           s.font = std::get<Text>(v), s.own_font = nullptr;
+           if (!names_font_file(*s.font)) return;
+           if (const auto found = scene.fonts->find(*s.font); found != scene.fonts->end()) s.own_font = found->second;
+         },
+     .sentence = "The font of letters: the name of an installed font, or a file (ttf or otf).",
      .written = "\"…\"",
      .example = "create title text\nset title.font \"DejaVu Sans\""},
     measure({.name = "depth",

@@ -194,7 +194,7 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
   whole(before.expansion, after.expansion), whole(before.spare, after.spare);
   whole(before.views, after.views), whole(before.cuts, after.cuts);
   whole(before.meshes, after.meshes), whole(before.pictures, after.pictures), whole(before.sounds, after.sounds);
-  whole(before.formulas, after.formulas);
+  whole(before.fonts, after.fonts), whole(before.formulas, after.formulas);
   if (before.kinds && !before.kinds.same(after.kinds)) lost.sum.bytes += apart(*before.kinds, *after.kinds);
   if (!before.lists.same(after.lists))
     lost.sum.bytes += shared_bytes<DisplayLists> + apart(*before.lists, *after.lists);
@@ -277,6 +277,9 @@ void ContentBytes::add(const std::shared_ptr<const Picture>& picture) {
 void ContentBytes::add(const std::shared_ptr<const Sound>& sound) {
   if (first(sound.get())) sum_ += bytes_in(sound->energy, sound->onsets);
 }
+void ContentBytes::add(const std::shared_ptr<const OwnFont>& font) {
+  if (first(font.get())) sum_ += font->bytes.size();
+}
 void ContentBytes::add(const std::shared_ptr<const Outline>& outline) {
   if (!first(outline.get())) return;
   for (const Contour& contour : outline->contours) sum_ += bytes_in(contour);
@@ -295,7 +298,7 @@ std::size_t bytes_of_values(const Scene& scene) {
   const auto add = [&](const auto& files) {
     for (const auto& [path, content] : *files) contents.add(content);
   };
-  add(scene.meshes), add(scene.pictures), add(scene.sounds), add(scene.formulas);
+  add(scene.meshes), add(scene.pictures), add(scene.sounds), add(scene.fonts), add(scene.formulas);
   return values.sum() + contents.sum();
 }
 

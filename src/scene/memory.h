@@ -31,6 +31,7 @@ class ContentBytes {
   void add(const std::shared_ptr<const Mesh>&);  // with its pictures and its rig
   void add(const std::shared_ptr<const Picture>&);
   void add(const std::shared_ptr<const Sound>&);
+  void add(const std::shared_ptr<const OwnFont>&);
   void add(const std::shared_ptr<const Outline>&);
   std::size_t sum() const { return sum_; }
 

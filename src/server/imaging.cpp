@@ -24,10 +24,9 @@
 namespace betwixt {
 namespace {
 
-constexpr int most_open_lines = 10'000;    // in one command
-constexpr int most_attempts = 3;           // tries while others change the document, before they must wait …
-constexpr Nanos most_waited = 50'000'000;  // … if the work takes no more processor time than this
-constexpr int most_in_vain = 12;           // tries for work that takes longer
+constexpr int most_open_lines = 10'000;  // in one command
+constexpr int most_attempts = 3;         // tries while others change the document, before they must wait …
+constexpr int most_in_vain = 12;         // … and for work for which they do not wait
 constexpr auto most_at_once = std::chrono::milliseconds(5);
 
 // Measures the thread's processor time; if the thread waits for another process or a file, measures elapsed time.
@@ -192,8 +191,8 @@ Imaging::Worked Imaging::work_out(HostState& h, bool takes_long,
     h.took = effort.taken();
   };
   for (;; ++h.attempts) {
-    if (h.attempts >= most_in_vain && h.took > most_waited) return over(Worked::in_vain);
-    const bool first = h.attempts >= most_attempts && h.took <= most_waited;
+    if (h.attempts >= most_in_vain && h.took > options_.most_waited) return over(Worked::in_vain);
+    const bool first = h.attempts >= most_attempts && h.took <= options_.most_waited;
     if (first) alone.ask(h.host);
     const Point from = editor_.now();
     const std::size_t events = event_count_;

@@ -84,6 +84,9 @@ class Imaging {
     std::function<void(std::shared_ptr<const void>)> discard;
     std::function<void(const std::string&)> warn;  // warns the user who runs the server
     CheckpointStep checkpoint_step;                // for tests
+    // While others change the document, a line is tried three times and then they wait, if it takes no more processor
+    // time than this; else it is tried twelve times.
+    Nanos most_waited = 50'000'000;
   };
   using Host = std::uint64_t;
   struct Reply {

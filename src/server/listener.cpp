@@ -80,27 +80,44 @@ std::string address_name(int file) {
                                  : fmt::format("{}:{}", host.data(), port.data());
 }
 
+// Returns false if the path is too long.
+bool name_socket(sockaddr_un& address, const std::string& path) {
+  if (path.size() >= sizeof address.sun_path) return false;
+  address.sun_family = AF_UNIX;
+  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
+  return true;
+}
+
+// Returns 0 or the errno. The socket listens before it has its name: whoever sees the file can connect. If there is no
+// room for the longer hidden name, it has its name a moment earlier.
+int listen_at(int file, const std::string& path, sockaddr_un address) {
+  const std::string hidden = fmt::format("{}.{}", path, ::getpid());
+  const bool moves = name_socket(address, hidden);
+  if (moves) ::unlink(hidden.c_str());
+  const mode_t before = ::umask(0177);  // so that the socket never exists with wider permissions
+  int why = ::bind(file, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? 0 : errno;
+  ::umask(before);
+  if (why == 0 && ::listen(file, backlog) != 0) why = errno;
+  if (!moves) return why;
+  if (why == 0 && ::link(hidden.c_str(), path.c_str()) != 0) why = errno;  // fails if another server was faster
+  ::unlink(hidden.c_str());
+  return why;
+}
+
 }  // namespace
 
 Result<Listener> Listener::unix_socket(const std::string& path) {
   sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.empty() || path.size() >= sizeof address.sun_path)
+  if (path.empty() || !name_socket(address, path))
     return fail(ErrorCode::range, fmt::format("--socket: a path must have 1 to {} bytes", sizeof address.sun_path - 1));
-  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
   if (Status s = make_room(path, address); !s) return s.error();
   File file(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (file.get() < 0) return system_said(ErrorCode::machine, "cannot make a socket", errno);
-  const mode_t before = ::umask(0177);  // so that the socket never exists with wider permissions
-  const int bound = ::bind(file.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
-  const int why = errno;
-  ::umask(before);
-  if (bound != 0) return system_said(ErrorCode::file, fmt::format("cannot listen at '{}'", path), why);
+  if (const int why = listen_at(file.get(), path, address); why != 0)
+    return system_said(ErrorCode::file, fmt::format("cannot listen at '{}'", path), why);
   Listener out(file.release(), path, false);
   struct stat mine {};
   if (::lstat(path.c_str(), &mine) == 0) out.device_ = mine.st_dev, out.inode_ = mine.st_ino;
-  if (::listen(out.file_, backlog) != 0)
-    return system_said(ErrorCode::file, fmt::format("cannot listen at '{}'", path), errno);
   return out;
 }
 

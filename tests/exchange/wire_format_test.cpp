@@ -105,6 +105,35 @@ TEST(HandedOver, IsNotBelieved) {
   EXPECT_EQ(read_parsed(Memory(good + '!').file.fd(), got), EBADMSG);
 }
 
+TEST(HandedOver, LettersComeAsTheyWentAndAreNotBelieved) {
+  const auto line = std::make_shared<const ShapedLine>(
+      ShapedLine{{{3, 0, 0.5, {}}, {4, 1, 0.25, {0.125, 0, 0}}}, {{3, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}, {4, {}}}});
+  Memory letters;
+  ASSERT_EQ(write_parsed(line, letters.file.fd()), 0);
+  Parsed got;
+  ASSERT_EQ(read_parsed(letters.file.fd(), got), 0);
+  const ShapedLine& same = *std::get<std::shared_ptr<const ShapedLine>>(got);
+  ASSERT_EQ(same.glyphs.size(), 2U);
+  EXPECT_EQ(same.glyphs[1].shift.x, 0.125);
+  EXPECT_EQ(same.outlines, line->outlines);
+  const std::string good = letters.bytes();
+  std::mt19937 random(8);
+  int refused = 0;
+  for (int i = 0; i < 4000; ++i) {
+    std::string bad = good;
+    for (unsigned n = 1 + random() % 3; n > 0; --n) bad[8 + random() % (bad.size() - 8)] = static_cast<char>(random());
+    if (random() % 4 == 0) bad.resize(random() % bad.size());
+    const int reason = read_parsed(Memory(bad).file.fd(), got);
+    ASSERT_TRUE(reason == 0 || reason == EBADMSG);
+    refused += reason != 0;
+    if (reason == 0)
+      for (const auto& [number, contours] : std::get<std::shared_ptr<const ShapedLine>>(got)->outlines)
+        for (const auto& contour : contours)
+          for (const Vec3& p : contour) ASSERT_LE(std::abs(p.x) + std::abs(p.y), 2e6);
+  }
+  EXPECT_GT(refused, 1000);
+}
+
 TEST(HandedOver, ClaimsNoMemoryThatItNeverHad) {
   // A picture of 16384 x 16384 pixels that are all in the file's hole.
   Memory picture;

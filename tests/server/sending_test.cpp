@@ -6,9 +6,12 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/files.h"
 #include "betwixt/picture.h"
 #include "betwixt/render.h"
 #include "betwixt/sent.h"
+#include "exchange/shapes.h"
+#include "exchange/typefaces.h"
 #include "scene/document.h"
 #include "server/stage.h"
 
@@ -39,6 +42,21 @@ TEST(Sending, APictureIsTheSameAsFromItsFile) {
   const Loaded file = load_text("create sign box texture=\"made.png\"", folder / "film.bx");
   ASSERT_FALSE(has_errors(file.diagnostics));
   EXPECT_EQ(read(s.imaging.document())->rgba, read(file.document)->rgba);
+  s.expect_history();
+}
+
+TEST(Sending, AFontIsTheOneOfItsFile) {
+  Stage s;
+  const auto host = s.imaging.arrive();
+  const std::string bytes = *read_whole(font_file({"DejaVu Sans", Weight::bold}).path);
+  EXPECT_TRUE(holds(send(s, host, "own.ttf", bytes), "-own.ttf\""));
+  s.done(host, "create sent text text=\"Fig\" font=\"@own.ttf\"");
+  s.done(host, "create bold text text=\"Fig\" weight=bold");
+  const Frame frame = Program::compile(s.imaging.document()).frame(Time{0});
+  ASSERT_EQ(frame.items.size(), 2U);
+  const Outline sent = outline_of(*frame.items[0].shape), bold = outline_of(*frame.items[1].shape);
+  ASSERT_EQ(sent.contours.size(), bold.contours.size());
+  for (std::size_t i = 0; i < sent.contours.size(); ++i) EXPECT_EQ(sent.contours[i], bold.contours[i]) << i;
   s.expect_history();
 }
 
@@ -83,7 +101,7 @@ TEST(Sending, RefusesInWords) {
   const std::string good = picture(folder, 40);
   EXPECT_TRUE(holds(send(s, host, "cut.png", good.substr(0, good.size() / 2)), "@cut.png is broken"));
   EXPECT_TRUE(holds(send(s, host, "a.txt", "x"), "the ending of 'a.txt'"));
-  EXPECT_TRUE(holds(send(s, host, "a.ttf", "x"), "fonts cannot be sent"));
+  EXPECT_TRUE(holds(send(s, host, "a.ttf", "x"), "@a.ttf: the font is not a font with outlines"));
   EXPECT_TRUE(holds(send(s, host, "../a.png", "x"), "cannot be the name"));
   EXPECT_FALSE(s.imaging.wants_bytes(host, "send a.png 2147483648"));
   s.refused(host, "send a.png 2147483648", "'a.png' has more than 64 MiB");
