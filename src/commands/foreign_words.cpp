@@ -205,7 +205,7 @@ constexpr ForeignWord all_foreign_words[] = {
     {"instance", to_instance, "define create call"},
     {"prefab", to_instance, "define unlink"},
     {"symbol", to_instance, "define unlink call"},
-    {"override", to_instance, "define unlink"},
+    {"override", to_instance, "define revert unlink"},
     {"trail", to_trail, "trace"},
     {"modifier", to_filter, "filter noise spring"},
     {"mirror", "scale mirrors: scale ball.position 1f..24f (1 -1 1), or set ball.scale (1 -1 1)", "scale"},

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "base/cancellation.h"
 #include "betwixt/kind.h"
@@ -264,6 +265,42 @@ void follow_models(Scene& s, Script& script, std::string_view about) {
       if (concerns(s.kinds->all[i], after, changed))
         Update{s, script, s.kinds.edit().all[i], before, after, about}.run(changed);
   }
+}
+
+std::size_t revert(Scene& s, const std::vector<std::pair<ObjectId, std::optional<FunctionId>>>& what) {
+  struct Part {
+    std::size_t kind, instance, number;
+  };
+  std::unordered_map<std::uint32_t, Part> parts;
+  for (std::size_t k = 0; k < s.kinds->all.size(); ++k)
+    for (std::size_t i = 0; i < s.kinds->all[k].instances.size(); ++i)
+      for (std::size_t n = 0; n < s.kinds->all[k].instances[i]->parts.size(); ++n)
+        parts[s.kinds->all[k].instances[i]->parts[n].index] = {k, i, n};
+  std::size_t count = 0;
+  for (const auto& [id, function] : what) {
+    const auto found = parts.find(id.index);
+    if (found == parts.end()) continue;
+    ++count;
+    const auto [k, i, n] = found->second;
+    OwnKind& kind = s.kinds.edit().all[k];
+    KindInstance& one = kind.instances[i].edit();
+    Following following(s.objects[kind.model().index].name, s.objects[one.parts.front().index].name, &s);
+    for (std::size_t p = 0; p < one.parts.size(); ++p) following.instead(kind.parts[p], one.parts[p]);
+    const Object model = in_place(s.objects[kind.parts[n].index], following);
+    const auto reverts = [&, f = function](FunctionId slot) {
+      return f ? *f == slot : n > 0 || !spec_of(s, slot).place;
+    };
+    Object& mine = s.objects.edit(id.index);
+    std::erase_if(mine.slots, [&](const Slot& slot) { return reverts(slot.function); });
+    for (const Slot& slot : model.slots)
+      if (reverts(slot.function)) take(mine.slot(slot.function, slot.layer), &slot, aspect::all);
+    std::erase_if(one.own, [&, part = kind.parts[n].index](const auto& own) {
+      return own.first.part == part && reverts(own.first.function);
+    });
+    if (!function) mine.environment = model.environment;
+    mine.leads |= model.leads;
+  }
+  return count;
 }
 
 std::vector<KindView> own_kinds(const Document& d) {

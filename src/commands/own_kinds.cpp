@@ -115,7 +115,45 @@ bool unlink(Command& k) {
   return true;
 }
 
+// `revert anna.color anna/hat`: targets and objects.
+bool revert_words(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  std::vector<std::pair<ObjectId, std::optional<FunctionId>>> what;
+  const char* const start = (c.space(), c.at);
+  for (c.space(); what.empty() || !c.at_line_end(); c.space()) {
+    Cursor after = c;
+    std::string_view word = after.next_word();
+    if (word.find('.') != word.npos) {
+      Selected found;
+      c = after;
+      if (!targets(k, word, found, Meant::any)) return false;
+      for (const Target& t : found.targets) what.emplace_back(t.object, t.function);
+    } else {
+      std::vector<ObjectId> found;
+      if (!objects(k, word, found)) return false;
+      for (const ObjectId id : found) {
+        what.emplace_back(id, std::nullopt);
+        for (const ObjectId part : script.below(s, s.objects[id.index].name, false))
+          what.emplace_back(part, std::nullopt);
+      }
+    }
+    if (what.empty()) break;  // a pattern that matches nothing
+  }
+  Rollback whole(s);
+  if (revert(s, what) == 0 && !what.empty())
+    return c.fail(ErrorCode::type, "no instance of a kind of your own is named here", c.since(start),
+                  "as in revert anna.color, or revert anna/hat, for an instance anna");
+  whole.keep();
+  return true;
+}
+
 constexpr Verb own_kinds_rows[] = {
+    {"revert", "revert TARGET or revert OBJECTS",
+     "Gives an instance of a kind of your own the values of the model again, so that it follows the model: one "
+     "function, "
+     "or all functions of an object and of the parts below it. The place of the whole instance stays.",
+     "define kind toy like ball\ncreate copy1 toy color=red\nrevert copy1.color", 0, revert_words,
+     "TARGET OBJECT; TARGET OBJECT…"},
     {"unlink", "unlink OBJECTS or unlink kind NAME",
      "Makes instances of a kind of your own ordinary objects, which no longer follow the model. `unlink kind` ends the "
      "kind.",

@@ -4,7 +4,9 @@
 // The author's own kinds: `define kind`, `create NAME KIND` of such a kind, and `unlink`.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands/command.h"
@@ -17,6 +19,9 @@ namespace betwixt {
 void follow_models(Scene&, Script&, std::string_view about);
 // Returns the kind, or null. Makes a plug-in's kind when it is first asked for; fails if its lines have errors.
 const OwnKind* find_own_kind(Command&, std::string_view name);
+// Gives parts of instances the model's values again, so that they follow it: one function, or all of them except the
+// root's own place. Returns how many objects belong to an instance.
+std::size_t revert(Scene&, const std::vector<std::pair<ObjectId, std::optional<FunctionId>>>&);
 // Makes the rest of `define kind NAME like OBJECT [hidden] [of (OBJECTS)]`, after the word `kind`.
 bool define_kind(Command&);
 // Returns whether `define kind NAME like` begins here, behind `define`.

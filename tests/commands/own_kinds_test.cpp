@@ -178,6 +178,28 @@ TEST(OwnKinds, KindsCanConsistOfKinds) {
   expect_numbers(film, "eve.size", "1f", {2, 2, 2});
 }
 
+// What was changed on an instance is gone, and the instance is as one that was never changed.
+TEST(OwnKinds, GoBackToTheModel) {
+  const std::string changes =
+      "set anna/body.color red\nset man/body.color navy\nanna/head.position\n  1f (0 0 1)\n  9f (2 0 1)\n"
+      "filter anna/head.position wobble\nat 1f anna.shininess.velocity 1\nat 3f hide anna/head\n";
+  const std::string later =
+      "set man/body.color teal\nset man/head.radius 3\nfilter man/head.position smooth width=1s\n";
+  const auto plain = everything(std::string(people) + "set man/body.color navy\n" + later, "anna");
+  const auto with = [&](const std::string& lines) {
+    return everything(std::string(people) + changes + lines + later, "anna");
+  };
+  EXPECT_NE(with(""), plain);
+  EXPECT_EQ(with("revert anna\n"), plain);
+  EXPECT_EQ(with("revert {anna,bert,carl}\n"), plain);
+  EXPECT_EQ(with("revert anna/head anna/body.color anna.shininess\n"), plain);
+  const LoadedFilm film(std::string(people) + "set anna.position (7 7 7)\nrevert anna\n");
+  expect_numbers(film, "anna.position", "1f", {7, 7, 7});
+  const LoadedFilm moved(std::string(people) +
+                         "set man.position (1 2 3)\nset anna.position (7 7 7)\nrevert anna.position\n");
+  expect_numbers(moved, "anna.position", "1f", {1, 2, 3});
+}
+
 TEST(OwnKinds, AreWrittenAndFollowAgain) {
   const std::string text = std::string(people) +
                            "set anna/body.color red\nremove carl/head\nrename bert bruno\n"
@@ -263,6 +285,11 @@ TEST(OwnKinds, ErrorsByTheirPlace) {
       {"unlink nobody", "name 1:8 nobody"},
       {"unlink kind humen", "name 1:13 humen"},
       {"unlink", "syntax 1:7"},
+      {"revert man", "type 1:8 man"},
+      {"revert man/body.color", "type 1:8 man/body.color"},
+      {"revert nobody", "name 1:8 nobody"},
+      {"revert anna.colour", "name 1:13 colour"},
+      {"revert", "syntax 1:7"},
   };
   for (const auto& [line, wanted] : cases) {
     expect_refused(head, line, wanted);
@@ -284,6 +311,8 @@ TEST(OwnKinds, RandomFilmsAreWrittenAndReadBack) {
                                        "remove #",
                                        "unlink #",
                                        "unlink kind k1",
+                                       "revert #",
+                                       "revert #.position #",
                                        "couple # to #",
                                        "define kind @ like # hidden of (#)",
                                        "filter #.position wobble",
