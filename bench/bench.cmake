@@ -15,6 +15,9 @@ target_link_libraries(bench_algebra PRIVATE betwixt_algebra PkgConfig::HWY)
 add_executable(bench_frames bench/frames.cpp bench/edits.cpp bench/scenes.cpp)
 target_include_directories(bench_frames PRIVATE bench)
 target_link_libraries(bench_frames PRIVATE betwixt_editor)
+add_executable(bench_twerpers bench/twerpers.cpp bench/scenes.cpp)
+target_include_directories(bench_twerpers PRIVATE bench)
+target_link_libraries(bench_twerpers PRIVATE betwixt_commands)
 add_executable(bench_checks bench/checks.cpp bench/scenes.cpp)
 target_include_directories(bench_checks PRIVATE bench tests)
 target_link_libraries(bench_checks PRIVATE betwixt_commands)
@@ -37,7 +40,7 @@ add_executable(bench_laws bench/laws.cpp)
 target_include_directories(bench_laws PRIVATE bench)
 target_link_libraries(bench_laws PRIVATE betwixt_commands)
 # In a build with tests the benchmarks are built only on request: ninja benchmarks.
-set(benchmarks bench_parse bench_environments bench_contacts bench_algebra bench_frames bench_checks bench_memory
+set(benchmarks bench_parse bench_environments bench_contacts bench_algebra bench_frames bench_twerpers bench_checks bench_memory
     bench_drawing bench_first_picture bench_lsp bench_growing bench_laws)
 add_custom_target(benchmarks DEPENDS ${benchmarks})
 if(NOT BETWIXT_BENCH)

@@ -55,7 +55,8 @@ Evaluator::Evaluator(const Program::Compiled& compiled, const DeferredEvaluation
 
 void Evaluator::touch(std::uint32_t source, std::int64_t t) {
   if (playing::Segment& s = segments_[source]; s.channels > 0) {
-    if (!std::exchange(s.listed, true)) curves_.push_back(source);
+    if (!s.listed) curves_.push_back(source);
+    s.listed = true;
     return;
   }
   if (asked_[source] == turn_) return;
@@ -108,20 +109,25 @@ void Evaluator::evaluate(std::uint32_t i, std::int64_t t) {
   marks_.add(s.node, s.affects);
 }
 
-// Evaluates the changing curves, most of which are still in the same segment.
+// Evaluates the changing curves, most of which are still in the same segment. The others find theirs in three steps,
+// each some curves ahead of the next, because each waits for memory.
 void Evaluator::play(std::int64_t t) {
   left_.resize(curves_.size());
   left_.resize(playing::play(segments_.data(), curves_, t, numbers_.data(), marks_, left_.data()));
   bool ended = false;
-  constexpr std::size_t ahead = 16;
-  for (std::size_t k = 0; k < left_.size() + ahead; ++k) {
-    if (k < left_.size()) {
-      const std::uint32_t soon = curves_[left_[k]];
-      compiled_.schedule.events[soon].fetch(t, segments_[soon]);
-    }
-    if (k < ahead) continue;
-    std::uint32_t& source = curves_[left_[k - ahead]];
-    if (seek(source, t)) continue;
+  constexpr std::size_t ahead = 12;
+  const std::size_t count = left_.size();
+  events_.resize(count);
+  const std::vector<CurveEvents>& all = compiled_.schedule.events;
+  const auto searches = [&](std::uint32_t i) { return !segments_[i].has(t) && all[i].has(t); };
+  for (std::size_t k = 0; k < count + 2 * ahead; ++k) {
+    if (k < count)
+      if (const std::uint32_t i = curves_[left_[k]]; searches(i)) events_[k] = all[i].guess(t, segments_[i]);
+    if (const std::size_t at = k - ahead; k >= ahead && at < count)
+      if (const std::uint32_t i = curves_[left_[at]]; searches(i)) events_[at] = all[i].find(t, events_[at]);
+    if (k < 2 * ahead) continue;
+    std::uint32_t& source = curves_[left_[k - 2 * ahead]];
+    if (seek(source, t, events_[k - 2 * ahead])) continue;
     segments_[source].listed = false;
     source = nothing;
     ended = true;
@@ -129,24 +135,29 @@ void Evaluator::play(std::int64_t t) {
   if (ended) std::erase(curves_, nothing);
 }
 
-// Finds the segment of a curve that has left its old one. Returns true if the curve is changing at `t`.
-bool Evaluator::seek(std::uint32_t i, std::int64_t t) {
+// Takes the segment of a curve that has left its old one: that of event k, if the curve is plain. Returns true if the
+// curve is changing at `t`.
+bool Evaluator::seek(std::uint32_t i, std::int64_t t, std::uint32_t k) {
   playing::Segment& s = segments_[i];
   const Schedule& schedule = compiled_.schedule;
+  const CurveEvents& events = schedule.events[i];
   const auto use = [&]() -> const CurveUse& { return compiled_.curves[schedule.sources[i].index]; };
-  const bool left_to_answers = deferred_ && use().coded;
-  if (!s.active.has(t)) {
+  const bool plain = events.has(t);
+  if (!plain && !s.active.has(t)) {
     const Activity* now = schedule.active(schedule.sources[i], t);
     s.active = now ? *now : Activity{};
   }
-  if (left_to_answers) return s.active.has(t);
-  const CurveEvents& events = schedule.events[i];
+  if (deferred_ && use().coded) return plain ? schedule.active(schedule.sources[i], t) != nullptr : s.active.has(t);
   double n[4];
-  if (s.has(t) || (events.plain ? events.cubic(t, s) : compiled_.set.cubic(use().curve, t, s))) {
-    for (std::uint32_t c = 0; c < s.channels; ++c) n[c] = s.at(c, t);
+  bool changes = false;
+  if (s.has(t) || (plain ? events.cubic(k, s) : compiled_.set.cubic(use().curve, t, s))) {
+    const double share = s.share(t);
+    for (std::uint32_t c = 0; c < s.channels; ++c) n[c] = s.at(c, share);
     if (s.bounded) use().bound(n);
+    changes = plain && s.moves;
   } else {
     compiled_.evaluate_curve(use(), {t}, n);
+    changes = plain;
   }
   std::uint64_t other = 0;  // bits that differ
   for (std::uint32_t c = 0; c < s.channels; ++c) {
@@ -155,7 +166,7 @@ bool Evaluator::seek(std::uint32_t i, std::int64_t t) {
     was = n[c];
   }
   if (other != 0) marks_.add(s.node, s.affects);
-  return s.active.has(t);
+  return plain ? changes : s.active.has(t);
 }
 
 void Evaluator::evaluate_lives(Asking& asking, bool solids) {

@@ -72,7 +72,7 @@ class Evaluator {
   void collect(std::int64_t t);
   void evaluate(std::uint32_t source, std::int64_t t);
   void play(std::int64_t t);
-  bool seek(std::uint32_t source, std::int64_t t);
+  bool seek(std::uint32_t source, std::int64_t t, std::uint32_t k);
   void evaluate_lives(Asking&, bool solids);
   void evaluate_coded(Asking&);
   void evaluate(const Schedule::LiveSource&, Asking&);
@@ -126,6 +126,7 @@ class Evaluator {
   // Sources: curves that are changing; other sources that are; sources evaluated in this step.
   std::vector<playing::Segment> segments_;  // by source; no channels if it is not a curve
   std::vector<std::uint32_t> curves_, left_;
+  std::vector<std::uint32_t> events_;  // parallel to left_: where each segment begins
   struct Active {
     std::uint32_t source = 0;
     Activity now;

@@ -40,13 +40,14 @@ class Marks {
 };
 
 // A curve's present segment, as cubics, and where its numbers go.
-struct Segment : CubicSegment {
-  Activity active;  // the activity found last
-  std::uint32_t offset = 0, node = 0;
+struct alignas(64) Segment : CubicSegment {
   std::uint8_t channels = 0, affects = 0;
-  bool bounded = false;  // must be clamped, so play() skips it
-  bool listed = false;   // in the list of changing curves
+  bool bounded : 1 = false;  // must be clamped, so play() skips it
+  bool listed : 1 = false;   // in the list of changing curves
+  std::uint32_t offset = 0, node = 0;
+  Activity active;  // the activity found last
 };
+static_assert(sizeof(Segment) <= 192, "three cache lines");
 
 // Writes the numbers at `t` of those curves of `which` whose segment contains `t`. Returns how many it skipped; `left`
 // gets their indices in `which`. Needs four spare numbers at the end of the array.

@@ -55,7 +55,7 @@ std::size_t play_here(const Segment* all, std::span<const std::uint32_t> which, 
       left[lefts++] = static_cast<std::uint32_t>(i);
       continue;
     }
-    const VFour x = of_four(static_cast<double>(t - s.from) / s.length);
+    const VFour x = of_four(s.share(t));
     bool other = false;
     for (std::size_t lane = 0; lane < 4; lane += hn::Lanes(d)) {
       const auto c = [&](std::size_t power) HWY_ATTR { return hn::LoadU(d, s.c[power] + lane); };

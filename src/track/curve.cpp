@@ -25,6 +25,13 @@ bool all_angles(const Track& track) {
   return all;
 }
 
+// Returns whether an event's detail has nothing but a twerper's arguments.
+bool only_arguments(const EventDetail& d) {
+  EventDetail bare;
+  bare.arguments = d.arguments;
+  return d == bare;
+}
+
 // Returns the numbers of a value in the form of a curve.
 Numbers compiled(const Value& v, const Curve& c, Type type) {
   Numbers n{};
@@ -94,15 +101,10 @@ void TwerperFailures::say(std::size_t twerper, const Error& why) {
 LinearTwerpers::LinearTwerpers() : outer_(std::exchange(all_linear, true)) {}
 LinearTwerpers::~LinearTwerpers() { all_linear = outer_; }
 
-double ease(double u, double a, double b) {
-  if (a + b > 1) {
-    const double fit = 1 / (a + b);
-    a *= fit, b *= fit;
-  }
-  const double v = 1 / (1 - (a + b) / 2);  // the constant speed in between
-  if (u < a) return v * u * u / (2 * a);
-  if (u > 1 - b) return 1 - v * (1 - u) * (1 - u) / (2 * b);
-  return v * (u - a / 2);
+std::shared_ptr<const Ease> ease_with(Twerper t, const Ease::Arguments& arguments) {
+  if (is_own(t) || row_of(t).arguments.empty()) return nullptr;
+  if (t == Twerper::bezier) return bezier_ease(arguments);
+  return std::make_shared<const Ease>(row_of(t).factor, arguments, row_of(t).costly);
 }
 
 Curve CurveSet::add(const Track& track, Type type, bool component) {
@@ -125,6 +127,8 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   }
   std::vector<std::uint32_t> kept;  // events that only change the twerper
 
+  std::shared_ptr<const Ease> last_ease;
+
   const auto push = [&](const Event& e, const Numbers& n) {
     const auto index = static_cast<std::uint32_t>(all.times.size());
     all.times.push_back(e.time.flicks);
@@ -132,12 +136,21 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     const Twerper t = resolve(track, e, type, c.orientation);
     all.twerpers.push_back(static_cast<std::uint8_t>(t));
     const bool of_all = track.global != Twerper::unset && track.arguments != TwerperArguments{};
+    const TwerperArguments& arguments = track.global != Twerper::unset ? track.arguments : e.detail->arguments;
+    if (takes_arguments(t)) {
+      if (!last_ease || last_ease->arguments() != static_cast<const Ease::Arguments&>(arguments))
+        last_ease = ease_with(t, arguments);
+      if (all.curves.empty() || all.curves.back() != last_ease) all.curves.push_back(last_ease);
+      all.eases.resize(index + 1);
+      all.eases.back() = static_cast<std::uint32_t>(all.curves.size() - 1);
+    }
     if (!e.detail && !of_all) return;
+    if (t == Twerper::bezier && only_arguments(*e.detail)) return;
     CurveDetail d;
     d.event = index;
     d.ease_in = static_cast<double>(e.detail->ease_in.flicks);
     d.ease_out = static_cast<double>(e.detail->ease_out.flicks);
-    d.arguments = track.global != Twerper::unset ? track.arguments : e.detail->arguments;
+    d.arguments = arguments;
     if (e.detail->before) d.cut = true, d.before = compiled(*e.detail->before, c, type);
     const auto tangent = [&](const std::optional<Value>& said, bool& has, Numbers& rate) {
       if (!said || (c.orientation && !std::holds_alternative<Quat>(*said))) return;  // skip angles among orientations
@@ -193,17 +206,20 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
     }
   }
   if (cyclic) join_ends(all, c);
+  c.detailed = all.details.size() > first_detail;
   return c;
 }
 
+const Ease* CurveSet::ease(const Curve& c, std::uint32_t k) {
+  const auto t = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
+  if (is_own(t)) return nullptr;
+  return takes_arguments(t) ? c.columns->curves[c.columns->eases[c.first + k]].get() : ease_of(t);
+}
+
 // A twerper of the author's gets the eased time, like all others. If it fails, it counts as linear.
-double CurveSet::factor(Twerper t, double s, const CurveDetail* from) const {
-  if (!is_own(t)) {
-    static const TwerperArguments unsaid;
-    const TwerperArguments& said = from ? from->arguments : unsaid;
-    const auto row = row_of(t).factor;
-    return row ? row(s, said) : said.stops ? through(*said.stops, s) : s;
-  }
+double CurveSet::factor(Twerper t, double s, const Ease* ease, const Stops* stops) const {
+  if (ease) return ease->at(s);
+  if (!is_own(t)) return stops ? through(*stops, s) : s;
   const auto i = static_cast<std::size_t>(t) - first_own_twerper;
   if (all_linear || i >= own.size() || !own[i]) return s;
   const auto f = own[i]->blend(s);
@@ -217,8 +233,8 @@ std::shared_ptr<const CurveColumns> CurveSet::end_columns() { return std::exchan
 void CurveSet::share(std::shared_ptr<const CurveColumns> columns) { columns_.push_back(std::move(columns)); }
 
 const CurveDetail* CurveSet::detail(const Curve& c, std::uint32_t k) {
+  if (!c.detailed) return nullptr;
   const auto& details = c.columns->details;
-  if (details.empty()) return nullptr;
   const auto at = std::lower_bound(details.begin(), details.end(), c.first + k,
                                    [](const CurveDetail& d, std::uint32_t e) { return d.event < e; });
   return at != details.end() && at->event == c.first + k ? &*at : nullptr;
@@ -279,7 +295,8 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* ou
     return;
   }
   if (row && !c.orientation && row->numbers) return row->numbers(g, out);
-  const double s = factor(twerper, g.s, here);  // the ends and a factor are enough
+  const double s = factor(twerper, g.s, ease(c, k),
+                          here ? here->arguments.stops.get() : nullptr);  // the ends and a factor are enough
   if (c.orientation) return store(slerp(quat(g.from), quat(g.to), s), out);
   for (std::uint32_t i = 0; i < g.channels; ++i) out[i] = g.from[i] + s * (g.to[i] - g.from[i]);
 }
@@ -370,7 +387,8 @@ std::size_t CurveSet::bytes() const {
   std::size_t sum = 0;
   for (const auto& c : columns_)
     sum += c->times.size() * sizeof(c->times[0]) + c->values.size() * sizeof(double) + c->twerpers.size() +
-           c->details.size() * sizeof(CurveDetail);
+           c->details.size() * sizeof(CurveDetail) + c->eases.size() * sizeof(c->eases[0]) +
+           c->curves.size() * sizeof(c->curves[0]);
   return sum;
 }
 

@@ -29,12 +29,17 @@ struct CurveDetail {
   std::array<double, 4> before{}, tangent_in{}, tangent_out{};
 };
 
+// Returns the ease of a twerper with arguments, or null.
+std::shared_ptr<const Ease> ease_with(Twerper, const Ease::Arguments&);
+
 // The events of some curves. Sets can share them: that of an edited document with the one before.
 struct CurveColumns {
   std::vector<std::int64_t> times;
   std::vector<double> values;
   std::vector<std::uint8_t> twerpers;  // of the segment that begins at the event
-  std::vector<CurveDetail> details;    // sorted by event
+  std::vector<CurveDetail> details;    // sorted by event; none if only the twerper has arguments, as of bezier
+  std::vector<std::uint32_t> eases;    // by event, empty if no twerper has arguments: into `curves`
+  std::vector<std::shared_ptr<const Ease>> curves;
 };
 
 struct Curve {
@@ -44,6 +49,7 @@ struct Curve {
   std::uint8_t channels = 1;
   bool orientation = false;
   bool srgb = false;      // the numbers are sRGB, and are converted to light at evaluation
+  bool detailed = false;  // it has details
   bool seamless = false;  // it repeats and its ends are equal, so it has neighbours across the seam
   Extrapolation before = Extrapolation::hold, after = Extrapolation::hold;
 };
@@ -52,16 +58,21 @@ struct Curve {
 struct CurveEvents {
   CurveEvents() = default;
   explicit CurveEvents(const Curve&);
-  // Prefetches the memory that cubic() will read.
-  void fetch(std::int64_t t, const CubicSegment& was) const;
-  // Like CurveSet::cubic(), for a plain curve.
-  bool cubic(std::int64_t t, CubicSegment& out) const;
+  // Finds the segment at a time in three steps, so that many curves can wait for memory at once: each step prefetches
+  // what the next one reads. For plain curves, at times that has() says.
+  bool has(std::int64_t t) const { return plain && t >= first && t < last; }
+  std::uint32_t guess(std::int64_t t, const CubicSegment& was) const;
+  std::uint32_t find(std::int64_t t, std::uint32_t guess) const;
+  // Like CurveSet::cubic(), for the segment from event k.
+  bool cubic(std::uint32_t k, CubicSegment& out) const;
   // Returns the last event at or before t; t is between the first and the last. `here`: where to look first.
   static std::uint32_t before(const std::int64_t* times, std::uint32_t count, std::int64_t t, std::uint32_t here);
 
   const std::int64_t* times = nullptr;
   const double* values = nullptr;
   const std::uint8_t* twerpers = nullptr;
+  const CurveColumns* columns = nullptr;
+  std::uint32_t first_event = 0;  // into the columns
   std::int64_t first = 0, last = 0;
   std::uint32_t count = 0;
   std::uint8_t channels = 0;
@@ -132,11 +143,12 @@ class CurveSet {
   }
 
   // Returns the blending factor of a segment, for a twerper that uses nothing else; eases are applied to s already.
-  double factor(Twerper t, double s, const CurveDetail* from) const;
+  double factor(Twerper t, double s, const Ease*, const Stops*) const;
 
   std::vector<std::shared_ptr<const Routine>> own;  // the document's procedures; twerpers are among them
 
  private:
+  static const Ease* ease(const Curve& c, std::uint32_t k);  // of the segment from event k; null if it has none
   static const CurveDetail* detail(const Curve& c, std::uint32_t k);  // of event k; null if it has none
   bool still(const Curve& c, std::uint32_t k) const;
   Blend blend(const Curve& c, std::uint32_t k) const;
@@ -153,8 +165,6 @@ class CurveSet {
 Twerper resolve(const Track&, const Event&, Type type, bool orientation);
 // Applies the eases of its two events to the time u, 0 to 1, in a segment of `h` flicks.
 double eased(double u, const CurveDetail* from, const CurveDetail* to, double h);
-// Returns the eased time of u, 0 to 1, for eases given as fractions of the segment.
-double ease(double u, double ease_out, double ease_in);
 // Returns where a time outside first..last falls when a track repeats, or runs to and fro (bounce).
 std::int64_t fold(std::int64_t t, std::int64_t first, std::int64_t last, bool bounce);
 
@@ -195,6 +205,7 @@ class StepTrack {
     std::size_t comes_to = 0, goes_on = 0;  // values: equal, except at a cut
     std::uint8_t twerper = 0;
     DetailBox detail;
+    std::shared_ptr<const Ease> ease = {};  // of a twerper with arguments
   };
   std::int64_t folded(std::int64_t t) const;
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "track/twerpers.h"
+
 namespace betwixt {
 namespace {
 

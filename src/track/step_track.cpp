@@ -18,6 +18,7 @@ StepTrack::StepTrack(const Track& track, Type type) : before_(track.before), aft
     if (!e.keep) values_.push_back(e.value);
     keys_.push_back({e.time, comes_to, values_.size() - 1, twerper, e.detail});
     if (track.global != Twerper::unset) keys_.back().detail.edit().arguments = track.arguments;
+    keys_.back().ease = ease_with(static_cast<Twerper>(twerper), keys_.back().detail->arguments);
   });
 }
 
@@ -40,10 +41,11 @@ Between StepTrack::at(Time time, const CurveSet& set) const {
   if (next == keys_.end() || twerper == Twerper::hold) return {key.goes_on, key.goes_on, 0};
   const double h = static_cast<double>((next->time - key.time).flicks);
   CurveDetail from, to;
-  from.ease_out = static_cast<double>(key.detail->ease_out.flicks), from.arguments = key.detail->arguments;
+  from.ease_out = static_cast<double>(key.detail->ease_out.flicks);
   to.ease_in = static_cast<double>(next->detail->ease_in.flicks);
   const double s = eased(static_cast<double>(t - key.time.flicks) / h, &from, &to, h);
-  Between between{key.goes_on, next->comes_to, set.factor(twerper, s, &from)};
+  const Ease* const ease = key.ease ? key.ease.get() : is_own(twerper) ? nullptr : ease_of(twerper);
+  Between between{key.goes_on, next->comes_to, set.factor(twerper, s, ease, key.detail->arguments.stops.get())};
   between.splines = !is_own(twerper) && row_of(twerper).cubics;
   between.key = static_cast<std::size_t>(&key - keys_.data()), between.eased = s;
   return between;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "betwixt/time.h"
 #include "track/easings.h"
@@ -176,6 +177,7 @@ constexpr TwerperRow first_rows[] = {
      .written = "bezier(x1 y1 x2 y2)",
      .example = "at 12f ball.radius 2 bezier(0.25 0.1 0.25 1)",
      .factor = bezier_factor,
+     .costly = true,
      .arguments = of_bezier},
     {.name = "slerp",
      .sentence = "The shortest way between two orientations.",
@@ -210,6 +212,19 @@ static_assert(std::size(twerper_rows) <= first_own_twerper, "the numbers above a
 
 std::span<const TwerperRow> twerpers() { return twerper_rows; }
 const TwerperRow& row_of(Twerper t) { return twerper_rows[static_cast<std::size_t>(t)]; }
+
+const Ease* ease_of(Twerper t) {
+  struct Eases {
+    std::vector<std::unique_ptr<const Ease>> all;
+    Eases() {
+      for (const TwerperRow& row : twerper_rows)
+        all.push_back(row.factor ? std::make_unique<const Ease>(row.factor, Ease::Arguments{}, row.costly) : nullptr);
+    }
+  };
+  static const Eases& eases = *new Eases;  // never destroyed: other threads may still draw at program exit
+  return eases.all[static_cast<std::size_t>(t)].get();
+}
+
 std::string_view name_of(Twerper t) { return row_of(t).name; }
 
 std::optional<Twerper> find_twerper(std::string_view name) {

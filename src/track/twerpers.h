@@ -13,6 +13,7 @@
 
 #include "betwixt/math.h"
 #include "track/cubic.h"
+#include "track/ease.h"
 #include "track/event.h"
 
 namespace betwixt {
@@ -46,6 +47,7 @@ struct TwerperRow {
                    example = {};  // for help; `written`: usage, if it is more than the name
   // Returns the blending factor at s; null: s itself.
   double (*factor)(double s, const std::array<double, 4>& arguments) = nullptr;
+  bool costly = false;  // the factor is worth a table (ease.h)
   // Sets the cubic of s for each channel, or returns an orientation, if a factor between the two ends is not enough.
   void (*cubics)(const Blend&, Cubic* out) = nullptr;
   void (*numbers)(const Blend&, double* out) = nullptr;  // at g.s, if it is not a cubic of s
@@ -61,8 +63,10 @@ struct TwerperRow {
   Twerper for_orientations = Twerper::unset, for_numbers = Twerper::unset;
 };
 
-std::span<const TwerperRow> twerpers();                      // by their numbers; the first is `unset`
-const TwerperRow& row_of(Twerper);                           // for built-in ones
+std::span<const TwerperRow> twerpers();  // by their numbers; the first is `unset`
+const TwerperRow& row_of(Twerper);       // for built-in ones
+// Returns the ease of a built-in twerper that takes no arguments; null if its factor is the share of the time.
+const Ease* ease_of(Twerper);
 std::optional<Twerper> find_twerper(std::string_view name);  // never returns `unset`
 std::string_view name_of(Twerper);                           // for built-in ones
 

@@ -109,6 +109,7 @@ TEST(Playing, PlaysTheSegmentsThatItIsIn) {
     s.from = 100 * k, s.until = 100 * k + 250, s.length = 250;
     s.offset = 4 * k, s.node = k / 2, s.channels = static_cast<std::uint8_t>(1 + k % 3), s.affects = 4;
     s.bounded = k == 3;
+    if (k == 2) s.ease = ease_of(*find_twerper("ease-in-out"));
     which.push_back(k);
   }
   on_every_machine([&] {
@@ -120,11 +121,12 @@ TEST(Playing, PlaysTheSegmentsThatItIsIn) {
     for (std::uint32_t k = 0; k < 6; ++k)
       for (std::uint32_t c = 0; c < 4; ++c) {
         const bool played = (k == 1 || k == 2) && c < segments[k].channels;
-        const double u = (310.0 - 100 * k) / 250, *at = segments[k].c[0] + c;
+        const double u = k == 2 ? ease_of(*find_twerper("ease-in-out"))->at(0.44) : (310.0 - 100 * k) / 250;
+        const double* at = segments[k].c[0] + c;
         const double want = played ? at[0] + at[4] * u + at[8] * u * u + at[12] * u * u * u : 77.0;
         EXPECT_NEAR(numbers[4 * k + c], want, 1e-12) << k << " " << c;
         if (played) {
-          EXPECT_EQ(numbers[4 * k + c], segments[k].at(c, 310));
+          EXPECT_EQ(numbers[4 * k + c], segments[k].at(c, segments[k].share(310)));
         }
       }
     EXPECT_EQ(std::vector<std::uint32_t>(marks.all().begin(), marks.all().end()), (std::vector<std::uint32_t>{0, 1}));
