@@ -287,8 +287,8 @@ std::size_t revert(Scene& s, const std::vector<std::pair<ObjectId, std::optional
     Following following(s.objects[kind.model().index].name, s.objects[one.parts.front().index].name, &s);
     for (std::size_t p = 0; p < one.parts.size(); ++p) following.instead(kind.parts[p], one.parts[p]);
     const Object model = in_place(s.objects[kind.parts[n].index], following);
-    const auto reverts = [&, f = function](FunctionId slot) {
-      return f ? *f == slot : n > 0 || !spec_of(s, slot).place;
+    const auto reverts = [&, f = function, whole = n == 0](FunctionId slot) {
+      return f ? *f == slot : !whole || !spec_of(s, slot).place;
     };
     Object& mine = s.objects.edit(id.index);
     std::erase_if(mine.slots, [&](const Slot& slot) { return reverts(slot.function); });

@@ -95,6 +95,59 @@ TEST(Events, BehaveAsASortedMap) {
 }
 
 // shows: G98
+// Long tracks, most of whose chunks are on shelves.
+TEST(Events, BehaveAsASortedMapIfTheyAreMany) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    std::mt19937 random(seed);
+    Events events;
+    Model model;
+    std::vector<std::pair<Events, Model>> kept;
+    const auto pick = [&] { return static_cast<std::int64_t>(random() % 300'000); };
+    for (int step = 0; step < 90'000; ++step) {
+      const auto t = seed % 2 ? pick() : step < 60'000 ? 5 * step : pick();
+      if (step % 15'000 == 7'000) kept.emplace_back(events, model);
+      if (step > 50'000 && random() % 2000 == 0) {
+        const auto from = pick(), to = from + static_cast<std::int64_t>(random() % (seed > 1 ? 90'000 : 900));
+        const auto low = model.lower_bound(from), high = model.upper_bound(to);
+        ASSERT_EQ(events.erase({from}, {to}), static_cast<std::size_t>(std::distance(low, high)));
+        model.erase(low, high);
+        if (!model.empty()) {
+          ASSERT_EQ(events.back().time.flicks, model.rbegin()->first);
+        }
+      } else {
+        events.put(event(t, step));
+        model[t] = step;
+      }
+    }
+    kept.emplace_back(events, model);
+    for (const auto& [e, m] : kept) EXPECT_EQ(content(e), m);
+    EXPECT_EQ(events.size(), model.size());
+    for (int i = 0; i < 2000; ++i) {
+      const auto t = pick() - 10;
+      const auto from = model.lower_bound(t);
+      const Event *at = events.first_from({t}), *before = events.last_before({t});
+      ASSERT_EQ(at != nullptr, from != model.end());
+      if (at) {
+        ASSERT_EQ(at->time.flicks, from->first);
+      }
+      ASSERT_EQ(before != nullptr, from != model.begin());
+      if (before) {
+        ASSERT_EQ(before->time.flicks, std::prev(from)->first);
+      }
+      ASSERT_EQ(events.count({t}, {t + 500}),
+                static_cast<std::size_t>(std::distance(from, model.upper_bound(t + 500))));
+    }
+    Events edited = events;
+    EXPECT_EQ(edited.edit_between({100'000}, {100'500}, [](Event& e) { e.value = 7.0; }),
+              events.count({100'000}, {100'500}));
+    EXPECT_EQ(content(events), model);
+    EXPECT_LT(events.bytes_apart(edited), events.bytes() / 20);
+    EXPECT_EQ(events.erase({INT64_MIN}, {INT64_MAX}), model.size());
+    EXPECT_TRUE(events.empty());
+    EXPECT_TRUE(events.put(event(1, 1)) == false && events.front().time.flicks == 1);
+  }
+}
+
 TEST(Events, AnEmptyDetailIsNoDetail) {
   Event a = event(1, 2), b = a;
   b.detail.edit();
