@@ -106,7 +106,7 @@ class Engine {
     };
     for (const [path, bytes] of Object.entries(files)) {
       if (/\.(ttf|otf|ttc)$/i.test(path)) this.#add_font(path, bytes);
-      else put(path, bytes);
+      put(path, bytes);  // a script can name a font's file, too
     }
     put(name, text);
     this.#files = files;

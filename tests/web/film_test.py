@@ -222,6 +222,19 @@ def package(browser):
         same("without a page it can be imported", said.stdout.strip(), "function")
 
 
+def own_font(browser):
+    """A font's file in the page gives the letters of that font. The I of a serif font has feet, beside its middle."""
+    page = opened(browser, f"file://{folder}/letters.html", size=(1000, 700))
+    check("a page with a font of its own", page.until("p.readyState === 4"), page.ask("p.error && p.error.message"))
+    page.do("p.pause(); p.currentTime = 0; await calm();")
+    row = "[...Array(64).keys()].filter((i) => pixel(p, 0.5 + (i - 32) / 200, %s)[1] < 128).length"
+    feet, middle = page.ask(row % 0.94), page.ask(row % 0.5)
+    check("shows its letters", feet > middle + 4 and middle > 2, [feet, middle])
+
+
+write("letters.bx", "size 320x180\nfilm flat\nbackground white\nsamples 4\ncreate i text text=\"I\" font=\"fonts/Own.ttf\" size=12 position=(0 -4.3 0) color=black\n")
+shutil.copyfile("/usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf", os.path.join(os.path.dirname(write("fonts/none", "")), "Own.ttf"))
+web("letters.bx", "-o", "letters.html", "--no-edit")
 write("ball.bx", ball + others)
 write("clear.bx", "size 640x360\nfilm flat\nbackground transparent\ncreate ball circle radius=1 color=red\n"
       "create glass rectangle size=(3 3) position=(-4.5 0 0) color=red transparency=0.6\n")
@@ -236,7 +249,7 @@ with open(player, encoding="utf-8") as source:
     write("betwixt-player.js", source.read())
 write("empty.html", '<!DOCTYPE html><meta charset="utf-8"><body><script src="betwixt-player.js"></script><betwixt-player></betwixt-player>')
 with Browser() as browser, Served(folder) as served:
-    for part in (typed, code_errs, clear, graphics_go, package, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
+    for part in (typed, own_font, code_errs, clear, graphics_go, package, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
         try:
             part(browser)
         except Exception as e:
