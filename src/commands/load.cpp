@@ -13,14 +13,6 @@
 namespace betwixt {
 namespace {
 
-// Returns an empty scene with the contents of files that the other scene had read.
-Scene with_files_of(const Scene& was) {
-  Scene scene;
-  scene.meshes = was.meshes, scene.pictures = was.pictures, scene.sounds = was.sounds, scene.formulas = was.formulas;
-  scene.fonts = was.fonts;
-  return scene;
-}
-
 // If a film has remarks, reads it a second time to find their places.
 template <class Read>
 void say_remarks(const Scene& scene, Diagnostics& out, const LoadOptions& options, const Read& read) {
@@ -45,6 +37,13 @@ Loaded load(const LoadOptions& options, Read&& read, Scene scene = {}) {
 }
 
 }  // namespace
+
+Scene with_files_of(const Scene& was) {
+  Scene scene;
+  scene.meshes = was.meshes, scene.pictures = was.pictures, scene.sounds = was.sounds, scene.formulas = was.formulas;
+  scene.fonts = was.fonts;
+  return scene;
+}
 
 Loaded load_file(const std::string& path, const LoadOptions& options) {
   return load(options, [&](Scene& s, Script& script) { read_file(s, script, path); });

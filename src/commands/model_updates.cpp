@@ -222,10 +222,16 @@ void end_kinds_without_model(Scene& s, Script& script, std::string_view about) {
   std::erase_if(s.kinds.edit().all, ended);
 }
 
+// Returns what makes the model's parts those of the instance.
+Following following_of(const Scene& s, const OwnKind& kind, const KindInstance& one) {
+  Following out(s.objects[kind.model().index].name, s.objects[one.parts.front().index].name, &s);
+  for (std::size_t k = 0; k < one.parts.size(); ++k) out.instead(kind.parts[k], one.parts[k]);
+  return out;
+}
+
 // Returns the functions of an instance that differ from the model, or have differed when the model changed.
 std::vector<Target> own_values(const Scene& s, const OwnKind& kind, const KindInstance& one) {
-  Following following(s.objects[kind.model().index].name, s.objects[one.parts.front().index].name, &s);
-  for (std::size_t k = 0; k < kind.parts.size(); ++k) following.instead(kind.parts[k], one.parts[k]);
+  const Following following = following_of(s, kind, one);
   std::vector<Target> out;
   for (std::size_t k = 0; k < kind.parts.size(); ++k) {
     const Object* now = find_object(s, one.parts[k]);
@@ -284,9 +290,7 @@ std::size_t revert(Scene& s, const std::vector<std::pair<ObjectId, std::optional
     const auto [k, i, n] = found->second;
     OwnKind& kind = s.kinds.edit().all[k];
     KindInstance& one = kind.instances[i].edit();
-    Following following(s.objects[kind.model().index].name, s.objects[one.parts.front().index].name, &s);
-    for (std::size_t p = 0; p < one.parts.size(); ++p) following.instead(kind.parts[p], one.parts[p]);
-    const Object model = in_place(s.objects[kind.parts[n].index], following);
+    const Object model = in_place(s.objects[kind.parts[n].index], following_of(s, kind, one));
     const auto reverts = [&, f = function, whole = n == 0](FunctionId slot) {
       return f ? *f == slot : !whole || !spec_of(s, slot).place;
     };

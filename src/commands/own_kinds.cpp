@@ -120,7 +120,7 @@ bool revert_words(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::vector<std::pair<ObjectId, std::optional<FunctionId>>> what;
   const char* const start = (c.space(), c.at);
-  for (c.space(); what.empty() || !c.at_line_end(); c.space()) {
+  do {
     Cursor after = c;
     std::string_view word = after.next_word();
     if (word.find('.') != word.npos) {
@@ -137,8 +137,8 @@ bool revert_words(Command& k) {
           what.emplace_back(part, std::nullopt);
       }
     }
-    if (what.empty()) break;  // a pattern that matches nothing
-  }
+    c.space();
+  } while (!c.at_line_end());
   Rollback whole(s);
   if (revert(s, what) == 0 && !what.empty())
     return c.fail(ErrorCode::type, "no instance of a kind of your own is named here", c.since(start),
@@ -148,10 +148,9 @@ bool revert_words(Command& k) {
 }
 
 constexpr Verb own_kinds_rows[] = {
-    {"revert", "revert TARGET or revert OBJECTS",
+    {"revert", "revert TARGET … or revert OBJECTS …",
      "Gives an instance of a kind of your own the values of the model again, so that it follows the model: one "
-     "function, "
-     "or all functions of an object and of the parts below it. The place of the whole instance stays.",
+     "function, or all functions of an object and of the parts below it. The place of the whole instance stays.",
      "define kind toy like ball\ncreate copy1 toy color=red\nrevert copy1.color", 0, revert_words,
      "TARGET OBJECT; TARGET OBJECT…"},
     {"unlink", "unlink OBJECTS or unlink kind NAME",

@@ -21,6 +21,9 @@ void read_text(Scene&, Script&, std::string_view text, const std::string& name);
 // read from the same files.
 Loaded load_text_again(std::string_view text, const std::string& name, const LoadOptions&, const Document& before);
 
+// Returns an empty scene with the contents of files that the other scene had read.
+Scene with_files_of(const Scene&);
+
 // Runs one logical line of a live author: a command, or a row of the sheet that an earlier line left open.
 void read_line(Scene&, Script&, std::string_view line, const std::string& name);
 

@@ -24,10 +24,8 @@ Diagnostics Editor::begin(std::string text, const std::string& name) {
 }
 
 Point Editor::read(std::string_view text, Diagnostics& said) const {
-  Scene scene;
   const Scene& now = now_.document.scene();
-  scene.meshes = now.meshes, scene.pictures = now.pictures, scene.sounds = now.sounds, scene.formulas = now.formulas;
-  scene.fonts = now.fonts;
+  Scene scene = with_files_of(now);
   Script script(scene, said, options_, {}, home_);
   read_text(scene, script, text, home_.name);
   share(scene, now);

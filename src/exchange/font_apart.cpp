@@ -17,9 +17,10 @@
 namespace betwixt {
 namespace {
 
-constexpr ParserCeilings one_line{.memory = std::uint64_t{512} << 20, .seconds = 1, .wall = 5};
-constexpr std::size_t most_lines = 1024;   // kept; lines that always change are not worth it
-constexpr const char* shown = "the font";  // in errors: the caller knows its name
+constexpr ParserCeilings one_line{.memory = std::uint64_t{512} << 20, .seconds = 1, .wall = 60};
+constexpr std::size_t longest_line = 30'000;  // bytes, in one message
+constexpr std::size_t most_lines = 1024;      // kept; lines that always change are not worth it
+constexpr const char* shown = "the font";     // in errors: the caller knows its name
 
 // Whether the glyphs begin at letters of the line.
 bool fits(const ShapedLine& shaped, std::string_view line) {
@@ -38,8 +39,12 @@ class OwnFace final : public FontFace {
   Result<ShapedGlyphs> shape(std::string_view line) override {
     if (const auto known = lines_.find(line); known != lines_.end()) return known->second;
     if (broken_) return *broken_;
+    if (line.size() > longest_line) return fail(ErrorCode::range, "a line of text is too long for a font from a file");
     auto shaped = ask(line);
-    if (!shaped) return broken_ = shaped.error(), shaped.error();
+    if (!shaped) {  // what the machine lacks for a moment is not the font's fault
+      if (shaped.error().code != ErrorCode::machine) broken_ = shaped.error();
+      return shaped.error();
+    }
     for (const auto& [number, contours] : (*shaped)->outlines) glyphs_.try_emplace(number, contours);
     if (lines_.size() >= most_lines) lines_.clear();
     return lines_.emplace(line, (*shaped)->glyphs).first->second;

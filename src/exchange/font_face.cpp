@@ -11,7 +11,6 @@
 #include FT_OUTLINE_H
 
 #include <map>
-#include <optional>
 
 #include "exchange/flattener.h"
 

@@ -32,20 +32,15 @@ Faces& faces_for(const FontName& font) {
   return font.own ? own : installed;
 }
 
-// The style has no effect on a font's file: it has one.
-Typeface typeface_of(const FontName& font, const Letters& letters) {
-  if (font.own) return {font.own->digest};
-  return {font.name, letters.weight, letters.italic};
-}
-
 std::shared_ptr<FontFace> open_installed(const Typeface& typeface) {
   const auto [file, index] = font_file(typeface);
   return file.empty() ? nullptr : open_font_file(file, index);
 }
 
 FontFace* face_for(Faces& all, const FontName& font, const Letters& letters) {
-  if (font.own && all.faces.size() >= most_own_faces) all.faces.clear(), all.outlines.clear();
   const Typeface typeface = typeface_of(font, letters);
+  if (font.own && all.faces.size() >= most_own_faces && !all.faces.contains(typeface))
+    all.faces.clear(), all.outlines.clear();
   const auto [i, fresh] = all.faces.try_emplace(typeface);
   if (fresh) i->second = font.own ? open_own_font(font.own) : open_installed(typeface);
   return i->second.get();

@@ -24,6 +24,11 @@ struct FontName {
   std::shared_ptr<const OwnFont> own;  // nullptr: the machine's
 };
 inline FontName font_of(const Shape& s) { return {*s.font, s.own_font}; }
+// What tells fonts apart. The style has no effect on a font's file: it has one.
+inline Typeface typeface_of(const FontName& font, const Letters& letters) {
+  if (font.own) return {font.own->digest};
+  return {font.name, letters.weight, letters.italic};
+}
 
 // Returns the outline of `text` (UTF-8, lines end with \n) at 1 m an em, with the first baseline at y = 0. Uses DejaVu
 // Sans, or any other font, if the machine lacks the family. Letters are missing if an own font is damaged.

@@ -74,7 +74,7 @@ Mesh text_mesh(const Shape& s) {
   const double size = s.size.y;
   if (!sane(s.size.y) || !(size > 0) || !sane(s.depth)) return all;
   const SetText set = set_text(*s.text, font_of(s), s.letters);
-  const Typeface face{s.own_font ? s.own_font->digest : *s.font, s.letters.weight, s.letters.italic};
+  const Typeface face = typeface_of(font_of(s), s.letters);
   std::vector<std::shared_ptr<const Mesh>> glyphs;
   for (const SetText::Glyph& g : set.glyphs) glyphs.push_back(filled.get(face, g, std::max(s.depth / size, 0.0)));
   for (const SetText::Place& p : set.places) append(all, *glyphs[p.glyph], size, p.at);

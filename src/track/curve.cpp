@@ -210,10 +210,10 @@ Curve CurveSet::add(const Track& track, Type type, bool component) {
   return c;
 }
 
-const Ease* CurveSet::ease(const Curve& c, std::uint32_t k) {
-  const auto t = static_cast<Twerper>(c.columns->twerpers[c.first + k]);
+const Ease* CurveColumns::ease(std::uint32_t event) const {
+  const auto t = static_cast<Twerper>(twerpers[event]);
   if (is_own(t)) return nullptr;
-  return takes_arguments(t) ? c.columns->curves[c.columns->eases[c.first + k]].get() : ease_of(t);
+  return takes_arguments(t) ? curves[eases[event]].get() : ease_of(t);
 }
 
 // A twerper of the author's gets the eased time, like all others. If it fails, it counts as linear.
@@ -295,7 +295,7 @@ void CurveSet::segment(const Curve& c, std::uint32_t k, double since, double* ou
     return;
   }
   if (row && !c.orientation && row->numbers) return row->numbers(g, out);
-  const double s = factor(twerper, g.s, ease(c, k),
+  const double s = factor(twerper, g.s, c.columns->ease(c.first + k),
                           here ? here->arguments.stops.get() : nullptr);  // the ends and a factor are enough
   if (c.orientation) return store(slerp(quat(g.from), quat(g.to), s), out);
   for (std::uint32_t i = 0; i < g.channels; ++i) out[i] = g.from[i] + s * (g.to[i] - g.from[i]);

@@ -40,6 +40,7 @@ struct CurveColumns {
   std::vector<CurveDetail> details;    // sorted by event; none if only the twerper has arguments, as of bezier
   std::vector<std::uint32_t> eases;    // by event, empty if no twerper has arguments: into `curves`
   std::vector<std::shared_ptr<const Ease>> curves;
+  const Ease* ease(std::uint32_t event) const;  // of the segment that begins there; null if it has none
 };
 
 struct Curve {
@@ -148,7 +149,6 @@ class CurveSet {
   std::vector<std::shared_ptr<const Routine>> own;  // the document's procedures; twerpers are among them
 
  private:
-  static const Ease* ease(const Curve& c, std::uint32_t k);  // of the segment from event k; null if it has none
   static const CurveDetail* detail(const Curve& c, std::uint32_t k);  // of event k; null if it has none
   bool still(const Curve& c, std::uint32_t k) const;
   Blend blend(const Curve& c, std::uint32_t k) const;

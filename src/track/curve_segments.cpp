@@ -119,8 +119,7 @@ bool CurveEvents::cubic(std::uint32_t k, CubicSegment& out) const {
   if (k > 0 && twerpers[k - 1] != hold) g.before = g.from - channels, g.length_before = length(k - 1);
   if (k + 2 < count && twerpers[k + 1] != hold) g.after = g.to + channels, g.length_after = length(k + 1);
   put_cubics(twerper, g, out);
-  if (!row_of(twerper).cubics)
-    out.ease = takes_arguments(twerper) ? columns->curves[columns->eases[first_event + k]].get() : ease_of(twerper);
+  if (!row_of(twerper).cubics) out.ease = columns->ease(first_event + k);
   out.moves = moves(twerper, g);
   out.from = times[k], out.until = times[k + 1], out.length = g.length, out.event = k;
   return true;
@@ -136,7 +135,7 @@ bool CurveSet::cubic(const Curve& c, std::int64_t t, CubicSegment& out) const {
   const Blend g = blend(c, k);
   out.from = first[k], out.until = first[k + 1], out.length = g.length, out.event = k;
   put_cubics(twerper, g, out);
-  if (!row_of(twerper).cubics) out.ease = ease(c, k);
+  if (!row_of(twerper).cubics) out.ease = c.columns->ease(c.first + k);
   if (twerper != Twerper::hold && ((here && here->ease_out > 0) || (next && next->ease_in > 0))) {
     out.ramps = true;
     out.ease_out() = here ? here->ease_out / g.length : 0, out.ease_in() = next ? next->ease_in / g.length : 0;

@@ -59,7 +59,7 @@ void CurveSet::beyond(const Curve& c, bool after, double past, double* out) cons
   const double shrink = std::max(1.0, out_part + in_part), eased_slope = 1 / (1 - (out_part + in_part) / shrink / 2);
   const TwerperRow* row = is_own(twerper) ? nullptr : &row_of(twerper);
   std::optional<double> rise = 1;
-  if (twerper == Twerper::bezier && !(rise = bezier_slope(ease(c, k)->arguments(), after))) return;
+  if (twerper == Twerper::bezier && !(rise = bezier_slope(c.columns->ease(c.first + k)->arguments(), after))) return;
   if (row && !c.orientation && row->numbers) {
     const Blend g = blend(c, k);
     for (std::uint32_t i = 0; i < n; ++i) out[i] += handle_slope(g, i, after).value_or(0) * eased_slope * past / h;

@@ -193,6 +193,7 @@ TEST(OwnKinds, GoBackToTheModel) {
   EXPECT_EQ(with("revert anna\n"), plain);
   EXPECT_EQ(with("revert {anna,bert,carl}\n"), plain);
   EXPECT_EQ(with("revert anna/head anna/body.color anna.shininess\n"), plain);
+  EXPECT_EQ(with("revert nobody* anna\n"), plain);
   const LoadedFilm film(std::string(people) + "set anna.position (7 7 7)\nrevert anna\n");
   expect_numbers(film, "anna.position", "1f", {7, 7, 7});
   const LoadedFilm moved(std::string(people) +
