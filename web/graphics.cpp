@@ -8,7 +8,6 @@
 #include <emscripten.h>
 #include <emscripten/html5_webgl.h>
 
-#include "epoxy/gl.h"
 #include "render/gl.h"
 
 EM_JS(EMSCRIPTEN_WEBGL_CONTEXT_HANDLE, betwixt_make_context, (), {
@@ -56,12 +55,14 @@ bool Context::shows() const { return true; }
 Current::Current(const Context&) { emscripten_webgl_make_context_current(context); }
 Current::~Current() = default;
 
+bool has_extension(std::string_view name) {
+  // Renderers draw to half floats only, and the graphics of some phones have only these.
+  return name == "GL_EXT_color_buffer_float" &&
+         (emscripten_webgl_enable_extension(context, "EXT_color_buffer_float") ||
+          emscripten_webgl_enable_extension(context, "EXT_color_buffer_half_float"));
+}
+
+Texture new_multisampled_texture(GLenum, int, int, int) { return {}; }
+
 }  // namespace gl
 }  // namespace betwixt
-
-bool epoxy_has_gl_extension(const char* name) {
-  // Renderers draw to half floats only, and the graphics of some phones have only these.
-  return std::string_view(name) == "GL_EXT_color_buffer_float" &&
-         (emscripten_webgl_enable_extension(betwixt::context, "EXT_color_buffer_float") ||
-          emscripten_webgl_enable_extension(betwixt::context, "EXT_color_buffer_half_float"));
-}

@@ -62,6 +62,18 @@ std::string weights_of(const PixelFilter& filter, int side) {
       weights.size(), list);
 }
 
+// The same sums as the graphics interface's own, whose program no driver stores between runs: it would be compiled
+// again for each first picture, which takes longer than everything else together.
+const char* const resolve_fragment = R"(
+uniform highp sampler2DMS samples;
+out vec4 color;
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  color = 0.25 * (texelFetch(samples, at, 0) + texelFetch(samples, at, 1) + texelFetch(samples, at, 2) +
+                  texelFetch(samples, at, 3));
+}
+)";
+
 // The picture's first row is what is shown on top. A linear one has its opacity multiplied in, as graphics that are
 // laid over others have it; an opacity is at least so much that light without it can be as bright (to_shown).
 const char* const show_fragment = R"(
@@ -100,8 +112,8 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
   Canvas c;
   c.width_ = options.width, c.height_ = options.height;
   c.linear_ = options.linear;
-  c.can_write_encoded_ = !c.linear_ && epoxy_has_gl_extension("GL_EXT_sRGB_write_control");
-  if (c.linear_ && !epoxy_has_gl_extension("GL_EXT_color_buffer_float"))
+  c.can_write_encoded_ = !c.linear_ && gl::has_extension("GL_EXT_sRGB_write_control");
+  if (c.linear_ && !gl::has_extension("GL_EXT_color_buffer_float"))
     return fail(ErrorCode::machine, "these graphics have no pictures of light (GL_EXT_color_buffer_float)");
   const PixelFilter& filter = *find_pixel_filter(options.pixel_filter);
   const bool box = &filter == &pixel_filters().front();
@@ -114,6 +126,12 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
     auto corners = gl::new_multisampled(c.format(), GL_DEPTH24_STENCIL8, 4, width, height);
     if (!corners) return corners.error();
     c.corners_ = *std::move(corners);
+  }
+  if (c.corners_.samples.id() != 0) {
+    auto resolve = gl::new_program(gl::fill_vertex, resolve_fragment, {}, "310 es");
+    if (!resolve) return resolve.error();
+    c.resolve_ = *std::move(resolve);
+    gl::set_samplers(c.resolve_, {{"samples", 0}});
   }
   auto large = gl::new_target(c.format(), multisampled ? 0 : GL_DEPTH24_STENCIL8, width, height);
   if (!large) return large.error();
@@ -173,16 +191,24 @@ void Canvas::draw_behind(const Gradient& gradient) const {
 }
 
 void Canvas::write_encoded() const {
-  if (can_write_encoded_) glDisable(GL_FRAMEBUFFER_SRGB_EXT);
+  if (can_write_encoded_) glDisable(gl::framebuffer_srgb);
 }
 
 void Canvas::write_linear() const {
-  if (can_write_encoded_) glEnable(GL_FRAMEBUFFER_SRGB_EXT);
+  if (can_write_encoded_) glEnable(gl::framebuffer_srgb);
 }
 
 void Canvas::finish() const {
   write_linear();
-  if (corners_.framebuffer.id() != 0) {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  if (resolve_.id() != 0) {
+    large_.bind();
+    glUseProgram(resolve_.id());
+    gl::use_samples(0, corners_.samples.id());
+    gl::fill();
+  } else if (corners_.framebuffer.id() != 0) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, corners_.framebuffer.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, large_.framebuffer.id());
     glBlitFramebuffer(0, 0, large_.width, large_.height, 0, 0, large_.width, large_.height, GL_COLOR_BUFFER_BIT,
@@ -190,9 +216,6 @@ void Canvas::finish() const {
   }
   if (!averages_) return;
   pixels_.bind();
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
   glUseProgram(average_.id());
   gl::use_texture(0, large_.color.id());
   gl::fill();

@@ -61,7 +61,8 @@ class Canvas {
   gl::Target large_;          // `side_` times the picture's size
   gl::Target pixels_;         // the picture; absent if `large_` is the picture
   gl::Program gradient_, average_;
-  gl::Program show_;  // made on first use
+  gl::Program resolve_;  // absent if the graphics interface resolves `corners_`
+  gl::Program show_;     // made on first use
   GLint gradient_top_ = 0, gradient_bottom_ = 0, gradient_bends_ = 0;
 };
 

@@ -7,13 +7,14 @@
 namespace betwixt::gl {
 namespace {
 
+constexpr GLenum multisampled = 0x9100;  // GL_TEXTURE_2D_MULTISAMPLE, from OpenGL ES 3.1 on
 const char* const packages = "on Debian: apt install libegl1 libgl1-mesa-dri";
 
-Result<GLuint> compile(GLenum stage, std::string_view source, std::string_view defines) {
+Result<GLuint> compile(GLenum stage, std::string_view source, std::string_view defines, std::string_view version) {
   const std::string text = fmt::format(
-      "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DArrayShadow;\n"
+      "#version {}\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DArrayShadow;\n"
       "precision highp sampler2DArray;\n{}\n{}",
-      defines, source);
+      version, defines, source);
   const GLuint shader = glCreateShader(stage);
   const char* const start = text.c_str();
   glShaderSource(shader, 1, &start, nullptr);
@@ -112,7 +113,11 @@ Result<Multisampled> new_multisampled(GLenum color_format, GLenum depth_format, 
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
     return Renderbuffer(buffer);
   };
-  m.color = attach(color_format, GL_COLOR_ATTACHMENT0);
+  m.samples = new_multisampled_texture(color_format, samples, width, height);
+  if (m.samples.id() == 0)
+    m.color = attach(color_format, GL_COLOR_ATTACHMENT0);
+  else
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, multisampled, m.samples.id(), 0);
   m.depth = attach(depth_format, depth_attachment(depth_format));
   if (!framebuffer_good()) return cannot_draw(width, height);
   return m;
@@ -147,10 +152,11 @@ Sampler new_depth_sampler() {
   return Sampler(id);
 }
 
-Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines) {
-  const auto v = compile(GL_VERTEX_SHADER, vertex, defines);
+Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines,
+                            std::string_view version) {
+  const auto v = compile(GL_VERTEX_SHADER, vertex, defines, version);
   if (!v) return v.error();
-  const auto f = compile(GL_FRAGMENT_SHADER, fragment, defines);
+  const auto f = compile(GL_FRAGMENT_SHADER, fragment, defines, version);
   if (!f) {
     glDeleteShader(*v);
     return f.error();
@@ -190,6 +196,11 @@ void use_texture(int unit, GLuint texture) {
 void use_layers(int unit, GLuint texture) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+}
+
+void use_samples(int unit, GLuint texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(multisampled, texture);
 }
 
 GLint uniform(const Program& program, const char* name) { return glGetUniformLocation(program.id(), name); }

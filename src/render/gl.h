@@ -4,7 +4,7 @@
 // OpenGL ES 3.0 without a display: a context of its own, and owners of its objects.
 #pragma once
 
-#include <epoxy/gl.h>
+#include <GLES3/gl3.h>
 
 #include <initializer_list>
 #include <string>
@@ -90,12 +90,16 @@ struct Target {
   void bind() const;  // sets the viewport too
 };
 Result<Target> new_target(GLenum color_format, GLenum depth_format, int width, int height);  // errors: machine
-// The same with several samples a pixel; copy it to a Target to read it.
+// The same with several samples a pixel. Read `samples` in a shader; if its id is 0, copy the picture to a Target.
 struct Multisampled {
+  Texture samples;
   Renderbuffer color, depth;
   Framebuffer framebuffer;
 };
 Result<Multisampled> new_multisampled(GLenum color_format, GLenum depth_format, int samples, int width, int height);
+// Returns a texture with several samples a pixel. Its id is 0 if shaders cannot read such textures: they can from
+// OpenGL ES 3.1 on, and not in pages.
+Texture new_multisampled_texture(GLenum format, int samples, int width, int height);
 // Square depth maps as the layers of an array, for filtered comparison; and a framebuffer that draws into one. Errors:
 // machine.
 Result<std::pair<Texture, Framebuffer>> new_depth_layers(int side, int count);
@@ -103,14 +107,19 @@ Result<std::pair<Texture, Framebuffer>> new_depth_layers(int side, int count);
 Sampler new_depth_sampler();
 
 // Compiles and links; `defines` are put at the head of both stages. Errors: machine (with the compiler's message).
-Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines = {});
+Result<Program> new_program(std::string_view vertex, std::string_view fragment, std::string_view defines = {},
+                            std::string_view version = "300 es");
 // The vertex stage of passes over the whole picture: three corners, no input; outputs `vec2 at` in 0 to 1.
 extern const std::string_view fill_vertex;
 void fill();  // draws it
 
 void use_texture(int unit, GLuint texture);
 void use_layers(int unit, GLuint texture);
+void use_samples(int unit, GLuint multisampled_texture);
 GLint uniform(const Program&, const char* name);
+// Returns whether the current context has an extension; in pages, enables it.
+bool has_extension(std::string_view name);
+inline constexpr GLenum framebuffer_srgb = 0x8DB9;  // of GL_EXT_sRGB_write_control
 void set_samplers(const Program&, std::initializer_list<std::pair<const char*, int>> units);
 
 }  // namespace betwixt::gl

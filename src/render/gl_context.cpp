@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The context on surfaceless EGL.
-#include <epoxy/egl.h>
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GLES3/gl31.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -18,19 +20,41 @@ Error no_graphics(const char* why) {
               "on Debian: apt install libegl1 libgl1-mesa-dri");
 }
 
+// Returns whether a list of words, with a space between any two, has a word.
+bool lists(const char* all, std::string_view word) {
+  const std::string_view list = all != nullptr ? all : "";
+  for (std::size_t at = list.find(word); at != std::string_view::npos; at = list.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' ')) return true;
+  }
+  return false;
+}
+
+bool has_egl_extension(std::string_view name) { return lists(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), name); }
+
+template <class Function>
+Function function_of_extension(const char* name) {
+  return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+EGLDisplay display_of(EGLenum platform, void* device) {
+  const auto get = function_of_extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+  return get != nullptr ? get(platform, device, nullptr) : EGL_NO_DISPLAY;
+}
+
 EGLDisplay surfaceless() {
-  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
-  return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  if (!has_egl_extension("EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
+  return display_of(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
 }
 
 // Returns the display of the last device, which is the software renderer.
 EGLDisplay software() {
   EGLDeviceEXT devices[16];
   EGLint count = 0;
-  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") || !eglQueryDevicesEXT(16, devices, &count) ||
-      count == 0)
+  const auto query = function_of_extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+  if (!has_egl_extension("EGL_EXT_platform_device") || query == nullptr || !query(16, devices, &count) || count == 0)
     return EGL_NO_DISPLAY;
-  return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[count - 1], nullptr);
+  return display_of(EGL_PLATFORM_DEVICE_EXT, devices[count - 1]);
 }
 
 // All contexts of the process share one display. It is never terminated: other threads, or the host program, may use
@@ -73,6 +97,22 @@ Context::~Context() {
 }
 
 bool Context::shows() const { return false; }
+
+bool has_extension(std::string_view name) {
+  return lists(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), name);
+}
+
+Texture new_multisampled_texture(GLenum format, int samples, int width, int height) {
+  GLint major = 0, minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  if (major == 3 && minor == 0) return {};
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, id);
+  glTexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, format, width, height, GL_TRUE);
+  return Texture(id);
+}
 
 Current::Current(const Context& c)
     : own_(c.display_),

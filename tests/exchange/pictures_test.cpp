@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <random>
 #include <string>
 
 #include "betwixt/picture.h"
@@ -37,6 +38,28 @@ TEST_F(Files, PicturesComeBackAsTheyWent) {
   const auto blue = read_picture(put("b.bmp", bmp));
   ASSERT_TRUE(blue) << blue.error().message;
   EXPECT_EQ((*blue)->rgba, (std::vector<std::uint8_t>{0, 0, 255, 255}));
+}
+
+// The writer chooses the form by the pixels: without alpha if all are opaque, filtered if few repeat.
+TEST_F(Files, PicturesOfAnyKindComeBackAsTheyWent) {
+  std::mt19937 random(7);
+  for (const int colors : {1, 3, 200})
+    for (const int clear : {0, 1, 100})
+      for (const auto& [width, height] : {std::pair{1, 1}, {1, 40}, {40, 1}, {37, 53}}) {
+        Picture p{width, height, {}};
+        for (int i = 0; i < width * height; ++i) {
+          for (int c = 0; c < 3; ++c) p.rgba.push_back(static_cast<std::uint8_t>(random() % unsigned(colors)));
+          const bool seen_through = clear == 100 ? random() % 3 == 0 : clear == 1 && i == width * height - 1;
+          p.rgba.push_back(seen_through ? 254 : 255);
+        }
+        ASSERT_TRUE(write_png(at("p.png"), p));
+        const auto q = read_picture(at("p.png"));
+        ASSERT_TRUE(q) << q.error().message;
+        EXPECT_EQ((*q)->rgba, p.rgba) << colors << ' ' << clear << ' ' << width << 'x' << height;
+        bool opaque = true;
+        for (std::size_t i = 3; i < p.rgba.size(); i += 4) opaque = opaque && p.rgba[i] == 255;
+        EXPECT_EQ(folder_.get("p.png")[25], opaque ? 2 : 6);  // the kind of colour: with alpha or without
+      }
 }
 
 TEST_F(Files, PicturesAreNeverHalfWritten) {
