@@ -64,6 +64,10 @@ fuzz() {
   else
     grep -aE 'ERROR|SUMMARY|does not hold|runtime error|#[0-9]+ .*betwixt' "$1.log" | head -n 20
     echo "$1: a failure after ${runs:-0} texts: the text is in $folder/found, the log is $folder/$1.log"
+    # Where only this output is kept, the text must be in it.
+    local text
+    text=$(sed -n 's/.*Test unit written to //p' "$1.log" | tail -n 1)
+    [ ! -s "$text" ] || echo "$1: the text in base64: $(head -c 6000 "$text" | base64 -w 0)"
   fi
   return "$status"
 }
