@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/stages.h"
+#include "render/encoding.h"
 #include "render/view.h"
 #include "scene/pixel_filter.h"
 
@@ -28,11 +29,6 @@ void main() {
   color = vec4(c, 1.0);
 }
 )";
-
-double encoded(double c) {
-  c = std::clamp(c, 0.0, 1.0);
-  return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
-}
 
 const char* const average_fragment = R"(
 uniform sampler2D samples;

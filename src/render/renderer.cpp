@@ -11,6 +11,7 @@
 #include "betwixt/render.h"
 #include "commands/plugins.h"
 #include "render/blur.h"
+#include "render/flat.h"
 #include "render/gl.h"
 #include "render/module.h"
 #include "render/plugin_renderer.h"
@@ -21,6 +22,18 @@
 
 namespace betwixt {
 namespace {
+
+// Returns the columns, with what has changed since the revision that was seen; then that is the evaluation's.
+Columns columns_since(Evaluation::Revision& seen, const Evaluation& evaluation) {
+  Columns columns = columns_of(evaluation);
+  const Evaluation::Revision now = evaluation.revision();
+  if (now.program == seen.program && seen.times > 0) {
+    if (now.times == seen.times) columns.changed.emplace();
+    if (now.times == seen.times + 1) columns.changed = evaluation.changed();
+  }
+  seen = now;
+  return columns;
+}
 
 class SurfacelessRenderer final : public Renderer {
  public:
@@ -64,14 +77,7 @@ class SurfacelessRenderer final : public Renderer {
   Status draw(const Evaluation& evaluation, Out& out) {
     const InStage draw(Stage::draw);
     const gl::Current current(context_);
-    Columns columns = columns_of(evaluation);
-    const Evaluation::Revision now = evaluation.revision();
-    if (now.program == seen_.program && seen_.times > 0) {
-      if (now.times == seen_.times) columns.changed.emplace();
-      if (now.times == seen_.times + 1) columns.changed = evaluation.changed();
-    }
-    seen_ = now;
-    return module_->draw(columns, out);
+    return module_->draw(columns_since(seen_, evaluation), out);
   }
 
   gl::Context context_;
@@ -93,6 +99,60 @@ Result<std::unique_ptr<Renderer>> surfaceless(const RenderOptions& options) {
       std::make_unique<SurfacelessRenderer>(*std::move(context), *std::move(module), options));
 }
 
+// Draws flat pictures itself; the first picture that is not flat makes the renderer for all others.
+class ShadedRenderer final : public Renderer {
+ public:
+  explicit ShadedRenderer(const RenderOptions& options) : options_(options), flat_(options.width, options.height) {}
+  Status render(const Frame& frame, Picture& out) override {
+    seen_ = {};
+    const FrameColumns laid_out(frame);
+    return flat_.draw(laid_out.columns(), out) ? Status(Nothing{}) : by_graphics([&](Renderer& r) {
+      return r.render(frame, out);
+    });
+  }
+  Status render(const Evaluation& evaluation, Picture& out) override {
+    if (flat_.draw(columns_since(seen_, evaluation), out)) return Nothing{};
+    seen_ = {};
+    return by_graphics([&](Renderer& r) { return r.render(evaluation, out); });
+  }
+  Status render(const Frame& frame, LinearPicture& out) override {
+    return by_graphics([&](Renderer& r) { return r.render(frame, out); });
+  }
+  Status render(const Evaluation& evaluation, LinearPicture& out) override {
+    return by_graphics([&](Renderer& r) { return r.render(evaluation, out); });
+  }
+  Status show(const Evaluation& evaluation) override {
+    return by_graphics([&](Renderer& r) { return r.show(evaluation); });
+  }
+  Status render_blurred(Evaluation& evaluation, Time t, const Blur& how, LinearPicture& out) override {
+    seen_ = {};
+    return by_graphics([&](Renderer& r) { return r.render_blurred(evaluation, t, how, out); });
+  }
+
+ private:
+  template <class Draw>
+  Status by_graphics(const Draw& draw) {
+    if (graphics_ == nullptr) {
+      auto made = surfaceless<make_shaded>(options_);
+      if (!made) return made.error();
+      graphics_ = *std::move(made);
+    }
+    return draw(*graphics_);
+  }
+
+  const RenderOptions options_;
+  FlatPainter flat_;
+  Evaluation::Revision seen_;  // of the previous flat picture
+  std::unique_ptr<Renderer> graphics_;
+};
+
+// One sample a pixel has no soft edges, other filters spread them, and linear pictures have alpha.
+Result<std::unique_ptr<Renderer>> make_shaded_renderer(const RenderOptions& options) {
+  if (options.linear || options.samples == 1 || options.pixel_filter != pixel_filters().front().name)
+    return surfaceless<make_shaded>(options);
+  return std::unique_ptr<Renderer>(std::make_unique<ShadedRenderer>(options));
+}
+
 constexpr std::string_view squares = "1, 4, 9 or 16", any = "1 to 4096";
 bool is_square(int samples) { return samples == 1 || samples == 4 || samples == 9 || samples == 16; }
 bool is_any(int samples) { return samples >= 1 && samples <= 4096; }
@@ -103,7 +163,7 @@ struct Entry {
 };
 constexpr Entry table[] = {
     {{style_names[0], "lit surfaces with soft shadows, highlights and glass", squares, is_square, 1},
-     surfaceless<make_shaded>},
+     make_shaded_renderer},
     {{style_names[1], "all edges as fine lines", squares, is_square, 1}, surfaceless<make_wireframe>},
     {{style_names[2], "edges as fine lines, without hidden ones", squares, is_square, 1},
      surfaceless<make_hidden_line>},

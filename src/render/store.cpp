@@ -180,12 +180,16 @@ void Store::need_edges(StoredMesh& m) {
   m.edge_count = static_cast<GLsizei>(indices.size());
 }
 
+GLuint Store::need_texture(const StoredTexture& t) {
+  if (!t.sent) t.texture = send_texture(*t.picture), t.sent = true;
+  return t.texture.id();
+}
+
 std::shared_ptr<const StoredTexture> Store::texture(const std::shared_ptr<const Picture>& picture) {
   auto& place = textures_.at(picture.get());
   if (auto known = place.lock()) return known;
   auto t = std::make_shared<StoredTexture>();
   t->picture = picture;
-  t->texture = send_texture(*picture);
   t->see_through = has_holes(*picture);
   place = t;
   return t;

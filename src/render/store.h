@@ -16,7 +16,8 @@ namespace betwixt {
 
 struct StoredTexture {
   std::shared_ptr<const Picture> picture;
-  gl::Texture texture;
+  mutable gl::Texture texture;  // sent by need_texture()
+  mutable bool sent = false;
   bool see_through = false;  // whether a pixel is not opaque
 };
 
@@ -58,6 +59,8 @@ class Store {
   // Sends the triangles. Wide lines have four corners for an edge, each with both ends.
   static void need_triangles(StoredMesh&);
   static void need_edges(StoredMesh&);
+  // Returns the texture's id; 0 if its picture is not valid.
+  static GLuint need_texture(const StoredTexture&);
 
  private:
   // Objects in use, by their sources. Unused ones are dropped whenever the map has doubled.

@@ -227,7 +227,7 @@ void Surfaces::draw_setting(const FrameSettings& frame, const Gradient& gradient
 void Surfaces::draw_parts(const Batch& batch) {
   for (const StoredPart& part : batch.mesh->parts) {
     const StoredTexture* const picture = batch.texture != nullptr ? batch.texture : part.texture.get();
-    const GLuint texture = picture != nullptr ? picture->texture.id() : 0;
+    const GLuint texture = picture != nullptr ? Store::need_texture(*picture) : 0;
     const Look& look = batch.ball ? looks().balls : texture != 0 ? looks().textured : looks().plain;
     if (texture != 0) gl::use_texture(picture_unit, texture);
     glUseProgram(look.program.id());

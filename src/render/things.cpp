@@ -34,6 +34,13 @@ bool usable(const Thing& t) {
          std::isfinite(l.shininess) && std::isfinite(l.blend) && l.transparency < 1;
 }
 
+// In a drawing a line is as flat as everything else. Otherwise it would stick out of what is a little in front of it.
+// What is left keeps it in front of what is at its own depth.
+constexpr double pressed_to = 1e-3;
+bool can_press(const Thing& t, const Box& box) {
+  return t.line && t.shape->width > 0 && box.high.z - box.low.z <= 1.01 * t.shape->width;
+}
+
 double largest_measure(const Box& box, const Mat4& m) {
   const Vec3 half = box.half();
   return std::max({length(column(m, 0)) * half.x, length(column(m, 1)) * half.y, length(column(m, 2)) * half.z});
@@ -93,7 +100,8 @@ bool Things::take(const Columns& c) {
   const std::size_t before = things_.size();
   find_changed(c);
   for (const std::uint32_t i : changed_) adopt(things_[i], c, i);
-  all_changed_ = !camera_ || !same_camera(*camera_, c.camera);
+  all_changed_ = !camera_ || !same_camera(*camera_, c.camera) || flat_ != c.surroundings.flat;
+  flat_ = c.surroundings.flat;
   if (!all_changed_ && changed_.empty() && things_.size() == before) return false;
   if (all_changed_) {
     camera_ = c.camera;
@@ -170,7 +178,13 @@ void Things::see(Thing& t) {
                                                                true};
   const Form::Realised& shown = t.form->at(detail, store_);
   t.mesh = shown.mesh.get();
-  t.instance = instance_of(t, world * shown.local);
+  t.pressed = flat_ && purpose_ == Purpose::surfaces && can_press(t, t.mesh->box);
+  Mat4 local = shown.local;
+  if (t.pressed) {
+    const Vec3 middle{0, 0, t.mesh->box.middle().z};
+    local = local * translation(middle) * scaling({1, 1, pressed_to}) * translation(-1 * middle);
+  }
+  t.instance = instance_of(t, world * local);
 }
 
 }  // namespace betwixt

@@ -42,6 +42,7 @@ struct Thing {
   bool round = false;     // whether it is a plain opaque sphere, not flattened
   bool casts = false;     // whether it casts shadows
   bool line = false;      // whether it is transparent once, also where it crosses itself
+  bool pressed = false;   // whether it is a line that is drawn flat
 
   bool visible = false;  // whether it may be in the picture; if not, the rest has no meaning
   bool ball = false;     // drawn as in balls.h; the mesh is a disc
@@ -90,6 +91,7 @@ class Things {
   std::optional<Camera> camera_;
   View view_;
   bool good_ = false, all_changed_ = false;
+  bool flat_ = false;  // Surroundings::flat
   std::vector<std::uint32_t> changed_;
   std::uint64_t casters_ = 0;
 };

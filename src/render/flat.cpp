@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/flat.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/stages.h"
+#include "render/encoding.h"
+#include "render/lighting.h"
+
+namespace betwixt {
+namespace {
+
+constexpr double same_depth = 1e-6;  // metres per metre of depth
+
+// Returns whether the film is a drawing before a plain background, without pictures on objects.
+bool is_drawing(const Columns& c) {
+  const Surroundings& around = c.surroundings;
+  if (!around.flat || around.fog || around.ground || (around.sky && !around.clear)) return false;
+  return std::all_of(c.looks.begin(), c.looks.end(),
+                     [](const Evaluation::Look& l) { return !l.visible || l.texture == Evaluation::Look::none; });
+}
+
+// Returns the background of a row of the picture: at 0 the top, at 1 the bottom.
+Vec3 behind_row(const Scenery& s, double at) {
+  const bool given = s.background && finite(*s.background);
+  if (s.surroundings.clear || (s.plain() && !given)) return {};
+  if (s.plain()) return *s.background;
+  const Vec3 top = s.background.value_or(Lighting::above);
+  const Vec3 bottom = s.background ? *s.surroundings.below : Lighting::beneath;
+  const double part = s.background ? at : at * at * (3 - 2 * at);
+  return top + part * (bottom - top);
+}
+
+using Bytes = std::array<std::uint8_t, 3>;
+template <auto encode, class C>
+Bytes bytes_of(const C& c) {
+  if constexpr (requires { c.r; })
+    return {byte_of(encode(c.r)), byte_of(encode(c.g)), byte_of(encode(c.b))};
+  else
+    return {byte_of(encode(c.x)), byte_of(encode(c.y)), byte_of(encode(c.z))};
+}
+
+struct Point {
+  double x, y, depth;
+};
+
+// Moves points of a mesh to the picture: x and y in pixels.
+class Projection {
+ public:
+  Projection(const View& v, const Instance& instance) : width_(v.width), height_(v.height) {
+    Mat4 m;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 4; ++k) m(i, k) = static_cast<double>(instance.rows[static_cast<std::size_t>(4 * i + k)]);
+    all_ = v.clip() * m;
+    for (int k = 0; k < 4; ++k)
+      depth_[static_cast<std::size_t>(k)] = -dot(v.backward, {m(0, k), m(1, k), m(2, k)});
+  }
+  Point operator()(const std::array<float, 3>& p) const {
+    const double x = static_cast<double>(p[0]), y = static_cast<double>(p[1]), z = static_cast<double>(p[2]);
+    const auto row = [&](int i) { return all_(i, 0) * x + all_(i, 1) * y + all_(i, 2) * z + all_(i, 3); };
+    const double w = row(3);
+    return {0.5 * width_ * (row(0) / w + 1), 0.5 * height_ * (row(1) / w + 1),
+            depth_[0] * x + depth_[1] * y + depth_[2] * z + depth_[3]};
+  }
+
+ private:
+  double width_, height_;
+  Mat4 all_;
+  std::array<double, 4> depth_;
+};
+
+bool boxes_meet(const Area& a, const Area& b) {
+  return a.left() < b.right() && b.left() < a.right() && a.top() < b.bottom() && b.top() < a.bottom();
+}
+
+}  // namespace
+
+bool FlatPainter::draw(const Columns& columns, Picture& out) {
+  if (!is_drawing(columns)) return false;
+  const InStage stage(Stage::draw);
+  const bool other_things = update(columns), other_scenery = scenery_.take(columns);
+  if (!flat_) return false;
+  if (other_things || other_scenery || picture_.rgba.empty()) fill(picture_);
+  out = picture_;
+  return true;
+}
+
+// Returns false if nothing differs from the previous picture.
+bool FlatPainter::update(const Columns& columns) {
+  if (!things_.take(columns)) return false;
+  const std::vector<Thing>& all = things_.all();
+  painted_.resize(all.size());
+  const auto renew = [&](std::uint32_t i) { outline(painted_[i], all[i]); };
+  if (things_.all_changed())
+    for (std::uint32_t i = 0; i < all.size(); ++i) renew(i);
+  else
+    for (const std::uint32_t i : things_.changed()) renew(i);
+  flat_ = sort();
+  return true;
+}
+
+void FlatPainter::outline(Painted& to, const Thing& t) const {
+  to.parts.clear();
+  to.good = true;
+  if (!t.visible) return;
+  to.good = t.surface && !t.ball && t.texture == nullptr && t.mesh != nullptr && !t.mesh->see_through;
+  if (!to.good) return;
+  const Projection project(things_.view(), t.instance);
+  const Mesh& mesh = *t.mesh->mesh;
+  std::vector<Point> points;
+  points.reserve(mesh.positions.size());
+  for (const auto& p : mesh.positions) points.push_back(project(p));
+  to.front = to.back = points.empty() ? 0 : points.front().depth;
+  for (const Point& p : points) {
+    to.front = std::min(to.front, p.depth), to.back = std::max(to.back, p.depth);
+    to.good = to.good && p.depth > 1e-9 && std::abs(p.x) < 1e7 && std::abs(p.y) < 1e7;
+  }
+  if (!to.good) return;
+  to.thickness = 0;
+  if (t.pressed && to.back - to.front < 1e-3 * t.size) {  // a line that lies across the line of sight
+    to.thickness = to.back - to.front;
+    to.front = to.back = t.depth;
+  }
+  const double outside = t.mirrored ? 1 : -1;  // the sign of a triangle that is seen from outside: y goes down
+  for (const StoredPart& part : t.mesh->parts) {
+    to.good = to.good && part.texture == nullptr;
+    Paint paint;
+    paint.area = Area(width_, height_);
+    for (std::size_t k = part.first; k + 2 < part.first + part.count; k += 3) {
+      const Point &a = points[mesh.triangles[k]], &b = points[mesh.triangles[k + 1]], &c = points[mesh.triangles[k + 2]];
+      const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+      if (area == 0 || (t.closed && area * outside < 0)) continue;
+      const Point &second = area < 0 ? c : b, &third = area < 0 ? b : c;
+      const auto edge = [&](const Point& p, const Point& q) {
+        paint.area.add(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(q.x),
+                          static_cast<float>(q.y));
+      };
+      edge(a, second), edge(second, third), edge(third, a);
+    }
+    if (paint.area.empty()) continue;
+    paint.area.finish();
+    const auto channel = [&](std::size_t i) {
+      return std::min((part.tinted ? t.instance.color[i] : 1.F) * part.color[i], 1.F);
+    };
+    paint.color = {channel(0), channel(1), channel(2)};
+    paint.opacity = t.instance.color[3];
+    to.parts.push_back(std::move(paint));
+  }
+}
+
+// Finds an order from back to front; returns false if there is none that is right for each pixel.
+bool FlatPainter::sort() {
+  order_.clear();
+  for (std::uint32_t i = 0; i < painted_.size(); ++i) {
+    if (!painted_[i].good) return false;
+    if (!painted_[i].parts.empty()) order_.push_back(i);
+  }
+  const auto slack = [&](std::uint32_t i) { return same_depth * std::abs(painted_[i].front); };
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return painted_[a].front > painted_[b].front; });
+  // Of those at one depth the lines are in front, the thickest first; of others, those that are transparent.
+  for (std::size_t first = 0; first < order_.size();) {
+    std::size_t end = first + 1;
+    while (end < order_.size() && painted_[order_[first]].front - painted_[order_[end]].front <= slack(order_[first]))
+      ++end;
+    const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto rank = [&](std::uint32_t i) { return std::tuple(painted_[i].thickness, things_[i].transparent, i); };
+    std::sort(begin, order_.begin() + static_cast<std::ptrdiff_t>(end),
+              [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
+    first = end;
+  }
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const Painted& one = painted_[order_[k]];
+    for (std::size_t j = k; j-- > 0 && painted_[order_[j]].front < one.back - slack(order_[k]);) {
+      for (const Paint& a : one.parts)
+        for (const Paint& b : painted_[order_[j]].parts)
+          if (boxes_meet(a.area, b.area)) return false;
+    }
+  }
+  return true;
+}
+
+void FlatPainter::fill(Picture& out) const {
+  out.width = width_, out.height = height_;
+  const auto width = static_cast<std::size_t>(width_);
+  out.rgba.assign(4 * width * static_cast<std::size_t>(height_), 255);
+  struct Reader {
+    const Paint* paint;
+    CoverageRows rows;
+  };
+  std::vector<Reader> readers;
+  for (const std::uint32_t i : order_)
+    for (const Paint& p : painted_[i].parts) readers.push_back({&p, CoverageRows(p.area)});
+  std::vector<float> sums(width + 2), room(width + 2);
+  std::vector<Color> row(width);
+  for (int y = 0; y < height_; ++y) {
+    const Vec3 behind = behind_row(scenery_, (y + 0.5) / height_);
+    const Color empty{static_cast<float>(behind.x), static_cast<float>(behind.y), static_cast<float>(behind.z)};
+    std::fill(row.begin(), row.end(), empty);
+    for (Reader& r : readers) {
+      const Paint& p = *r.paint;
+      if (y < p.area.top() || y >= p.area.bottom()) continue;
+      const RowCoverage covered = r.rows.next(y, sums, room);
+      Color* at = row.data() + covered.first;
+      for (const float share : covered.of) {
+        const float new_part = share * p.opacity, old_part = 1 - new_part;
+        at->r = at->r * old_part + p.color.r * new_part;
+        at->g = at->g * old_part + p.color.g * new_part;
+        at->b = at->b * old_part + p.color.b * new_part;
+        ++at;
+      }
+    }
+    // Most pixels are empty, or equal their neighbour.
+    const Bytes empty_bytes = scenery_.plain() ? bytes_of<encoded>(behind) : bytes_of<encoded_as_drawn>(empty);
+    Color last = empty;
+    Bytes bytes = empty_bytes;
+    std::uint8_t* to = out.rgba.data() + 4 * width * static_cast<std::size_t>(y);
+    for (const Color& c : row) {
+      if (c != last) last = c, bytes = c == empty ? empty_bytes : bytes_of<encoded_as_drawn>(c);
+      std::copy(bytes.begin(), bytes.end(), to);
+      to += 4;
+    }
+  }
+}
+
+}  // namespace betwixt

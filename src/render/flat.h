@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Draws flat pictures on the processor, without the graphics interface: pictures in which everything shows its own
+// colour, and where each pixel can be drawn from back to front. Coverage is exact at edges, and the first picture needs
+// no context and no shaders. Where two lines cross at one depth, the wider one is in front; of equally wide ones, the
+// later.
+#pragma once
+
+#include "betwixt/picture.h"
+#include "render/columns.h"
+#include "render/coverage.h"
+#include "render/things.h"
+
+namespace betwixt {
+
+class FlatPainter {
+ public:
+  FlatPainter(int width, int height) : things_(Purpose::surfaces, width, height), width_(width), height_(height) {}
+  // Draws into `out`, or returns false if the picture is not flat.
+  bool draw(const Columns&, Picture& out);
+
+ private:
+  struct alignas(16) Color {
+    float r, g, b, unused = 0;
+    friend bool operator==(const Color&, const Color&) = default;
+  };
+  // A part of an object.
+  struct Paint {
+    Area area;
+    Color color;      // linear light, at most 1
+    float opacity = 1;
+  };
+  struct Painted {
+    bool good = false;  // whether it can be drawn here
+    double front = 0;   // the smallest depth
+    double back = 0;    // the largest depth
+    double thickness = 0;  // of a line across the line of sight, whose depths are those of its middle
+    std::vector<Paint> parts;
+  };
+  bool update(const Columns&);
+  void outline(Painted&, const Thing&) const;
+  bool sort();
+  void fill(Picture& out) const;
+
+  Things things_;
+  Scenery scenery_;
+  int width_, height_;
+  std::vector<Painted> painted_;
+  std::vector<std::uint32_t> order_;  // of the visible ones, from back to front
+  bool flat_ = false;                 // whether the columns that were seen last are flat
+  Picture picture_;                   // the last one; empty: not drawn
+};
+
+}  // namespace betwixt
