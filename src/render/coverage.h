@@ -11,8 +11,8 @@
 
 namespace betwixt {
 
-// An area by its edges, in pixels from the top left of the picture. Add polygons of one orientation; where they overlap,
-// the coverage is limited to 1.
+// An area by its edges, in pixels from the top left of the picture. Add polygons of one orientation; where they
+// overlap, the coverage is limited to 1.
 class Area {
  public:
   Area() = default;
@@ -48,8 +48,8 @@ struct RowCoverage {
 class CoverageRows {
  public:
   explicit CoverageRows(const Area& area) : area_(&area) {}
-  // Returns the coverage of the next row. `sums` has two more places than the picture has pixels in a row, all of them 0,
-  // before and after the call; `room` has as many.
+  // Returns the coverage of the next row. `sums` has two more places than the picture has pixels in a row, all of them
+  // 0, before and after the call; `room` has as many.
   RowCoverage next(int row, std::span<float> sums, std::span<float> room);
 
  private:

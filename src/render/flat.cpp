@@ -12,7 +12,7 @@
 namespace betwixt {
 namespace {
 
-constexpr double same_depth = 1e-6;  // metres per metre of depth
+constexpr double same_depth = 2e-7;  // metres per metre of depth: what f32 can tell apart
 
 // Returns whether the film is a drawing before a plain background, without pictures on objects.
 bool is_drawing(const Columns& c) {
@@ -54,8 +54,7 @@ class Projection {
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 4; ++k) m(i, k) = static_cast<double>(instance.rows[static_cast<std::size_t>(4 * i + k)]);
     all_ = v.clip() * m;
-    for (int k = 0; k < 4; ++k)
-      depth_[static_cast<std::size_t>(k)] = -dot(v.backward, {m(0, k), m(1, k), m(2, k)});
+    for (int k = 0; k < 4; ++k) depth_[static_cast<std::size_t>(k)] = -dot(v.backward, {m(0, k), m(1, k), m(2, k)});
   }
   Point operator()(const std::array<float, 3>& p) const {
     const double x = static_cast<double>(p[0]), y = static_cast<double>(p[1]), z = static_cast<double>(p[2]);
@@ -118,24 +117,20 @@ void FlatPainter::outline(Painted& to, const Thing& t) const {
     to.good = to.good && p.depth > 1e-9 && std::abs(p.x) < 1e7 && std::abs(p.y) < 1e7;
   }
   if (!to.good) return;
-  to.thickness = 0;
-  if (t.pressed && to.back - to.front < 1e-3 * t.size) {  // a line that lies across the line of sight
-    to.thickness = to.back - to.front;
-    to.front = to.back = t.depth;
-  }
   const double outside = t.mirrored ? 1 : -1;  // the sign of a triangle that is seen from outside: y goes down
   for (const StoredPart& part : t.mesh->parts) {
     to.good = to.good && part.texture == nullptr;
     Paint paint;
     paint.area = Area(width_, height_);
     for (std::size_t k = part.first; k + 2 < part.first + part.count; k += 3) {
-      const Point &a = points[mesh.triangles[k]], &b = points[mesh.triangles[k + 1]], &c = points[mesh.triangles[k + 2]];
+      const Point &a = points[mesh.triangles[k]], &b = points[mesh.triangles[k + 1]],
+                  &c = points[mesh.triangles[k + 2]];
       const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
       if (area == 0 || (t.closed && area * outside < 0)) continue;
       const Point &second = area < 0 ? c : b, &third = area < 0 ? b : c;
       const auto edge = [&](const Point& p, const Point& q) {
         paint.area.add(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(q.x),
-                          static_cast<float>(q.y));
+                       static_cast<float>(q.y));
       };
       edge(a, second), edge(second, third), edge(third, a);
     }
@@ -160,15 +155,13 @@ bool FlatPainter::sort() {
   const auto slack = [&](std::uint32_t i) { return same_depth * std::abs(painted_[i].front); };
   std::stable_sort(order_.begin(), order_.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return painted_[a].front > painted_[b].front; });
-  // Of those at one depth the lines are in front, the thickest first; of others, those that are transparent.
+  // Of those at one depth the later ones are in front.
   for (std::size_t first = 0; first < order_.size();) {
     std::size_t end = first + 1;
     while (end < order_.size() && painted_[order_[first]].front - painted_[order_[end]].front <= slack(order_[first]))
       ++end;
-    const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto rank = [&](std::uint32_t i) { return std::tuple(painted_[i].thickness, things_[i].transparent, i); };
-    std::sort(begin, order_.begin() + static_cast<std::ptrdiff_t>(end),
-              [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
+    const auto begin = order_.begin();
+    std::sort(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end));
     first = end;
   }
   for (std::size_t k = 0; k < order_.size(); ++k) {

@@ -3,8 +3,7 @@
 //
 // Draws flat pictures on the processor, without the graphics interface: pictures in which everything shows its own
 // colour, and where each pixel can be drawn from back to front. Coverage is exact at edges, and the first picture needs
-// no context and no shaders. Where two lines cross at one depth, the wider one is in front; of equally wide ones, the
-// later.
+// no context and no shaders. Of objects at one depth, the later one is in front.
 #pragma once
 
 #include "betwixt/picture.h"
@@ -28,14 +27,13 @@ class FlatPainter {
   // A part of an object.
   struct Paint {
     Area area;
-    Color color;      // linear light, at most 1
+    Color color;  // linear light, at most 1
     float opacity = 1;
   };
   struct Painted {
-    bool good = false;  // whether it can be drawn here
-    double front = 0;   // the smallest depth
-    double back = 0;    // the largest depth
-    double thickness = 0;  // of a line across the line of sight, whose depths are those of its middle
+    bool good = false;     // whether it can be drawn here
+    double front = 0;      // the smallest depth
+    double back = 0;       // the largest depth
     std::vector<Paint> parts;
   };
   bool update(const Columns&);

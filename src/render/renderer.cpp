@@ -106,9 +106,8 @@ class ShadedRenderer final : public Renderer {
   Status render(const Frame& frame, Picture& out) override {
     seen_ = {};
     const FrameColumns laid_out(frame);
-    return flat_.draw(laid_out.columns(), out) ? Status(Nothing{}) : by_graphics([&](Renderer& r) {
-      return r.render(frame, out);
-    });
+    return flat_.draw(laid_out.columns(), out) ? Status(Nothing{})
+                                               : by_graphics([&](Renderer& r) { return r.render(frame, out); });
   }
   Status render(const Evaluation& evaluation, Picture& out) override {
     if (flat_.draw(columns_since(seen_, evaluation), out)) return Nothing{};

@@ -35,8 +35,6 @@ bool usable(const Thing& t) {
 }
 
 // In a drawing a line is as flat as everything else. Otherwise it would stick out of what is a little in front of it.
-// What is left keeps it in front of what is at its own depth.
-constexpr double pressed_to = 1e-3;
 bool can_press(const Thing& t, const Box& box) {
   return t.line && t.shape->width > 0 && box.high.z - box.low.z <= 1.01 * t.shape->width;
 }
@@ -182,7 +180,7 @@ void Things::see(Thing& t) {
   Mat4 local = shown.local;
   if (t.pressed) {
     const Vec3 middle{0, 0, t.mesh->box.middle().z};
-    local = local * translation(middle) * scaling({1, 1, pressed_to}) * translation(-1 * middle);
+    local = local * translation(middle) * scaling({1, 1, 0}) * translation(-1 * middle);
   }
   t.instance = instance_of(t, world * local);
 }

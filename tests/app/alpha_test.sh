@@ -117,6 +117,15 @@ truncate -s -1 c-3.exr
 check 'join, one cut' 1 'c-%d.exr' join c-%d.exr -o broken.mov
 verdict 'nothing is made then' "$([ ! -e broken.mov ] && echo yes)" "$(ls)"
 
+# Flat films need no graphics interface; others say that there is none.
+printf 'film flat\ncreate c circle\n' >flat.bx
+printf 'create s sphere\n' >solid.bx
+export __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null
+check 'a flat picture without graphics' 0 '' frame flat.bx -o flat.png
+check 'a solid picture without graphics' 3 'graphics are not available' frame solid.bx -o solid.png
+is 'nothing was made' "$(ls | grep -c '^solid.png')" 0
+unset __EGL_VENDOR_LIBRARY_FILENAMES
+
 # Wrong options.
 printf 'background transparant\n' >wrong.bx
 check 'transparant' 1 "did you mean 'transparent'?" check wrong.bx
