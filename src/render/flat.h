@@ -31,9 +31,9 @@ class FlatPainter {
     float opacity = 1;
   };
   struct Painted {
-    bool good = false;     // whether it can be drawn here
-    double front = 0;      // the smallest depth
-    double back = 0;       // the largest depth
+    bool good = false;  // whether it can be drawn here
+    double front = 0;   // the smallest depth
+    double back = 0;    // the largest depth
     std::vector<Paint> parts;
   };
   bool update(const Columns&);

@@ -44,7 +44,7 @@ Ease::~Ease() {
 
 Ease::Part Ease::part_of(std::uint32_t part) const {
   static const Nodes nodes;
-  const auto exact = [&](double x) { return function_((part + (x + 1) / 2) / parts, arguments_); };
+  const auto exact = [&](double x) { return function_((part + (x + 1) / 2) / part_count, arguments_); };
   std::array<double, 8> f{}, a{};
   double size = 1;
   for (std::size_t j = 0; j < 8; ++j) f[j] = exact(nodes.at[j]), size = std::max(size, std::abs(f[j]));
@@ -69,7 +69,7 @@ double Ease::without_table(std::uint32_t part, double place) const {
   if (asked_.fetch_add(1, std::memory_order_relaxed) == often) {
     if (tables.fetch_add(1) < most_tables) {
       auto made = std::make_unique<Table>();
-      for (std::uint32_t i = 0; i < parts; ++i) made->parts[i] = part_of(i);
+      for (std::uint32_t i = 0; i < part_count; ++i) made->parts[i] = part_of(i);
       table_.store(made.release(), std::memory_order_release);
     } else {
       --tables;

@@ -26,7 +26,7 @@ class Ease {
 
   double at(double s) const {
     if (!costly_ || !(s > 0 && s < 1)) return function_(s, arguments_);
-    const double place = s * parts;
+    const double place = s * part_count;
     const auto part = static_cast<std::uint32_t>(place);
     const Table* const table = table_.load(std::memory_order_acquire);
     const double y = table ? value(table->parts[part], 2 * (place - part) - 1) : without_table(part, place);
@@ -35,13 +35,13 @@ class Ease {
   const Arguments& arguments() const { return arguments_; }
 
  private:
-  static constexpr std::uint32_t parts = 64;
+  static constexpr std::uint32_t part_count = 64;
   // The coefficients of a polynomial of -1 to 1; not numbers if the function itself is called.
   struct alignas(64) Part {
     std::array<double, 8> c;
   };
   struct Table {
-    std::array<Part, parts> parts;
+    std::array<Part, part_count> parts;
   };
   static double value(const Part& part, double x) {
     const auto& c = part.c;

@@ -7,10 +7,10 @@
 namespace betwixt {
 
 Events::Place Events::place_of(Time t) const {
-  const auto ends_before = [](const Cow<Chunk>& c, Time time) { return c->back().time < time; };
+  const auto ends_before = [](const EventChunk& c, Time time) { return c.back().time < time; };
   const std::vector<Cow<Shelf>>& all = *shelves_;
   const auto on = std::lower_bound(all.begin(), all.end(), t,
-                                   [](const Cow<Shelf>& s, Time time) { return s->back()->back().time < time; });
+                                   [](const Cow<Shelf>& s, Time time) { return s->back().back().time < time; });
   const auto s = static_cast<std::size_t>(on - all.begin());
   const Shelf& found = shelf(s);
   const auto c = std::lower_bound(found.begin(), found.end(), t, ends_before);
@@ -20,49 +20,57 @@ Events::Place Events::place_of(Time t) const {
 
 // Divides a shelf that has too many chunks.
 void Events::make_room(std::size_t s) {
-  Shelf& full = edit_shelf(s);
+  std::vector<Cow<Shelf>>& all = shelves_.edit();
+  Shelf& full = all[s].edit();
   if (full.size() <= most_chunks) return;
   const auto half = full.begin() + most_chunks / 2;
-  std::vector<Cow<Shelf>>& all = shelves_.edit();
-  if (s == all.size()) {  // the first half of the last chunks becomes a shelf
-    Shelf first(std::make_move_iterator(full.begin()), std::make_move_iterator(half));
-    full.erase(full.begin(), half);
-    all.emplace_back(std::move(first));
-    return;
-  }
   Shelf second(std::make_move_iterator(half), std::make_move_iterator(full.end()));
   full.erase(half, full.end());
   all.insert(all.begin() + static_cast<std::ptrdiff_t>(s) + 1, Cow<Shelf>(std::move(second)));
 }
 
+// Moves half of the last chunks to the last shelf.
+void Events::put_on_shelves() {
+  if (last_.size() <= most_last) return;
+  std::vector<Cow<Shelf>>& all = shelves_.edit();
+  if (all.empty() || all.back()->size() + most_last / 2 > most_chunks) all.emplace_back(Shelf());
+  Shelf& to = all.back().edit();
+  const auto half = last_.begin() + most_last / 2;
+  to.insert(to.end(), std::make_move_iterator(last_.begin()), std::make_move_iterator(half));
+  last_.erase(last_.begin(), half);
+}
+
 bool Events::put(Event event) {
   if (empty() || back().time < event.time) {  // at the end: the usual case when a file is read
-    if (last_.empty() || last_.back()->size() >= most) {
-      last_.emplace_back();
-      if (size_ > 0) last_.back().edit().reserve(most);
+    if (last_.empty() || last_.back().size() >= most) {
+      last_.emplace_back(std::span<const Event>(), size_ > 0 ? most : 0);
+      put_on_shelves();
     }
-    last_.back().edit().push_back(std::move(event));
+    last_.back().append(std::move(event), most);
     ++size_;
-    make_room(shelves_->size());
     return false;
   }
   const Place p = place_of(event.time);
   Shelf& on = edit_shelf(p.shelf);
-  Chunk& chunk = on[p.chunk].edit();
-  const auto at =
+  EventChunk& chunk = on[p.chunk];
+  const auto place =
       std::lower_bound(chunk.begin(), chunk.end(), event.time, [](const Event& e, Time t) { return e.time < t; });
-  if (at != chunk.end() && at->time == event.time) {
-    *at = std::move(event);
+  const auto at = static_cast<std::size_t>(place - chunk.begin());
+  if (at < chunk.size() && place->time == event.time) {
+    chunk.edit()[at] = std::move(event);
     return true;
   }
   chunk.insert(at, std::move(event));
   ++size_;
   if (chunk.size() <= most) return false;
-  const auto middle = chunk.begin() + static_cast<std::ptrdiff_t>(chunk.size() / 2);
-  Chunk second(std::make_move_iterator(middle), std::make_move_iterator(chunk.end()));
-  chunk.erase(middle, chunk.end());
-  on.insert(on.begin() + static_cast<std::ptrdiff_t>(p.chunk) + 1, Cow<Chunk>(std::move(second)));
-  make_room(p.shelf);
+  const std::size_t middle = chunk.size() / 2;
+  EventChunk second(chunk.all().subspan(middle), 0);
+  chunk.erase(middle, chunk.size());
+  on.insert(on.begin() + static_cast<std::ptrdiff_t>(p.chunk) + 1, std::move(second));
+  if (p.shelf < shelves_->size())
+    make_room(p.shelf);
+  else
+    put_on_shelves();
   return false;
 }
 
@@ -75,13 +83,21 @@ void Events::drop_empty() {
 }
 
 std::size_t Events::erase(Time from, Time to) {
+  if (to < from) return 0;
   std::size_t removed = 0;
   Place p = place_of(from);
-  for (; p.shelf < shelf_count() && shelf(p.shelf)[p.chunk]->front().time <= to; ++p.shelf, p.chunk = 0) {
+  const auto earlier = [](const Event& e, Time t) { return e.time < t; };
+  const auto later = [](Time t, const Event& e) { return t < e.time; };
+  for (; p.shelf < shelf_count() && shelf(p.shelf)[p.chunk].front().time <= to; ++p.shelf, p.chunk = 0) {
     Shelf& on = edit_shelf(p.shelf);
-    for (; p.chunk < on.size() && on[p.chunk]->front().time <= to; ++p.chunk)
-      removed += std::erase_if(on[p.chunk].edit(), [&](const Event& e) { return e.time >= from && e.time <= to; });
-    std::erase_if(on, [](const Cow<Chunk>& c) { return c->empty(); });
+    for (; p.chunk < on.size() && on[p.chunk].front().time <= to; ++p.chunk) {
+      EventChunk& chunk = on[p.chunk];
+      const auto first = std::lower_bound(chunk.begin(), chunk.end(), from, earlier) - chunk.begin();
+      const auto end = std::upper_bound(chunk.begin(), chunk.end(), to, later) - chunk.begin();
+      chunk.erase(static_cast<std::size_t>(first), static_cast<std::size_t>(end));
+      removed += static_cast<std::size_t>(end - first);
+    }
+    std::erase_if(on, [](const EventChunk& c) { return c.empty(); });
     if (on.empty() && p.shelf == shelves_->size()) break;  // nothing is behind the last chunks
   }
   size_ -= removed;
@@ -92,21 +108,21 @@ std::size_t Events::erase(Time from, Time to) {
 const Event* Events::first_from(Time t) const {
   const Place p = place_of(t);
   if (p.shelf == shelf_count()) return nullptr;
-  const Chunk& chunk = *shelf(p.shelf)[p.chunk];
+  const EventChunk& chunk = shelf(p.shelf)[p.chunk];
   return &*std::lower_bound(chunk.begin(), chunk.end(), t, [](const Event& e, Time time) { return e.time < time; });
 }
 
 const Event* Events::last_before(Time t) const {
   const Place p = place_of(t);
   if (p.shelf == shelf_count()) return empty() ? nullptr : &back();
-  const Chunk& chunk = *shelf(p.shelf)[p.chunk];
+  const EventChunk& chunk = shelf(p.shelf)[p.chunk];
   if (chunk.front().time < t) {
     const auto at =
         std::lower_bound(chunk.begin(), chunk.end(), t, [](const Event& e, Time time) { return e.time < time; });
     return &*(at - 1);
   }
-  if (p.chunk > 0) return &shelf(p.shelf)[p.chunk - 1]->back();
-  return p.shelf == 0 ? nullptr : &shelf(p.shelf - 1).back()->back();
+  if (p.chunk > 0) return &shelf(p.shelf)[p.chunk - 1].back();
+  return p.shelf == 0 ? nullptr : &shelf(p.shelf - 1).back().back();
 }
 
 const Event* Events::find(Time t) const {
@@ -129,7 +145,7 @@ std::vector<Event> Events::between(Time from, Time to) const {
 std::size_t Events::bytes() const {
   const auto of = [](const Shelf& on) {
     std::size_t sum = bytes_held(on);
-    for (const Cow<Chunk>& c : on) sum += shared_bytes<Chunk> + bytes_held(*c);
+    for (const EventChunk& c : on) sum += c.bytes();
     return sum;
   };
   std::size_t sum = of(last_);
@@ -150,7 +166,9 @@ std::size_t Events::bytes_apart(const Events& edited) const {
     return sum;
   };
   const auto chunks = [&](const Shelf& ours, const Shelf& theirs) {
-    return apart(ours, theirs, [&](std::size_t i) { return shared_bytes<Chunk> + bytes_held(*ours[i]); });
+    return apart(ours, theirs, [&](std::size_t i) {
+      return i < theirs.size() ? ours[i].bytes_apart(theirs[i]) : ours[i].bytes();
+    });
   };
   std::size_t sum = chunks(last_, edited.last_);
   if (shelves_.same(edited.shelves_)) return sum;

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Events sorted by time, in shared chunks: a copy is cheap, and an edit copies one chunk however long the track is. Of
-// a long track, all but the last chunks are on shelves, which are shared too.
+// Events sorted by time, in shared chunks: a copy is cheap, and an edit copies one chunk however long the track is. An
+// event at the end copies nothing (event_chunk.h). Of a long track, all but the last chunks are on shelves, which are
+// shared too.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "base/cow.h"
-#include "track/event.h"
+#include "track/event_chunk.h"
 
 namespace betwixt {
 
@@ -17,8 +18,8 @@ class Events {
  public:
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  const Event& front() const { return shelf(0).front()->front(); }
-  const Event& back() const { return shelf(shelf_count() - 1).back()->back(); }
+  const Event& front() const { return shelf(0).front().front(); }
+  const Event& back() const { return shelf(shelf_count() - 1).back().back(); }
 
   // Inserts an event. Replaces the one at the same time, and returns whether there was one.
   bool put(Event event);
@@ -36,8 +37,8 @@ class Events {
   template <class F>
   void each(F&& f) const {
     for (std::size_t s = 0; s < shelf_count(); ++s)
-      for (const Cow<Chunk>& chunk : shelf(s))
-        for (const Event& e : *chunk) f(e);
+      for (const EventChunk& chunk : shelf(s))
+        for (const Event& e : chunk) f(e);
   }
   // Calls f(event) for those with from <= time <= to.
   template <class F>
@@ -45,8 +46,8 @@ class Events {
     Place p = place_of(from);
     for (; p.shelf < shelf_count(); ++p.shelf, p.chunk = 0)
       for (const Shelf& on = shelf(p.shelf); p.chunk < on.size(); ++p.chunk) {
-        if (on[p.chunk]->front().time > to) return;
-        for (const Event& e : *on[p.chunk])
+        if (on[p.chunk].front().time > to) return;
+        for (const Event& e : on[p.chunk])
           if (e.time >= from && e.time <= to) f(e);
       }
   }
@@ -55,9 +56,9 @@ class Events {
   std::size_t edit_between(Time from, Time to, F&& f) {
     std::size_t n = 0;
     for (std::size_t s = 0; s < shelf_count(); ++s) {
-      if (shelf(s).back()->back().time < from || shelf(s).front()->front().time > to) continue;
-      for (Cow<Chunk>& chunk : edit_shelf(s)) {
-        if (chunk->back().time < from || chunk->front().time > to) continue;
+      if (shelf(s).back().back().time < from || shelf(s).front().front().time > to) continue;
+      for (EventChunk& chunk : edit_shelf(s)) {
+        if (chunk.back().time < from || chunk.front().time > to) continue;
         for (Event& e : chunk.edit())
           if (e.time >= from && e.time <= to) f(e), ++n;
       }
@@ -70,18 +71,19 @@ class Events {
   friend bool operator==(const Events& a, const Events& b);
 
  private:
-  using Chunk = std::vector<Event>;
-  using Shelf = std::vector<Cow<Chunk>>;
+  using Shelf = std::vector<EventChunk>;
   struct Place {
     std::size_t shelf = 0, chunk = 0;
   };
   static constexpr std::size_t most = 128;  // events in a chunk; small enough that a random insertion moves little
   static constexpr std::size_t most_chunks = 128;  // on a shelf; half of them move to a shelf of their own
+  static constexpr std::size_t most_last = 16;     // last chunks, which each version copies; half of them move away
   std::size_t shelf_count() const { return shelves_->size() + (last_.empty() ? 0 : 1); }
   const Shelf& shelf(std::size_t s) const { return s < shelves_->size() ? *(*shelves_)[s] : last_; }
   Shelf& edit_shelf(std::size_t s) { return s < shelves_->size() ? shelves_.edit()[s].edit() : last_; }
   Place place_of(Time t) const;  // the first chunk that ends at or after t; behind the last shelf if none does
   void make_room(std::size_t shelf);
+  void put_on_shelves();
   void drop_empty();
   // No chunk and no shelf is empty, but for `last_`, which is empty only if all is.
   Cow<std::vector<Cow<Shelf>>> shelves_;

@@ -106,8 +106,8 @@ TEST(Flat, TrianglesOfAnAreaLeaveNoSeams) {
     for (int x = 5; x < 14; ++x) EXPECT_EQ(got[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)], 1) << x << y;
 }
 
-// A drawing of many kinds, in front of each other. Half of the opaque ones are at one depth; there the graphics interface
-// draws what is transparent last.
+// A drawing of many kinds, in front of each other. Half of the opaque ones are at one depth; there the graphics
+// interface draws what is transparent last.
 std::string drawing(std::mt19937& random, bool clear) {
   const auto number = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };
   std::string out = "film flat\n";
@@ -248,8 +248,7 @@ TEST(Flat, WhatIsNotFlatIsLeftToTheGraphics) {
 TEST(Flat, LinesAreFlat) {
   for (const int samples : {1, 4}) {
     const auto middle = [&](const std::string& circle) {
-      const Program p =
-          program_of("film flat\n" + circle);
+      const Program p = program_of("film flat\n" + circle);
       Picture out;
       EXPECT_TRUE(scenes::renderer({64, 36, samples, "shaded"})->render(p.frame({}), out));
       const scenes::Pixel at = scenes::pixel(out, 32, 18);
