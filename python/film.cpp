@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "film.h"
 
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -12,6 +15,7 @@
 #include "betwixt/kind.h"
 #include "betwixt/language.h"
 #include "betwixt/object.h"
+#include "betwixt/track.h"
 #include "errors.h"
 #include "says.h"
 #include "times.h"
@@ -109,6 +113,12 @@ Target one_target(const std::string& name, const Document& document) {
         name);
 }
 
+Session::Answer Film::set_track(const std::string& target, std::span<const Time> times,
+                                std::span<const double> numbers, const std::string& twerper) {
+  const std::lock_guard lock(mutex_);
+  return session_.set_track(target, times, numbers, twerper);
+}
+
 Session::Answer Film::enter(const std::string& word) {
   const std::lock_guard lock(mutex_);
   return session_.enter(word);
@@ -122,6 +132,44 @@ std::string told(Session::Answer answer) {
     return std::move(answer.said);
   }
   raise(std::move(answer.why));
+}
+
+std::string set_track(Film& film, const std::string& target, py::handle times, py::handle values,
+                      const std::string& twerper) {
+  using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+  const Document document = film.document();
+  std::vector<Time> when;
+  const bool plain = py::hasattr(times, "dtype") && py::str(times.attr("dtype").attr("kind")).cast<std::string>() != "m";
+  if (plain) {
+    const auto frames = Numbers::ensure(times);
+    if (!frames || frames.ndim() != 1) throw py::type_error("times are a list or an array of one dimension");
+    const Rate rate = document.rate();
+    when.reserve(static_cast<std::size_t>(frames.size()));
+    for (const double frame : std::span(frames.data(), static_cast<std::size_t>(frames.size()))) {
+      if (!(std::abs((frame - 1) / rate.per_second()) <= longest_seconds)) (void)time_of(py::float_(frame), document);
+      when.push_back(rate.frame(frame));
+    }
+  } else {
+    when = times_of(times, document);
+  }
+  const auto numbers = Numbers::ensure(values);
+  if (!numbers) throw py::type_error("values are numbers: a list or an array with a number or a row for each time");
+  const std::span<const double> all(numbers.data(), static_cast<std::size_t>(numbers.size()));
+  return told(unlocked([&] { return film.set_track(target, when, all, twerper); }));
+}
+
+py::tuple numbers_of_track(const Film& film, const std::string& target) {
+  const Document document = film.document();
+  Result<TrackNumbers> found = unlocked([&] { return track_numbers(document, target); });
+  if (!found) raise(found.error(), target);
+  py::array_t<double> frames(static_cast<py::ssize_t>(found->times.size()));
+  double* to = frames.mutable_data();
+  for (const Time t : found->times) *to++ = frame_of(t, document);
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(found->times.size())};
+  if (found->width > 1) shape.push_back(static_cast<py::ssize_t>(found->width));
+  py::array_t<double> values(shape);
+  std::copy(found->numbers.begin(), found->numbers.end(), values.mutable_data());
+  return py::make_tuple(frames, values);
 }
 
 void warn_all(const std::vector<std::string>& problems) {
@@ -282,6 +330,11 @@ py::class_<Film> bind_film(py::module_& m) {
           "say", [](Film& f, const std::string& lines) { return told(unlocked([&] { return f.say(lines); })); },
           py::arg("lines"),
           says("Carries out lines of the language, all of them or none, and returns the answer of a shell."))
+      .def("set_track", &set_track, py::arg("target"), py::arg("times"), py::arg("values"), py::arg("twerper") = "",
+           says("Replaces all events of a track: one for each time, in order. `values` has a number for each time, or a "
+                "row of two or three: metres, radians, or sRGB from 0 to 1."))
+      .def("track_numbers", &numbers_of_track, py::arg("target"),
+           says("Returns the events of a track as two arrays: their frames, and their values as set_track takes them."))
       .def(
           "undo", [](Film& f) { return told(unlocked([&] { return f.enter("undo"); })); },
           says("Undoes the last step."))

@@ -10,6 +10,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -33,6 +34,8 @@ class Film {
   // Carries out lines of the language, all or none. Returns the answers of the shell.
   Session::Answer say(const std::string& lines);
   Session::Answer enter(const std::string& word);
+  Session::Answer set_track(const std::string& target, std::span<const Time> times, std::span<const double> numbers,
+                            const std::string& twerper);
 
  private:
   const std::string name_;

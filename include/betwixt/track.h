@@ -73,6 +73,15 @@ std::vector<TrackView> tracks(const Document&, ObjectId);
 // for a component, returns the track of the whole; for a whole, returns the tracks of its components. Velocity tracks
 // and tracks on layers are not included: each has a target of its own.
 std::vector<TrackView> tracks(const Document&, const Target&);
+// The events of a track as columns of numbers.
+struct TrackNumbers {
+  std::vector<Time> times;
+  std::size_t width = 1;        // numbers for each time: 1, or 2 or 3 for a pair, a vector, a colour or angles
+  std::vector<double> numbers;  // in metres, radians, or sRGB from 0 to 1
+};
+// Returns the events of one track as numbers, without those that have no value. `target` is as in find_targets. Errors:
+// name (no such track), type (its values are not numbers, or its components have tracks of their own).
+Result<TrackNumbers> track_numbers(const Document&, std::string_view target);
 // Returns the tracks on a layer, object by object.
 std::vector<TrackView> tracks_on(const Document&, ObjectId layer);
 // Returns one track, or std::nullopt if there is none. When components have tracks of their own, the whole has none,

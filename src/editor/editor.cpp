@@ -82,9 +82,14 @@ CommandResult Editor::carry_out_on(Scene& scene, ReaderState& so_far, std::strin
   return result;
 }
 
-std::optional<Point> Editor::carried_out(const Point& from, const std::string& lines) const {
-  Scene scene = from.document.scene();
+std::optional<Point> Editor::carried_out(const Point& from, const std::vector<std::string>& lines) const {
   Diagnostics said;
+  auto after = carried_out(from, fmt::format("{}", fmt::join(lines, "\n")), said);
+  return said.empty() ? after : std::nullopt;
+}
+
+std::optional<Point> Editor::carried_out(const Point& from, const std::string& lines, Diagnostics& said) const {
+  Scene scene = from.document.scene();
   Script script(scene, said, options_, from.script, home_);
   script.live = false;  // caches pay off: many lines look up the same names
   read_line(scene, script, lines, home_.name);
@@ -98,7 +103,7 @@ CommandResult Editor::carry_out(const Step& step) const {
   Point at = now_;
   if (step.lines.size() > 1 || (!step.sheet.empty() && !stands_below(step, last_step()))) at.script.left.reset();
   if (lines.size() > 1)
-    if (auto after = carried_out(at, fmt::format("{}", fmt::join(lines, "\n")))) {
+    if (Diagnostics said; auto after = carried_out(at, fmt::format("{}", fmt::join(lines, "\n")), said)) {
       result.done = true, result.after = *std::move(after);
       return result;
     }
@@ -204,7 +209,8 @@ void Editor::settle_all(std::span<const Step> steps, std::size_t number, std::ve
       for (const std::string& line : lines_of(step, above)) text += line + "\n";
       above = &step;
     }
-    auto after = carried_out(now_, text);
+    Diagnostics said;
+    auto after = carried_out(now_, text, said);
     if (!after) {
       const std::size_t half = steps.size() / 2;
       settle_all(steps.first(half), number, left_out);

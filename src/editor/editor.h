@@ -92,6 +92,8 @@ class Editor {
   // the translation.
   CommandResult carry_out(const Point& from, std::string_view line, std::optional<Time> now = {},
                           bool translated = false) const;
+  // Carries out lines at once; nullopt if there is a message about one of them, also if it is only a notice.
+  std::optional<Point> carried_out(const Point& from, const std::vector<std::string>& lines) const;
   // Carries out a step of a history on the current document: its sheet, then all its lines. If one line fails, the
   // diagnostics are about that line.
   CommandResult carry_out(const Step&) const;
@@ -149,7 +151,7 @@ class Editor {
   CommandResult carry_out_on(Scene&, ReaderState&, std::string_view line, std::optional<Time> now,
                              bool translated) const;
   // Carries out lines of a history on one copy of a document. Returns nullopt if one of them fails.
-  std::optional<Point> carried_out(const Point& from, const std::string& lines) const;
+  std::optional<Point> carried_out(const Point& from, const std::string& lines, Diagnostics& said) const;
   void settle_all(std::span<const Step> steps, std::size_t number, std::vector<FailedStep>& left_out);
   const Step* last_step() const { return standing_ > 0 ? &steps_[standing_ - 1] : nullptr; }
   void step_back();

@@ -162,7 +162,14 @@ Session::Answer Session::State::together(const std::vector<std::string>& said) {
   Step step;
   Answer answer;
   int before = 0;  // lines of earlier commands
-  for (const std::string& line : said) {
+  // Many lines are usually without a message: then one reading is enough.
+  constexpr std::size_t many = 100;
+  if (said.size() >= many && !indented(said[0]))
+    if (auto after = editor.carried_out(at, said)) {
+      at = *std::move(after);
+      step.lines = said;
+    }
+  for (const std::string& line : step.lines.empty() ? said : std::vector<std::string>()) {
     CommandResult result = editor.carry_out(at, line);
     answer.said += told(result.said, line);
     for (Diagnostic& d : hinted(result.said, line)) {

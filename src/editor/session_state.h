@@ -61,6 +61,11 @@ struct Session::State {
   bool ended = false;
   bool in_place = false;  // edits change the author's text; if false, they are appended to it
   PlacedText placed;
+  // The rows that the last set_track() wrote to the text, while they are its end.
+  struct {
+    std::string opener;
+    std::size_t begin = 0, end = 0;
+  } last_track;
   Diagnostics of_text;                               // diagnostics of the author's text
   std::size_t journal_knows = 0, journal_undid = 0;  // last standing and undone steps that the journal has
   int lines = 0;                                     // entered until now
@@ -104,6 +109,13 @@ struct Session::State {
   Leave leave(std::string& said, bool ends);
   Answer quit(const Words& = {});
   Answer reopen(const Words&);
+
+  // set_track.cpp: tracks from columns of numbers
+  Answer set_track(std::string_view name, std::span<const Time> times, std::span<const double> numbers,
+                   std::string_view twerper);
+  std::vector<std::string> rows_of(const Document&, const Target&, Type, std::span<const Time> times,
+                                   std::span<const double> numbers, std::string_view twerper) const;
+  Status take_track(Point then, Step step, const std::string& opener);
 
   // session_text.cpp: edits that change the author's text
   void go_in_place();

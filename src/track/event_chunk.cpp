@@ -52,7 +52,8 @@ void EventChunk::append(Event event, std::size_t most) {
   // The first to append gets the place behind the last event; `made` says that it is taken before the event is there.
   // Nobody else reads it: others know only their own sizes. Only the last owner destroys it.
   if (!memory_ || size_ == memory_->room || !memory_->made.compare_exchange_strong(made, size_ + 1)) {
-    own(memory_ && size_ < memory_->room ? memory_->room : std::clamp<std::size_t>(2 * size_, 2, std::max(most, size_ + 1)));
+    own(memory_ && size_ < memory_->room ? memory_->room
+                                         : std::clamp<std::size_t>(2 * size_, 2, std::max(most, size_ + 1)));
     memory_->made = size_ + 1;
   }
   new (memory_->events() + size_) Event(std::move(event));

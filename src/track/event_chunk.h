@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Some events in order of time, in memory that several versions of a track share. A version that appends an event writes
-// it behind the events of the version before, if there is room and no other version has done so. So a history of n
-// appended events takes memory for n events and not for n copies. Every other change first makes a copy, unless there is
-// no other owner.
+// Some events in order of time, in memory that several versions of a track share. A version that appends an event
+// writes it behind the events of the version before, if there is room and no other version has done so. So a history of
+// n appended events takes memory for n events and not for n copies. Every other change first makes a copy, unless there
+// is no other owner.
 #pragma once
 
 #include <atomic>

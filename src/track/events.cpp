@@ -166,9 +166,8 @@ std::size_t Events::bytes_apart(const Events& edited) const {
     return sum;
   };
   const auto chunks = [&](const Shelf& ours, const Shelf& theirs) {
-    return apart(ours, theirs, [&](std::size_t i) {
-      return i < theirs.size() ? ours[i].bytes_apart(theirs[i]) : ours[i].bytes();
-    });
+    return apart(ours, theirs,
+                 [&](std::size_t i) { return i < theirs.size() ? ours[i].bytes_apart(theirs[i]) : ours[i].bytes(); });
   };
   std::size_t sum = chunks(last_, edited.last_);
   if (shelves_.same(edited.shelves_)) return sum;

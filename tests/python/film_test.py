@@ -159,6 +159,36 @@ class Editing(unittest.TestCase):
         film.say("at 25f ball.position (1 1 1)")
         self.assertEqual(film.text, LINE.replace("(24 12 -6)", "(1 1 1)"))
 
+    def test_tracks_are_columns_of_numbers(self):
+        film = betwixt.loads(LINE)
+        frames = np.arange(1, 200)
+        rows = np.stack([np.sin(frames / 9), frames * 0.1, frames**2 / 7], axis=1)
+        for times, values in ((frames, rows), (list(map(float, frames)), rows.tolist()),
+                              ([f"{k}f" for k in frames], rows.astype(np.float32))):
+            self.assertEqual(film.set_track("ball.position", times, values, "linear"), "")
+            got_frames, got = film.track_numbers("ball.position")
+            np.testing.assert_array_equal(got_frames, frames)
+            np.testing.assert_array_equal(got, np.asarray(values, float))
+            np.testing.assert_array_equal(film.eval("ball.position", frames), got)
+            np.testing.assert_array_equal(betwixt.loads(film.text).track_numbers("ball.position")[1], got)
+        for _ in range(3):
+            film.undo()
+        self.assertEqual(film.text, LINE)
+        one = film.track_numbers("ball.position")[1]
+        self.assertEqual(one.shape[1], 3)
+        for target, times, values, error in (
+            ("ball.positon", frames, rows, betwixt.Error),
+            ("ball.position", frames, rows[:-1], betwixt.Error),
+            ("ball.position", frames[::-1], rows, betwixt.Error),
+            ("ball.position", frames, rows * np.nan, betwixt.Error),
+            ("ball.position", rows, rows, TypeError),
+            ("ball.position", frames * 1e300, rows, betwixt.Error),
+            ("ball.position", frames, "words", (TypeError, ValueError)),
+        ):
+            with self.assertRaises(error):
+                film.set_track(target, times, values)
+        self.assertEqual(film.text, LINE)
+
     def test_several_lines_are_one_step_all_of_them_or_none(self):
         film = betwixt.loads(LINE)
         film.say("create box box\n\n# a remark\nbox.position\n  1f (0 0 0)\n  9f (8 0\n  0)\n")

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tracks from columns of numbers, and back. The first event goes through the language, which checks the target and the
+// twerper. All others are put on the track directly, and only written as text.
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/names.h"
+#include "betwixt/track.h"
+#include "editor/session_state.h"
+#include "language/values.h"
+#include "scene/document.h"
+
+namespace betwixt {
+namespace {
+
+// How many numbers a value has; 0: it does not consist of numbers.
+std::size_t width_of(Type type) {
+  switch (type) {
+    case Type::scalar:
+    case Type::angle:
+      return 1;
+    case Type::pair:
+      return 2;
+    case Type::vector:
+    case Type::color:
+    case Type::rotation:
+      return 3;
+    default:
+      return 0;
+  }
+}
+
+Type type_of(const Scene& scene, const Target& t) {
+  const FunctionSpec& spec = spec_of(scene, t.function);
+  const Type whole = t.velocity ? row_of(spec.type).rate.value_or(Type::text) : spec.type;
+  return t.component < 0 ? whole : component_type(whole);
+}
+
+// Adding 0 makes 0 of -0, which a script cannot say.
+Value value_of(Type type, const double* n) {
+  const double x = n[0] + 0;
+  if (type == Type::pair) return Vec3{x, n[1] + 0, 0};
+  if (type == Type::vector) return Vec3{x, n[1] + 0, n[2] + 0};
+  if (type == Type::color) return Color{x, n[1] + 0, n[2] + 0};
+  if (type == Type::rotation) return Angles{{x, n[1] + 0, n[2] + 0}};
+  return x;
+}
+
+bool append_numbers(const Value& v, std::size_t width, std::vector<double>& to) {
+  const auto put = [&](Vec3 n) {
+    to.insert(to.end(), {n.x, n.y});
+    if (width == 3) to.push_back(n.z);
+    return width > 1;
+  };
+  if (const auto* n = std::get_if<double>(&v)) return to.push_back(*n), width == 1;
+  if (const auto* n = std::get_if<Vec3>(&v)) return put(*n);
+  if (const auto* n = std::get_if<Color>(&v)) return put({n->r, n->g, n->b});
+  if (const auto* n = std::get_if<Angles>(&v)) return put(n->xyz);
+  return false;
+}
+
+Result<Target> one_of(std::string_view name, const Document& document) {
+  const auto found = find_targets(std::string(name), document);
+  if (!found) return found.error();
+  if (found->size() != 1)
+    return fail(ErrorCode::name, fmt::format("'{}' does not name one track", name.substr(0, 64)),
+                "name one, such as ball.position");
+  return found->front();
+}
+
+Error no_numbers(const Document& document, const Target& target) {
+  return fail(ErrorCode::type, fmt::format("the values of '{}' are not numbers", document.name(target)),
+              "numbers can be a number, an angle, a vector, a colour or a rotation by angles");
+}
+
+Status check(std::span<const Time> times, std::span<const double> numbers, std::size_t width, const FunctionSpec& spec,
+             bool velocity) {
+  if (times.empty()) return fail(ErrorCode::range, "a track needs at least one time");
+  if (numbers.size() != times.size() * width)
+    return fail(ErrorCode::range, fmt::format("{} times need {} numbers, not {}", times.size(), times.size() * width,
+                                              numbers.size()));
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (times[i] <= times[i - 1])
+      return fail(ErrorCode::range, fmt::format("time {} is not after the time before it", i + 1));
+  const double low = velocity ? -1e300 : spec.low, high = velocity ? 1e300 : spec.high;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!std::isfinite(numbers[i])) return fail(ErrorCode::range, fmt::format("value {} is not finite", i / width + 1));
+    if (numbers[i] < low || numbers[i] > high)
+      return fail(ErrorCode::range, fmt::format("value {} is {}, which is not from {} to {}", i / width + 1,
+                                                write_number(numbers[i]), write_number(low), write_number(high)));
+  }
+  return Nothing{};
+}
+
+}  // namespace
+
+// Returns the rows of the track, one line each.
+std::vector<std::string> Session::State::rows_of(const Document& at, const Target& target, Type type,
+                                                 std::span<const Time> times, std::span<const double> numbers,
+                                                 std::string_view twerper) const {
+  const std::size_t width = width_of(type);
+  std::vector<std::string> rows;
+  rows.reserve(times.size());
+  const FunctionSpec& spec = spec_of(at.scene(), target.function);
+  const auto no_names = [](ObjectId) { return std::string(); };
+  std::string end;
+  if (!twerper.empty()) (end = " ") += twerper;
+  const Rate rate = at.rate();
+  fmt::memory_buffer row;
+  const auto to = std::back_inserter(row);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    row.clear();
+    const auto frame = static_cast<std::int64_t>(std::llround(rate.frame_number(times[i])));
+    if (rate.frame(static_cast<double>(frame)) == times[i])  // the usual case, and the fastest
+      fmt::format_to(to, FMT_COMPILE("  {}f "), frame);
+    else
+      fmt::format_to(to, FMT_COMPILE("  {} "), write_time(times[i], rate));
+    if (type == Type::scalar)
+      fmt::format_to(to, FMT_COMPILE("{}"), numbers[i] + 0);  // no -0
+    else
+      row.append(write_value(value_of(type, &numbers[i * width]), spec, target.component, no_names));
+    row.append(end);
+    rows.emplace_back(row.data(), row.size());
+  }
+  return rows;
+}
+
+Session::Answer Session::State::set_track(std::string_view name, std::span<const Time> times,
+                                          std::span<const double> numbers, std::string_view twerper) {
+  if (looks_only) return only_looks();
+  const Document before = document();
+  const Result<Target> target = one_of(name, before);
+  if (!target) return refused(target.error());
+  const Type type = type_of(before.scene(), *target);
+  if (width_of(type) == 0) return refused(no_numbers(before, *target));
+  if (Status s = check(times, numbers, width_of(type), spec_of(before.scene(), target->function), target->velocity); !s)
+    return refused(s.error());
+  const std::string opener = before.name(*target);
+  Step step;
+  step.lines = rows_of(before, *target, type, times, numbers, twerper);
+  std::vector<std::string> first{opener, step.lines.front()};
+  if (const auto there = track(before, *target); there && there->event_count > 0)
+    first.insert(first.begin(), fmt::format("clear {} {}..{}", opener, write_time(there->first, before.rate()),
+                                            write_time(there->last, before.rate())));
+  Point then = editor.now();
+  then.script.left.reset();
+  for (const std::string& line : first) {
+    CommandResult result = editor.carry_out(then, line);
+    if (!result.done) return {false, false, true, told(result.said, line), hinted(result.said, line)};
+    then = std::move(result.after);
+  }
+  Scene scene = then.document.scene();
+  Track* const on = edit_track(scene, *target);
+  if (on == nullptr || on->events.size() != 1) return refused(no_numbers(before, *target));
+  const Event pattern = on->events.front();
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    Event e = pattern;
+    e.time = times[i], e.value = value_of(type, &numbers[i * width_of(type)]);
+    on->events.put(std::move(e));
+  }
+  then.document = Document(std::make_shared<const Scene>(std::move(scene)));
+  then.script.left.reset();
+  step.lines.insert(step.lines.begin(), first.begin(), first.end() - 1);
+  if (Status s = take_track(std::move(then), std::move(step), opener); !s) return refused(s.error());
+  tally.command(), sheet_refused = false;
+  return done("");
+}
+
+// Takes a step whose lines go to the end of the text. If the text ends with the lines of such a step for the same
+// target, the new ones replace them, so that a text does not grow with each call.
+Status Session::State::take_track(Point then, Step step, const std::string& opener) {
+  if (!in_place) return editor.take(std::move(then), std::move(step));
+  if (const auto wrong = std::ranges::find(of_text, Severity::error, &Diagnostic::severity); wrong != of_text.end())
+    return fail(ErrorCode::syntax, "an error in the script hides this track",
+                fmt::format("correct it first: line {}, {}", wrong->what.place.line, wrong->what.message));
+  TextEdit edit{placed.text.size(), {}, {}};
+  std::size_t kept = 0;  // lines of the step that are there already
+  if (last_track.opener == opener && last_track.end == placed.text.size()) {
+    edit.at = last_track.begin;
+    edit.removed = placed.text.substr(edit.at);
+    kept = step.lines.size() > 1 && step.lines[0].starts_with("clear ") ? 1 : 0;
+  }
+  std::size_t size = 1;
+  for (const std::string& line : step.lines) size += line.size() + 1;
+  edit.inserted.reserve(size);
+  if (edit.at > 0 && placed.text[edit.at - 1] != '\n') edit.inserted += '\n';
+  const std::size_t blank = edit.inserted.size();
+  for (std::size_t i = kept; i < step.lines.size(); ++i) (edit.inserted += step.lines[i]) += '\n';
+  if (Status s = editor.take(std::move(then), std::move(step)); !s) return s;
+  placed.edits.resize(editor.steps().size() - 1);
+  placed.text.resize(edit.at);
+  placed.text += edit.inserted;
+  // The lines that clear earlier events stay in front of what a later call replaces.
+  const std::size_t begin = edit.at + blank;
+  const bool clears = placed.text.compare(begin, 6, "clear ") == 0;
+  last_track = {opener, clears ? placed.text.find('\n', begin) + 1 : begin, placed.text.size()};
+  placed.edits.push_back({std::move(edit)});
+  if (!of_text.empty()) read_text_again();
+  return Nothing{};
+}
+
+Session::Answer Session::set_track(std::string_view target, std::span<const Time> times,
+                                   std::span<const double> numbers, std::string_view twerper) {
+  return state_->set_track(target, times, numbers, twerper);
+}
+
+Result<TrackNumbers> track_numbers(const Document& document, std::string_view name) {
+  const Result<Target> target = one_of(name, document);
+  if (!target) return target.error();
+  const Scene& scene = document.scene();
+  TrackNumbers made;
+  made.width = width_of(type_of(scene, *target));
+  if (made.width == 0) return no_numbers(document, *target);
+  const std::vector<const Track*> tracks = tracks_of(scene, *target);
+  const Slot* const slot = scene.objects[target->object.index].find(target->function, target->layer);
+  if (target->component < 0 && slot && !slot->components.empty())
+    return fail(ErrorCode::type, fmt::format("the components of '{}' have tracks of their own", document.name(*target)),
+                fmt::format("name one, such as {}.{}", document.name(*target),
+                            component_name(spec_of(scene, target->function).type, 0)));
+  if (tracks.empty()) return made;
+  bool good = true;
+  made.times.reserve(tracks[0]->events.size());
+  made.numbers.reserve(tracks[0]->events.size() * made.width);
+  tracks[0]->events.each([&](const Event& e) {
+    if (e.keep || e.release || !good) return;
+    good = append_numbers(e.value, made.width, made.numbers);
+    made.times.push_back(e.time);
+  });
+  if (!good)
+    return fail(ErrorCode::type, fmt::format("the events of '{}' are not all numbers", document.name(*target)));
+  return made;
+}
+
+}  // namespace betwixt
