@@ -113,8 +113,8 @@ Target one_target(const std::string& name, const Document& document) {
         name);
 }
 
-Session::Answer Film::set_track(const std::string& target, std::span<const Time> times,
-                                std::span<const double> numbers, const std::string& twerper) {
+Session::Answer Film::set_track(const std::string& target, std::span<const Time> times, std::span<const double> numbers,
+                                const std::string& twerper) {
   const std::lock_guard lock(mutex_);
   return session_.set_track(target, times, numbers, twerper);
 }
@@ -139,7 +139,8 @@ std::string set_track(Film& film, const std::string& target, py::handle times, p
   using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
   const Document document = film.document();
   std::vector<Time> when;
-  const bool plain = py::hasattr(times, "dtype") && py::str(times.attr("dtype").attr("kind")).cast<std::string>() != "m";
+  const bool plain =
+      py::hasattr(times, "dtype") && py::str(times.attr("dtype").attr("kind")).cast<std::string>() != "m";
   if (plain) {
     const auto frames = Numbers::ensure(times);
     if (!frames || frames.ndim() != 1) throw py::type_error("times are a list or an array of one dimension");
@@ -330,9 +331,10 @@ py::class_<Film> bind_film(py::module_& m) {
           "say", [](Film& f, const std::string& lines) { return told(unlocked([&] { return f.say(lines); })); },
           py::arg("lines"),
           says("Carries out lines of the language, all of them or none, and returns the answer of a shell."))
-      .def("set_track", &set_track, py::arg("target"), py::arg("times"), py::arg("values"), py::arg("twerper") = "",
-           says("Replaces all events of a track: one for each time, in order. `values` has a number for each time, or a "
-                "row of two or three: metres, radians, or sRGB from 0 to 1."))
+      .def(
+          "set_track", &set_track, py::arg("target"), py::arg("times"), py::arg("values"), py::arg("twerper") = "",
+          says("Replaces all events of a track: one for each time, in order. `values` has a number for each time, or a "
+               "row of two or three: metres, radians, or sRGB from 0 to 1."))
       .def("track_numbers", &numbers_of_track, py::arg("target"),
            says("Returns the events of a track as two arrays: their frames, and their values as set_track takes them."))
       .def(

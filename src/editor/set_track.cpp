@@ -82,8 +82,8 @@ Status check(std::span<const Time> times, std::span<const double> numbers, std::
              bool velocity) {
   if (times.empty()) return fail(ErrorCode::range, "a track needs at least one time");
   if (numbers.size() != times.size() * width)
-    return fail(ErrorCode::range, fmt::format("{} times need {} numbers, not {}", times.size(), times.size() * width,
-                                              numbers.size()));
+    return fail(ErrorCode::range,
+                fmt::format("{} times need {} numbers, not {}", times.size(), times.size() * width, numbers.size()));
   for (std::size_t i = 1; i < times.size(); ++i)
     if (times[i] <= times[i - 1])
       return fail(ErrorCode::range, fmt::format("time {} is not after the time before it", i + 1));

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double longest_point = 4;  // of a corner, in widths
 constexpr double gentle = 0.9;       // the cosine of turns without a corner
+constexpr int disc_sides = 32;       // of a round corner, if it were a whole turn
 
 // Returns the length along a line at each of its points; for a closed one, the total length at the end.
 std::vector<double> places_along(const std::vector<Vec3>& line, bool closed) {
@@ -63,6 +64,7 @@ class FlatStroke {
     if (closed_) {
       while (first < sides && turns_gently(first)) ++first;
       if (first == sides) return go_round(out);
+      if (const int turn = convex(); turn != 0) return turn > 0 ? go_round_convex(out) : reversed().go_round_convex(out);
     }
     for (std::size_t done = 0; done < sides;) {
       std::size_t run = 1;
@@ -81,11 +83,71 @@ class FlatStroke {
   Vec3 left(std::size_t side) const { return left_[side % left_.size()]; }  // of the side that begins at a point
   Vec3 left_before(std::size_t i) const { return left(i + left_.size() - 1); }
 
-  // Returns whether the borders of the two sides at a point simply meet, the inner ones before their ends.
+  // Returns whether the borders of the two sides at a point simply meet, the inner ones before their middles.
   bool turns_gently(std::size_t i) const {
     const double turn = dot(left_before(i), left(i));
     const double shorter = std::min(long_[i % left_.size()], long_[(i + left_.size() - 1) % left_.size()]);
-    return turn >= gentle && half_ * std::sqrt(std::max(0.0, 1 - turn) / (1 + turn)) <= shorter;
+    return turn >= gentle && half_ * std::sqrt(std::max(0.0, 1 - turn) / (1 + turn)) <= shorter / 2;
+  }
+  // Returns 1 if the line is closed, convex and anticlockwise, -1 if it is the same clockwise, and 0 otherwise.
+  int convex() const {
+    double sum = 0, least = 0, most = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Vec3 a = left_before(i), b = left(i);
+      const double turn = std::atan2(dot(cross(a, b), up_), dot(a, b));
+      sum += turn, least = std::min(least, turn), most = std::max(most, turn);
+    }
+    constexpr double straight = 1e-9;
+    if (std::abs(std::abs(sum) - 2 * pi) > 1e-6) return 0;
+    return least > -straight ? 1 : most < straight ? -1 : 0;
+  }
+  FlatStroke reversed() const {
+    FlatStroke r = *this;
+    std::reverse(r.points_.begin(), r.points_.end());
+    const std::size_t n = points_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t side = (2 * n - 2 - i) % n;  // the side between the points n - 1 - i and n - 2 - i
+      r.left_[i] = -1 * left_[side], r.long_[i] = long_[side];
+    }
+    return r;
+  }
+  // The outer border, and the hole, if the stroke leaves any: what is farther than half a width from all sides.
+  void go_round_convex(Contours& out) const {
+    std::vector<Vec3> outer, hole = points_;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      add_outer_corner(i, outer);
+      hole = inside(hole, point(i) + half_ * left(i), left(i));
+    }
+    out.push_back(std::move(outer));
+    if (hole.size() < 3) return;
+    std::reverse(hole.begin(), hole.end());
+    out.push_back(std::move(hole));
+  }
+  // Adds the border at a corner of an anticlockwise line.
+  void add_outer_corner(std::size_t i, std::vector<Vec3>& to) const {
+    const Vec3 a = left_before(i), b = left(i), p = point(i);
+    const double turn = dot(a, b);
+    if (turn >= gentle || (!round_ && (1 + turn) / 2 >= 1 / (longest_point * longest_point))) {
+      to.push_back(p - meeting(i));
+      return;
+    }
+    const int steps = round_ ? static_cast<int>(std::ceil(std::acos(std::clamp(turn, -1.0, 1.0)) / (2 * pi / disc_sides))) : 1;
+    const Vec3 across = cross(a, up_);  // a, turned to where b is
+    for (int k = 0; k <= steps; ++k) {
+      const double angle = std::acos(std::clamp(turn, -1.0, 1.0)) * k / steps;
+      to.push_back(p - half_ * (std::cos(angle) * a - std::sin(angle) * across));
+    }
+  }
+  // Returns the part of a convex polygon on the side of a line to which `normal` points.
+  static std::vector<Vec3> inside(const std::vector<Vec3>& polygon, Vec3 on_line, Vec3 normal) {
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+      const double in_p = dot(p - on_line, normal), in_q = dot(q - on_line, normal);
+      if (in_p > 0) kept.push_back(p);
+      if ((in_p > 0) != (in_q > 0)) kept.push_back(p + in_p / (in_p - in_q) * (q - p));
+    }
+    return kept;
   }
   // Returns the vector from a point to where the left borders of its two sides meet.
   Vec3 meeting(std::size_t i) const {
@@ -122,21 +184,19 @@ class FlatStroke {
   }
 
   void add_disc(Vec3 middle, Contours& out) const {
-    constexpr int sides = 32;
     const Vec3 across = left_.empty() ? any_side() : left_.front(), along = cross(across, up_);
     std::vector<Vec3> disc;
-    for (int i = 0; i < sides; ++i) {
-      const double turn = 2 * pi * i / sides;
+    for (int i = 0; i < disc_sides; ++i) {
+      const double turn = 2 * pi * i / disc_sides;
       disc.push_back(middle + half_ * (std::cos(turn) * along + std::sin(turn) * across));
     }
     out.push_back(std::move(disc));
   }
   Vec3 any_side() const { return normalize(cross(up_, std::abs(up_.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0})); }
 
-  const Vec3 up_;
-  const double half_;
-  const bool round_;
-  bool closed_;
+  Vec3 up_;
+  double half_;
+  bool round_, closed_;
   std::vector<Vec3> points_, left_;
   std::vector<double> long_;
 };

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Tracks from columns of numbers: they equal the tracks of scripts with the same rows.
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
@@ -53,9 +52,12 @@ TEST(SetTrack, IsTheTrackOfItsRows) {
     double low, high;
   };
   for (const bool in_place : {false, true})
-    for (const Case& c : {Case{"ball.position.x", "", 1, -9, 9}, {"ball.position", "linear", 3, -9, 9},
-                          {"ball.rotation", "smooth", 3, -9, 9}, {"ball.rotation.z", "bezier(0.2 0 0.4 1)", 1, -9, 9},
-                          {"ball.color", "", 3, 0, 1}, {"ball.transparency", "hold", 1, 0, 1},
+    for (const Case& c : {Case{"ball.position.x", "", 1, -9, 9},
+                          {"ball.position", "linear", 3, -9, 9},
+                          {"ball.rotation", "smooth", 3, -9, 9},
+                          {"ball.rotation.z", "bezier(0.2 0 0.4 1)", 1, -9, 9},
+                          {"ball.color", "", 3, 0, 1},
+                          {"ball.transparency", "hold", 1, 0, 1},
                           {"ball.position.velocity", "", 3, -9, 9}}) {
       Session s = begun(plain_text, in_place);
       for (const std::size_t count : {1U, 2U, 300U, 7U}) {

@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "scene/kinds.h"
 
@@ -103,6 +105,75 @@ TEST(Pens, OfShapes) {
   const Pen half = between({true, 0, {}, {}}, pen_of(s), 0.5);
   EXPECT_NEAR(half.width, 0.05, 1e-15);
   EXPECT_EQ(half.color, (Vec3{0, 0, 0})) << "what only one has grows";
+}
+
+// How often contours go round a point.
+int winding(const Contours& all, Vec3 p) {
+  int n = 0;
+  for (const Way& way : all)
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      const Vec3 &a = way[i], &b = way[(i + 1) % way.size()];
+      const double side = (b.x - a.x) * (p.y - a.y) - (p.x - a.x) * (b.y - a.y);
+      n += a.y <= p.y && b.y > p.y && side > 0 ? 1 : a.y > p.y && b.y <= p.y && side < 0 ? -1 : 0;
+    }
+  return n;
+}
+// `corners`: also from points that are beside no side.
+double distance_to(const Way& closed, Vec3 p, bool corners) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const Vec3 a = closed[i], d = closed[(i + 1) % closed.size()] - a;
+    const double along = dot(p - a, d) / dot(d, d);
+    if (corners || (along >= 0 && along <= 1)) least = std::min(least, length(p - a - std::clamp(along, 0.0, 1.0) * d));
+  }
+  return least;
+}
+
+// A stroke is what is at most half a width from its line, also where it is wider than the shape; pointed corners reach
+// farther.
+TEST(Strokes, AreWhatIsNearTheLineHoweverWide) {
+  std::mt19937 random(4);
+  const auto number = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };
+  for (int k = 0; k < 300; ++k) {
+    // On an ellipse: few corners, or so many that it is smooth; both ways round.
+    Way way;
+    if (k % 2 == 0) {
+      way = circle(1, 3 + static_cast<int>(random() % 90));
+    } else {
+      std::vector<double> angles(3 + random() % 9);
+      for (double& a : angles) a = number(0, 2 * pi);
+      std::sort(angles.begin(), angles.end());
+      for (const double a : angles) way.push_back({std::cos(a), std::sin(a), 0});
+    }
+    const double squeeze = number(0.2, 1), width = number(0.05, 5);
+    for (Vec3& p : way) p.y *= squeeze;
+    if (k % 3 == 0) std::reverse(way.begin(), way.end());
+    const bool round = k % 5 < 2;
+    Pen pen;
+    pen.width = width, pen.round = round;
+    const Contours areas = stroke_areas({way}, pen, {0, 0, 1});
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 p{number(-1 - width, 1 + width), number(-1 - width, 1 + width), 0};
+      const double away = distance_to(way, p, true) / (width / 2);
+      if (distance_to(way, p, round) / (width / 2) < 0.98) {
+        EXPECT_NE(winding(areas, p), 0) << k << ": " << p.x << ' ' << p.y << ", width " << width;
+      }
+      if (away > (round ? 1.07 : 4.01)) {
+        EXPECT_EQ(winding(areas, p), 0) << k << ": " << p.x << ' ' << p.y << ", width " << width;
+      }
+    }
+  }
+}
+
+TEST(Strokes, WiderThanACircleLeaveNoHole) {
+  for (const double width : {1.8, 2.2, 3.0, 5.0, 50.0}) {
+    Pen pen;
+    pen.width = width;
+    const Contours areas = stroke_areas({circle(1, 96)}, pen, {0, 0, 1});
+    EXPECT_EQ(areas.size(), width < 2 ? 2U : 1U) << width;
+    EXPECT_EQ(winding(areas, {0.001, 0.002, 0}) != 0, width > 2) << width;
+    EXPECT_NE(winding(areas, {0.5 + width / 4, 0.01, 0}), 0) << width;
+  }
 }
 
 TEST(DrawnExtents, HoldTheStroke) {
