@@ -204,6 +204,8 @@ class Engine {
 }
 
 const reader = async () => {
+  if (typeof makeReader === "undefined")
+    throw new Error("this page reads no meshes, scenes, drawings and pictures, because its films had none when it was made");
   const module = await makeReader({ wasmBinary: await wasmBytes("betwixt-reader"), print() {}, printErr() {} });
   module.FS.mkdir("/film");
   module.FS.chdir("/film");

@@ -41,15 +41,20 @@ tame = lambda text: re.sub(r"<(?=/script|!--)", r"\\x3c", text, flags=re.I)
 glue, parts = {name: tame(text) for name, text in glue.items()}, tame(parts)
 head = f"// Betwixt {version}, <https://www.apache.org/licenses/LICENSE-2.0>: films from text. docs/web.md says what it does.\n"
 
-inline = """const held = %s;
+inline = """const held = { betwixt: "%s" };
 const wasmBytes = async (name) => {
   const text = atob(held[name]), packed = new Uint8Array(text.length);  // a loop: Uint8Array.from takes ten times as long
   for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 };
-""" % json.dumps({name: base64.b64encode(packed[name]).decode() for name in programs})
+""" % base64.b64encode(packed["betwixt"]).decode()
+# A page whose films have no files for the reader leaves out all from the first of these lines to the second
+# (src/app/player_file.cpp).
+reader = ("// begin of the reader\n" + glue["betwixt-reader"] +
+          '\nheld["betwixt-reader"] = "%s";\n// end of the reader\n' % base64.b64encode(packed["betwixt-reader"]).decode())
+assert reader.count("// begin of the reader\n") == reader.count("// end of the reader\n") == 1
 write(os.path.join(folder, "betwixt-player.js"),
-      head + "(() => {\n" + glue["betwixt"] + glue["betwixt-reader"] + inline + parts + "})();\n")
+      head + "(() => {\n" + glue["betwixt"] + inline + reader + parts + "})();\n")
 
 beside = """const addresses = {
   "betwixt": () => new URL("./betwixt.wasm", import.meta.url),

@@ -42,11 +42,15 @@ Result<std::string> find_player() {
   return missing("the player for web pages is missing");
 }
 
-Result<std::string> read_player() {
+Result<std::string> read_player(bool with_reader) {
   const auto path = find_player();
   if (!path) return path;
   auto text = read_whole(*path);
   if (!text) return fail(ErrorCode::machine, text.error().message, text.error().hint);
+  constexpr std::string_view begin = "// begin of the reader\n", end = "// end of the reader\n";
+  const std::size_t first = text->find(begin), last = text->find(end);
+  if (!with_reader && first != text->npos && last != text->npos && first < last)
+    text->erase(first, last + end.size() - first);
   // These sequences would end the script element too early.
   for (std::size_t at = text->find('<'); at != text->npos; at = text->find('<', at + 1))
     for (const std::string_view ender : {"/script", "!--"})

@@ -4,6 +4,7 @@
 // betwixt web: makes a page that plays films, and in which readers can edit them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -72,8 +73,7 @@ int web(WebCall& call) {
     return complain(fail(ErrorCode::range, "--link needs a page in a file, not on standard output", "leave out --link"),
                     wrong_call);
   if (const Status s = ready(call); !s) return complain(s.error(), wrong_call);
-  const auto player = read_player();
-  if (!player) return complain(player.error(), machine_failed);
+  if (const auto there = find_player(); !there) return complain(there.error(), machine_failed);
   std::vector<PageFilm> films;
   std::size_t files = 0;
   for (const std::string& file : call.files) {
@@ -84,6 +84,8 @@ int web(WebCall& call) {
     files += films.back().files.size();
   }
   if (const Status s = no_two_of_one_name(films); !s) return complain(s.error(), wrong_input);
+  const auto player = read_player(call.link || std::any_of(films.begin(), films.end(), needs_reader));
+  if (!player) return complain(player.error(), machine_failed);
   PageOptions options;
   options.title = !call.title.empty()              ? call.title
                   : films.size() == 1 || *outgoing ? fs::path(films[0].name).stem().string()

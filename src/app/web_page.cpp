@@ -211,6 +211,14 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
   return film;
 }
 
+// The same files for which engine.js loads the reader.
+bool needs_reader(const PageFilm& film) {
+  static constexpr std::string_view without[] = {"bx", "ttf", "otf", "ttc"};
+  return std::any_of(film.files.begin(), film.files.end(), [](const auto& file) {
+    return std::find(std::begin(without), std::end(without), ending(file.first)) == std::end(without);
+  });
+}
+
 std::string_view page_look() { return page_css; }
 
 std::string web_page(const std::vector<PageFilm>& films, const PageOptions& options) {

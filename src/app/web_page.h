@@ -38,6 +38,8 @@ struct PageOptions {
   bool edit = true;                         // shows the texts beside the pictures
   std::string player;  // the text of betwixt-player.js; if empty, the page loads it and page_look() from its own folder
 };
+// Returns whether one of the film's files is a mesh, a scene, a drawing or a picture.
+bool needs_reader(const PageFilm&);
 std::string web_page(const std::vector<PageFilm>&, const PageOptions&);
 std::string_view page_look();  // betwixt-page.css
 

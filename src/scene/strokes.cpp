@@ -64,7 +64,8 @@ class FlatStroke {
     if (closed_) {
       while (first < sides && turns_gently(first)) ++first;
       if (first == sides) return go_round(out);
-      if (const int turn = convex(); turn != 0) return turn > 0 ? go_round_convex(out) : reversed().go_round_convex(out);
+      if (const int turn = convex(); turn != 0)
+        return turn > 0 ? go_round_convex(out) : reversed().go_round_convex(out);
     }
     for (std::size_t done = 0; done < sides;) {
       std::size_t run = 1;
@@ -131,7 +132,8 @@ class FlatStroke {
       to.push_back(p - meeting(i));
       return;
     }
-    const int steps = round_ ? static_cast<int>(std::ceil(std::acos(std::clamp(turn, -1.0, 1.0)) / (2 * pi / disc_sides))) : 1;
+    const int steps =
+        round_ ? static_cast<int>(std::ceil(std::acos(std::clamp(turn, -1.0, 1.0)) / (2 * pi / disc_sides))) : 1;
     const Vec3 across = cross(a, up_);  // a, turned to where b is
     for (int k = 0; k <= steps; ++k) {
       const double angle = std::acos(std::clamp(turn, -1.0, 1.0)) * k / steps;

@@ -46,7 +46,7 @@ class EventChunk {
  private:
   // The number of events that have been made, and room for more behind it. Events that are there never change while
   // several chunks own the memory.
-  struct Memory {
+  struct alignas(Event) Memory {
     explicit Memory(std::size_t n) : room(n) {}
     Memory(const Memory&) = delete;
     Memory& operator=(const Memory&) = delete;
@@ -56,7 +56,6 @@ class EventChunk {
     std::atomic<std::size_t> made{0};
     const std::size_t room;
   };
-  static_assert(alignof(Event) <= alignof(Memory));
   static std::shared_ptr<Memory> new_memory(std::size_t room);
   bool alone() const { return memory_.use_count() == 1; }
   void own(std::size_t room);  // copies the events to memory of its own

@@ -36,6 +36,19 @@ elif what == "file": sys.stdout.buffer.write(base64.b64decode(files[sys.argv[3]]
 PY
 ask() { python3 ask.py "$@"; }
 
+# A page contains the reader of files only if a film has a file for it.
+printf '%s\n' '// Betwixt 9.9' 'first();' '// begin of the reader' 'reads();' '// end of the reader' 'last();' >parts.js
+printf 'create a sphere\n' >plain.bx
+printf 'create a sphere\ncreate m mesh file="t.obj"\n' >with.bx
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >t.obj
+BETWIXT_PLAYER=$PWD/parts.js check 'no files: a page' 0 '' web plain.bx -o plain.html
+is 'no files: no reader' "$(grep -cE '^(first|reads|last)|of the reader' plain.html)" 2
+BETWIXT_PLAYER=$PWD/parts.js check 'a file: a page' 0 '1 file' web with.bx plain.bx -o with.html
+is 'a file: the reader' "$(grep -cE '^(first|reads|last)' with.html)" 3
+BETWIXT_PLAYER=$PWD/parts.js check 'linked: a page' 0 '' web plain.bx -o linked.html --link
+is 'linked: all' "$(cmp parts.js betwixt-player.js && echo same)" same
+rm -f plain.bx with.bx t.obj plain.html with.html linked.html betwixt-player.js betwixt-page.css
+
 printf '# ball.bx — a ball & more\nrate 12\n\ncreate ball sphere' >ball.bx
 check 'a page' 0 '1 film, 0 files' web ball.bx -o ball.html
 is 'its text can be read' "$(ask ball.html text ball.bx)" "$(cat ball.bx)"
