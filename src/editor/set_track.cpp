@@ -51,8 +51,10 @@ Value value_of(Type type, const double* n) {
   return x;
 }
 
-bool append_numbers(const Value& v, std::size_t width, std::vector<double>& to) {
+// Appends a value of the target's track, or its component.
+bool append_numbers(const Value& v, std::size_t width, int component, std::vector<double>& to) {
   const auto put = [&](Vec3 n) {
+    if (component >= 0) return to.push_back(n[component]), true;
     to.insert(to.end(), {n.x, n.y});
     if (width == 3) to.push_back(n.z);
     return width > 1;
@@ -144,9 +146,13 @@ Session::Answer Session::State::set_track(std::string_view name, std::span<const
   Step step;
   step.lines = rows_of(before, *target, type, times, numbers, twerper);
   std::vector<std::string> first{opener, step.lines.front()};
-  if (const auto there = track(before, *target); there && there->event_count > 0)
+  std::optional<std::pair<Time, Time>> there;  // the times of events that it has, on one track or several
+  for (const TrackView& t : tracks(before, *target))
+    if (t.event_count > 0)
+      there = {std::min(t.first, there ? there->first : t.first), std::max(t.last, there ? there->second : t.last)};
+  if (there)
     first.insert(first.begin(), fmt::format("clear {} {}..{}", opener, write_time(there->first, before.rate()),
-                                            write_time(there->last, before.rate())));
+                                            write_time(there->second, before.rate())));
   Point then = editor.now();
   then.script.left.reset();
   for (const std::string& line : first) {
@@ -155,13 +161,18 @@ Session::Answer Session::State::set_track(std::string_view name, std::span<const
     then = std::move(result.after);
   }
   Scene scene = then.document.scene();
-  Track* const on = edit_track(scene, *target);
-  if (on == nullptr || on->events.size() != 1) return refused(no_numbers(before, *target));
-  const Event pattern = on->events.front();
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    Event e = pattern;
-    e.time = times[i], e.value = value_of(type, &numbers[i * width_of(type)]);
-    on->events.put(std::move(e));
+  const std::vector<Track*> all = edit_tracks(scene, *target);  // one, or one for each component
+  const bool parts = all.size() > 1;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Events& events = all[k]->events;
+    if (events.size() != 1) return refused(no_numbers(before, *target));
+    const Event pattern = events.front();
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      Event e = pattern;
+      const double* const number = &numbers[i * width_of(type)];
+      e.time = times[i], e.value = parts ? Value(number[k] + 0) : value_of(type, number);
+      events.put(std::move(e));
+    }
   }
   then.document = Document(std::make_shared<const Scene>(std::move(scene)));
   then.script.left.reset();
@@ -228,7 +239,7 @@ Result<TrackNumbers> track_numbers(const Document& document, std::string_view na
   made.numbers.reserve(tracks[0]->events.size() * made.width);
   tracks[0]->events.each([&](const Event& e) {
     if (e.keep || e.release || !good) return;
-    good = append_numbers(e.value, made.width, made.numbers);
+    good = append_numbers(e.value, made.width, target->component, made.numbers);
     made.times.push_back(e.time);
   });
   if (!good)

@@ -73,6 +73,24 @@ TEST(SetTrack, IsTheTrackOfItsRows) {
     }
 }
 
+// A component of a track of whole values, and the whole value of a track of components.
+TEST(SetTrack, ReplacesPartsAndWholes) {
+  for (const bool in_place : {false, true}) {
+    Session s = begun(plain_text + "ball.position\n  1f (1 2 3)\n  90f (4 5 6)\n", in_place);
+    EXPECT_EQ(track_numbers(s.document(), "ball.position.y")->numbers, (std::vector<double>{2, 5}));
+    const std::vector<double> line{7, 8, 9};
+    ASSERT_TRUE(s.set_track("ball.position.y", frames(3), line, "linear").done);
+    expect_sound(s, "ball.position.y", frames(3), line);
+    EXPECT_EQ(track_numbers(s.document(), "ball.position.z")->numbers, (std::vector<double>{3, 6}));
+    const std::vector<double> rows{1, 2, 3, 4, 5, 6};
+    const Session::Answer answer = s.set_track("ball.position", frames(2), rows);
+    ASSERT_TRUE(answer.done) << answer.said;
+    expect_sound(s, "ball.position.x", frames(2), std::vector<double>{1, 4});
+    expect_sound(s, "ball.position.y", frames(2), std::vector<double>{2, 5});
+    expect_sound(s, "ball.position.z", frames(2), std::vector<double>{3, 6});
+  }
+}
+
 TEST(SetTrack, ReplacesItsOwnRowsAndIsUndone) {
   Session s = begun(plain_text + "ball.position.x\n  1f 5\n  900f 6\n", true);
   const std::string before = s.text();
