@@ -8,6 +8,10 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <thread>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace betwixt {
 namespace {
@@ -157,6 +161,57 @@ TEST(Events, AnEmptyDetailIsNoDetail) {
   const Event c = b;
   b.detail.edit().ease_in = {6};
   EXPECT_EQ(c.detail->ease_in, Time{5});
+}
+
+// Versions share the memory of their events, and append to it in place. None may see what another appends.
+TEST(Events, VersionsStayAsTheyWere) {
+  std::mt19937 random(6);
+  for (int round = 0; round < 12; ++round) {
+    Events now;
+    Model model;
+    std::vector<std::pair<Events, Model>> kept;
+    for (int k = 0; k < 3000; ++k) {
+      const std::int64_t end = model.empty() ? 0 : model.rbegin()->first + 1, place = random() % 5000;
+      const auto what = random() % 40;
+      if (what < 30) {
+        const std::int64_t t = what < 24 ? end : place;
+        now.put(event(t, k)), model[t] = k;
+      } else if (what == 30) {
+        const std::int64_t to = place + random() % 60;
+        now.erase({place}, {to});
+        model.erase(model.lower_bound(place), model.upper_bound(to));
+      } else if (what == 31) {
+        now.edit_between({place}, {place + 40}, [](Event& e) { e.value = -1.0; });
+        for (auto i = model.lower_bound(place); i != model.upper_bound(place + 40); ++i) i->second = -1;
+      } else if (what < 37) {
+        kept.emplace_back(now, model);
+        if (kept.size() > 25) kept.erase(kept.begin() + random() % 25);
+      } else if (!kept.empty()) {  // another branch goes on from an earlier version
+        std::tie(now, model) = kept[random() % kept.size()];
+      }
+      if (k % 97 == 0)
+        for (const auto& [events, expected] : kept) ASSERT_EQ(content(events), expected) << round << ' ' << k;
+    }
+    EXPECT_EQ(content(now), model);
+  }
+}
+
+TEST(Events, ThreadsAppendToOneVersion) {
+  Events first;
+  for (int t = 0; t < 70; ++t) first.put(event(t, t));
+  std::vector<Events> versions(4, first);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&versions, i] {
+      for (int t = 70; t < 400; ++t) versions[static_cast<std::size_t>(i)].put(event(t, 1000 * i + t));
+    });
+  for (std::thread& t : threads) t.join();
+  for (int i = 0; i < 4; ++i) {
+    const Model all = content(versions[static_cast<std::size_t>(i)]);
+    ASSERT_EQ(all.size(), 400U);
+    for (const auto& [t, value] : all) EXPECT_EQ(value, t < 70 ? t : 1000 * i + t);
+  }
+  EXPECT_EQ(first.size(), 70U);
 }
 
 }  // namespace
