@@ -225,8 +225,8 @@ double front_of(const Shape& s) {
   const KindRow& row = row_of(s.kind);
   if (s.kind == Kind::box) return s.size.z / 2;
   if (s.kind == Kind::sphere || s.kind == Kind::cylinder || s.kind == Kind::cone) return 0.7 * s.radius;
-  // From the front, seven tenths of a tube's width are above that height.
-  if (s.kind == Kind::points || (row.line && !row.contours)) return 0.35 * std::max(0.0, s.width);
+  // From the front, seven tenths of a point's width are above that height. Lines are flat in a drawing.
+  if (s.kind == Kind::points) return 0.35 * std::max(0.0, s.width);
   return row.deep ? std::max(0.0, s.depth) / 2 : 0;
 }
 

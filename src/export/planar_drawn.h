@@ -31,8 +31,7 @@ struct PlanarDrawn {
 std::optional<PlanarDrawn> drawn_of(const std::shared_ptr<const Shape>&, const std::shared_ptr<const Shape>& toward,
                                     double blend, const Mat4* seen_by = nullptr);
 void carry(PlanarDrawn&, const Mat4&);
-// Returns how far its front is before its centre, in its own space: a line is round, and half of it is in front of the
-// surface that it is on.
+// Returns how far its front is before its centre, in its own space.
 double front_of(const Shape&);
 
 // Returns whether one blends into the other point by point: the same shape with other measures.

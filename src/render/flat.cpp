@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/stages.h"
 #include "render/encoding.h"
@@ -175,6 +176,15 @@ bool FlatPainter::sort() {
   return true;
 }
 
+FlatPainter::Color FlatPainter::over(const Color& below, const Color& c, float opacity) {
+  const float rest = 1 - opacity;
+  return {below.r * rest + c.r * opacity, below.g * rest + c.g * opacity, below.b * rest + c.b * opacity};
+}
+
+FlatPainter::Color FlatPainter::plus(const Color& sum, const Color& c, float opacity) {
+  return {sum.r + c.r * opacity, sum.g + c.g * opacity, sum.b + c.b * opacity, sum.opacity + opacity};
+}
+
 void FlatPainter::fill(Picture& out) const {
   out.width = width_, out.height = height_;
   const auto width = static_cast<std::size_t>(width_);
@@ -183,26 +193,39 @@ void FlatPainter::fill(Picture& out) const {
     const Paint* paint;
     CoverageRows rows;
   };
-  std::vector<Reader> readers;
-  for (const std::uint32_t i : order_)
-    for (const Paint& p : painted_[i].parts) readers.push_back({&p, CoverageRows(p.area)});
+  std::vector<std::vector<Reader>> readers;  // of each object
+  for (const std::uint32_t i : order_) {
+    readers.emplace_back();
+    for (const Paint& p : painted_[i].parts) readers.back().push_back({&p, CoverageRows(p.area)});
+  }
   std::vector<float> sums(width + 2), room(width + 2);
   std::vector<Color> row(width);
+  // The parts of an object meet at their borders: they are added, so that nothing behind them shows there.
+  std::vector<Color> joint(width, Color{0, 0, 0});
   for (int y = 0; y < height_; ++y) {
     const Vec3 behind = behind_row(scenery_, (y + 0.5) / height_);
     const Color empty{static_cast<float>(behind.x), static_cast<float>(behind.y), static_cast<float>(behind.z)};
     std::fill(row.begin(), row.end(), empty);
-    for (Reader& r : readers) {
-      const Paint& p = *r.paint;
-      if (y < p.area.top() || y >= p.area.bottom()) continue;
-      const RowCoverage covered = r.rows.next(y, sums, room);
-      Color* at = row.data() + covered.first;
-      for (const float share : covered.of) {
-        const float new_part = share * p.opacity, old_part = 1 - new_part;
-        at->r = at->r * old_part + p.color.r * new_part;
-        at->g = at->g * old_part + p.color.g * new_part;
-        at->b = at->b * old_part + p.color.b * new_part;
-        ++at;
+    for (std::vector<Reader>& parts : readers) {
+      std::size_t first = width, end = 0;
+      for (Reader& r : parts) {
+        const Paint& p = *r.paint;
+        if (y < p.area.top() || y >= p.area.bottom()) continue;
+        const RowCoverage covered = r.rows.next(y, sums, room);
+        Color* at = (parts.size() == 1 ? row : joint).data() + covered.first;
+        if (parts.size() == 1) {
+          for (const float share : covered.of) *at = over(*at, p.color, share * p.opacity), ++at;
+          continue;
+        }
+        for (const float share : covered.of) *at = plus(*at, p.color, share * p.opacity), ++at;
+        first = std::min(first, static_cast<std::size_t>(covered.first));
+        end = std::max(end, static_cast<std::size_t>(covered.first) + covered.of.size());
+      }
+      for (std::size_t x = first; x < end; ++x) {
+        const Color sum = std::exchange(joint[x], Color{0, 0, 0});
+        if (sum.opacity <= 0) continue;
+        const float opacity = std::min(sum.opacity, 1.F), share = 1 / sum.opacity;
+        row[x] = over(row[x], {sum.r * share, sum.g * share, sum.b * share}, opacity);
       }
     }
     // Most pixels are empty, or equal their neighbour.

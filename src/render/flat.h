@@ -21,7 +21,7 @@ class FlatPainter {
 
  private:
   struct alignas(16) Color {
-    float r, g, b, unused = 0;
+    float r, g, b, opacity = 0;  // opacity: only of sums
     friend bool operator==(const Color&, const Color&) = default;
   };
   // A part of an object.
@@ -40,6 +40,8 @@ class FlatPainter {
   void outline(Painted&, const Thing&) const;
   bool sort();
   void fill(Picture& out) const;
+  static Color over(const Color& below, const Color&, float opacity);
+  static Color plus(const Color& sum, const Color&, float opacity);  // colours by their opacities
 
   Things things_;
   Scenery scenery_;

@@ -193,6 +193,23 @@ TEST(Flat, PicturesAreThoseOfSixtyFourSamples) {
   }
 }
 
+// A filled shape and its stroke meet: what is behind must not show between them.
+TEST(Flat, PartsOfAnObjectLeaveNoSeam) {
+  const Program p = program_of(
+      "film flat\nbackground #00ff00\ncreate a regular sides=6 radius=3 color=#0000ff stroke=#0000ff stroke-width=0.7 "
+      "rotation=(0deg 0deg 17deg)\n");
+  Picture out;
+  ASSERT_TRUE(scenes::renderer({160, 90, 4, "shaded"})->render(p.frame({}), out));
+  int blue = 0;
+  for (int y = 20; y < 70; ++y)
+    for (int x = 55; x < 105; ++x) {
+      if (std::hypot(x - 79.5, y - 44.5) > 26) continue;
+      EXPECT_EQ(scenes::pixel(out, x, y), (scenes::Pixel{0, 0, 255, 255})) << x << ' ' << y;
+      ++blue;
+    }
+  EXPECT_GT(blue, 1500);
+}
+
 TEST(Flat, LayersBlendInLinearLight) {
   const Program p = program_of(
       "film flat\nbackground #204060\ncreate a rectangle size=(2 2) color=#808080 transparency=0.25\n"
