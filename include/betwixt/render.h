@@ -51,7 +51,8 @@ const std::vector<Style>& styles();
 class Renderer {
  public:
   virtual ~Renderer() = default;
-  // Draws into `out` and resizes it if necessary. Errors: machine (a traced picture needs more memory than there is).
+  // Draws into `out` and resizes it if necessary. Errors: machine (a traced picture needs more memory than there is, or
+  // no graphics are available; flat films need none).
   virtual Status render(const Frame&, Picture& out) = 0;
   // Draws the evaluation's frame, for playback. If you render after every `to`, only changed objects are examined.
   virtual Status render(const Evaluation&, Picture& out) = 0;
@@ -84,7 +85,8 @@ std::optional<Blur> blur_for(const Document&, std::optional<double> shutter = {}
 // Checks the options. Errors: range and name, as for make_renderer.
 Status check_options(const RenderOptions&);
 // Makes a renderer. Errors: range (options out of bounds), name (no such style or pixel filter), machine (no graphics
-// available).
+// available). A renderer of the style "shaded" may need graphics only for its first picture that is not flat; then
+// render() has this error.
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions&);
 
 }  // namespace betwixt

@@ -80,7 +80,7 @@ class Session {
   // increase. `numbers` has one number for each time, or two or three for each if a value is a pair, a vector, a colour
   // or a rotation: metres, radians, or sRGB from 0 to 1. `twerper` is the interpolation after each event, as in a row:
   // "linear", or "" for the default. One undo takes the call back. A call that follows another for the same track
-  // replaces its rows in the text. A million events take about a fifth of a second. The answer says what is wrong:
+  // replaces its rows in the text. A million events take less than half a second. The answer says what is wrong:
   // name (there is no such track), type (its values are not numbers), range (wrong count, order or value).
   Answer set_track(std::string_view target, std::span<const Time> times, std::span<const double> numbers,
                    std::string_view twerper = {});

@@ -61,9 +61,10 @@ struct Session::State {
   bool ended = false;
   bool in_place = false;  // edits change the author's text; if false, they are appended to it
   PlacedText placed;
-  // The rows that the last set_track() wrote to the text, while they are its end.
+  // The rows that the last set_track() wrote to the text. They are its end as long as nothing else was done.
   struct {
     std::string opener;
+    Document made;
     std::size_t begin = 0, end = 0;
   } last_track;
   Diagnostics of_text;                               // diagnostics of the author's text

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tracks from columns of numbers, and back. The first event goes through the language, which checks the target and the
-// twerper. All others are put on the track directly, and only written as text.
+// Tracks from columns of numbers, and back. The first and the last event go through the language: the first checks the
+// target and the twerper, and the last updates what depends on the track (instances of kinds). All others are put on the
+// track directly, and only written as text.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -155,11 +156,14 @@ Session::Answer Session::State::set_track(std::string_view name, std::span<const
                                             write_time(there->second, before.rate())));
   Point then = editor.now();
   then.script.left.reset();
-  for (const std::string& line : first) {
+  Answer answer;
+  const auto carried_out = [&](const std::string& line) {
     CommandResult result = editor.carry_out(then, line);
-    if (!result.done) return {false, false, true, told(result.said, line), hinted(result.said, line)};
-    then = std::move(result.after);
-  }
+    if (!result.done) answer = {false, false, true, told(result.said, line), hinted(result.said, line)};
+    if (result.done) then = std::move(result.after);
+    return result.done;
+  };
+  if (!std::all_of(first.begin(), first.end(), carried_out)) return answer;
   Scene scene = then.document.scene();
   const std::vector<Track*> all = edit_tracks(scene, *target);  // one, or one for each component
   const bool parts = all.size() > 1;
@@ -167,7 +171,7 @@ Session::Answer Session::State::set_track(std::string_view name, std::span<const
     Events& events = all[k]->events;
     if (events.size() != 1) return refused(no_numbers(before, *target));
     const Event pattern = events.front();
-    for (std::size_t i = 1; i < times.size(); ++i) {
+    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
       Event e = pattern;
       const double* const number = &numbers[i * width_of(type)];
       e.time = times[i], e.value = parts ? Value(number[k] + 0) : value_of(type, number);
@@ -175,6 +179,8 @@ Session::Answer Session::State::set_track(std::string_view name, std::span<const
     }
   }
   then.document = Document(std::make_shared<const Scene>(std::move(scene)));
+  then.script.left.reset();  // it knows the track as it was
+  if (times.size() > 1 && !(carried_out(opener) && carried_out(step.lines.back()))) return answer;
   then.script.left.reset();
   step.lines.insert(step.lines.begin(), first.begin(), first.end() - 1);
   if (Status s = take_track(std::move(then), std::move(step), opener); !s) return refused(s.error());
@@ -191,7 +197,8 @@ Status Session::State::take_track(Point then, Step step, const std::string& open
                 fmt::format("correct it first: line {}, {}", wrong->what.place.line, wrong->what.message));
   TextEdit edit{placed.text.size(), {}, {}};
   std::size_t kept = 0;  // lines of the step that are there already
-  if (last_track.opener == opener && last_track.end == placed.text.size()) {
+  const bool is_end = last_track.end == placed.text.size() && &last_track.made.scene() == &document().scene();
+  if (last_track.opener == opener && is_end) {
     edit.at = last_track.begin;
     edit.removed = placed.text.substr(edit.at);
     kept = step.lines.size() > 1 && step.lines[0].starts_with("clear ") ? 1 : 0;
@@ -209,7 +216,7 @@ Status Session::State::take_track(Point then, Step step, const std::string& open
   // The lines that clear earlier events stay in front of what a later call replaces.
   const std::size_t begin = edit.at + blank;
   const bool clears = placed.text.compare(begin, 6, "clear ") == 0;
-  last_track = {opener, clears ? placed.text.find('\n', begin) + 1 : begin, placed.text.size()};
+  last_track = {opener, document(), clears ? placed.text.find('\n', begin) + 1 : begin, placed.text.size()};
   placed.edits.push_back({std::move(edit)});
   if (!of_text.empty()) read_text_again();
   return Nothing{};

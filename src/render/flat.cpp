@@ -13,6 +13,8 @@
 namespace betwixt {
 namespace {
 
+// Comparisons of boxes of objects that are deep, for one picture: more would take longer than drawing them otherwise.
+constexpr std::size_t most_compared = 200'000;
 constexpr double same_depth = 2e-7;  // metres per metre of depth: what f32 can tell apart
 
 // Returns whether the film is a drawing before a plain background, without pictures on objects.
@@ -32,15 +34,6 @@ Vec3 behind_row(const Scenery& s, double at) {
   const Vec3 bottom = s.background ? *s.surroundings.below : Lighting::beneath;
   const double part = s.background ? at : at * at * (3 - 2 * at);
   return top + part * (bottom - top);
-}
-
-using Bytes = std::array<std::uint8_t, 3>;
-template <auto encode, class C>
-Bytes bytes_of(const C& c) {
-  if constexpr (requires { c.r; })
-    return {byte_of(encode(c.r)), byte_of(encode(c.g)), byte_of(encode(c.b))};
-  else
-    return {byte_of(encode(c.x)), byte_of(encode(c.y)), byte_of(encode(c.z))};
 }
 
 struct Point {
@@ -165,15 +158,20 @@ bool FlatPainter::sort() {
     std::sort(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end));
     first = end;
   }
+  std::size_t left = most_compared;
   for (std::size_t k = 0; k < order_.size(); ++k) {
     const Painted& one = painted_[order_[k]];
     for (std::size_t j = k; j-- > 0 && painted_[order_[j]].front < one.back - slack(order_[k]);) {
       for (const Paint& a : one.parts)
         for (const Paint& b : painted_[order_[j]].parts)
-          if (boxes_meet(a.area, b.area)) return false;
+          if (left-- == 0 || boxes_meet(a.area, b.area)) return false;
     }
   }
   return true;
+}
+
+FlatPainter::Bytes FlatPainter::as_drawn(const Color& c) {
+  return {byte_of(encoded_as_drawn(c.r)), byte_of(encoded_as_drawn(c.g)), byte_of(encoded_as_drawn(c.b))};
 }
 
 FlatPainter::Color FlatPainter::over(const Color& below, const Color& c, float opacity) {
@@ -229,12 +227,14 @@ void FlatPainter::fill(Picture& out) const {
       }
     }
     // Most pixels are empty, or equal their neighbour.
-    const Bytes empty_bytes = scenery_.plain() ? bytes_of<encoded>(behind) : bytes_of<encoded_as_drawn>(empty);
+    // The graphics interface clears with exact colours.
+    const Bytes exact{byte_of(encoded(behind.x)), byte_of(encoded(behind.y)), byte_of(encoded(behind.z))};
+    const Bytes empty_bytes = scenery_.plain() ? exact : as_drawn(empty);
     Color last = empty;
     Bytes bytes = empty_bytes;
     std::uint8_t* to = out.rgba.data() + 4 * width * static_cast<std::size_t>(y);
     for (const Color& c : row) {
-      if (c != last) last = c, bytes = c == empty ? empty_bytes : bytes_of<encoded_as_drawn>(c);
+      if (c != last) last = c, bytes = c == empty ? empty_bytes : as_drawn(c);
       std::copy(bytes.begin(), bytes.end(), to);
       to += 4;
     }

@@ -40,6 +40,8 @@ class FlatPainter {
   void outline(Painted&, const Thing&) const;
   bool sort();
   void fill(Picture& out) const;
+  using Bytes = std::array<std::uint8_t, 3>;
+  static Bytes as_drawn(const Color&);
   static Color over(const Color& below, const Color&, float opacity);
   static Color plus(const Color& sum, const Color&, float opacity);  // colours by their opacities
 

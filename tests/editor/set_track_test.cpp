@@ -153,6 +153,34 @@ TEST(SetTrack, SaysWhatIsWrong) {
   EXPECT_TRUE(none->times.empty());
 }
 
+// The rows of a call are replaced only if nothing else was done since, however long the text is.
+TEST(SetTrack, LeavesOtherLinesAlone) {
+  Session s = begun(plain_text, true);
+  ASSERT_TRUE(s.set_track("ball.position.x", frames(2), std::vector<double>{1, 2}).done);
+  const std::size_t size = s.text().size();
+  ASSERT_TRUE(s.enter("undo").done);
+  const std::string other = "set ball.color red  # ";
+  const std::string line = other + std::string(size - s.text().size() - other.size() - 1, 'x');
+  ASSERT_TRUE(s.enter(line).done);
+  ASSERT_EQ(s.text().size(), size);
+  ASSERT_TRUE(s.set_track("ball.position.x", frames(2), std::vector<double>{3, 4}).done);
+  EXPECT_NE(s.text().find(line), std::string::npos) << s.text();
+  expect_sound(s, "ball.position.x", frames(2), std::vector<double>{3, 4});
+}
+
+TEST(SetTrack, InstancesOfAKindFollow) {
+  for (const bool in_place : {false, true}) {
+    Session s = begun(plain_text + "create man group\ncreate man/hat sphere\ndefine kind human like man\ncreate anna human\n",
+                      in_place);
+    for (const std::size_t count : {9U, 2U, 1U}) {
+      const std::vector<double> numbers(count, 4);
+      ASSERT_TRUE(s.set_track("man/hat.position.x", frames(count), numbers).done);
+      expect_sound(s, "man/hat.position.x", frames(count), numbers);
+      expect_sound(s, "anna/hat.position.x", frames(count), numbers);
+    }
+  }
+}
+
 // Many lines without a message are read at once, which must make no difference.
 TEST(SetTrack, ManyLinesAreThoseOneByOne) {
   std::vector<std::string> lines{"create c box", "c.position.x"};

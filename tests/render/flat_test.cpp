@@ -139,6 +139,12 @@ Program program_of(const std::string& script) {
   return Program::compile(loaded.document);
 }
 
+Picture drawn(const std::string& script, RenderOptions options) {
+  Picture out;
+  EXPECT_TRUE(scenes::renderer(options)->render(program_of(script).frame({}), out));
+  return out;
+}
+
 TEST(Flat, PicturesAreThoseOfSixtyFourSamples) {
   constexpr int width = 320, height = 180, fine = 8;
   const auto graphics = scenes::renderer({fine * width, fine * height, 1, "shaded"});
@@ -195,11 +201,10 @@ TEST(Flat, PicturesAreThoseOfSixtyFourSamples) {
 
 // A filled shape and its stroke meet: what is behind must not show between them.
 TEST(Flat, PartsOfAnObjectLeaveNoSeam) {
-  const Program p = program_of(
+  const Picture out = drawn(
       "film flat\nbackground #00ff00\ncreate a regular sides=6 radius=3 color=#0000ff stroke=#0000ff stroke-width=0.7 "
-      "rotation=(0deg 0deg 17deg)\n");
-  Picture out;
-  ASSERT_TRUE(scenes::renderer({160, 90, 4, "shaded"})->render(p.frame({}), out));
+      "rotation=(0deg 0deg 17deg)\n",
+      {160, 90, 4, "shaded"});
   int blue = 0;
   for (int y = 20; y < 70; ++y)
     for (int x = 55; x < 105; ++x) {
@@ -211,11 +216,10 @@ TEST(Flat, PartsOfAnObjectLeaveNoSeam) {
 }
 
 TEST(Flat, LayersBlendInLinearLight) {
-  const Program p = program_of(
+  const Picture out = drawn(
       "film flat\nbackground #204060\ncreate a rectangle size=(2 2) color=#808080 transparency=0.25\n"
-      "create b rectangle size=(2 2) position=(0 0 0.1) color=#ff8000 transparency=0.6\n");
-  Picture out;
-  ASSERT_TRUE(scenes::renderer({64, 36, 4, "shaded"})->render(p.frame({}), out));
+      "create b rectangle size=(2 2) position=(0 0 0.1) color=#ff8000 transparency=0.6\n",
+      {64, 36, 4, "shaded"});
   const auto blended = [](int below, int a, int b) {
     const auto light = [](int byte) { return scenes::decoded(byte / 255.0); };
     return scenes::encoded_byte(0.4 * light(b) + 0.6 * (0.75 * light(a) + 0.25 * light(below)));
@@ -265,10 +269,7 @@ TEST(Flat, WhatIsNotFlatIsLeftToTheGraphics) {
 TEST(Flat, LinesAreFlat) {
   for (const int samples : {1, 4}) {
     const auto middle = [&](const std::string& circle) {
-      const Program p = program_of("film flat\n" + circle);
-      Picture out;
-      EXPECT_TRUE(scenes::renderer({64, 36, samples, "shaded"})->render(p.frame({}), out));
-      const scenes::Pixel at = scenes::pixel(out, 32, 18);
+      const scenes::Pixel at = scenes::pixel(drawn("film flat\n" + circle, {64, 36, samples, "shaded"}), 32, 18);
       return at.r > 200 ? "line" : at.b > 200 ? "circle" : "nothing";
     };
     const std::string line = "create l line to=(4 0 0) position=(-2 0 0) width=0.5 color=red\n";
