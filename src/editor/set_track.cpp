@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Tracks from columns of numbers, and back. The first and the last event go through the language: the first checks the
-// target and the twerper, and the last updates what depends on the track (instances of kinds). All others are put on the
-// track directly, and only written as text.
+// target and the twerper, and the last updates what depends on the track (instances of kinds). All others are put on
+// the track directly, and only written as text.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 

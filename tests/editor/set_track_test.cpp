@@ -170,8 +170,9 @@ TEST(SetTrack, LeavesOtherLinesAlone) {
 
 TEST(SetTrack, InstancesOfAKindFollow) {
   for (const bool in_place : {false, true}) {
-    Session s = begun(plain_text + "create man group\ncreate man/hat sphere\ndefine kind human like man\ncreate anna human\n",
-                      in_place);
+    Session s =
+        begun(plain_text + "create man group\ncreate man/hat sphere\ndefine kind human like man\ncreate anna human\n",
+              in_place);
     for (const std::size_t count : {9U, 2U, 1U}) {
       const std::vector<double> numbers(count, 4);
       ASSERT_TRUE(s.set_track("man/hat.position.x", frames(count), numbers).done);
