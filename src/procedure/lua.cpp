@@ -93,7 +93,10 @@ class Lua final : public Routine {
     if (role != Role::value) return Routine::value(q, arguments, cost);
     Call call;
     call.questions = &q;
-    call.seconds = q.seconds();
+    if (q.timeless())
+      call.most = lua::most_timeless_steps;
+    else
+      call.seconds = q.seconds();
     const auto push_arguments = [&](Machine& m) {
       lua_checkstack(m.state, static_cast<int>(arguments.size()) + 10);
       for (const auto& a : arguments) push_value(m.state, a);
@@ -105,7 +108,7 @@ class Lua final : public Routine {
           set_query(m, q);
           return push_arguments(m);
         },
-        [&](Machine& m) { return arguments.empty() ? (lua_pushnumber(m.state, call.seconds), 1) : push_arguments(m); },
+        [&](Machine& m) { return arguments.empty() ? (lua_pushnumber(m.state, q.seconds()), 1) : push_arguments(m); },
         [](lua_State* l) { return lua::to_value(l, -1); });
     cost += call.steps;
     return result;
@@ -249,8 +252,10 @@ class Lua final : public Routine {
 
  private:
   static void set_query(Machine& m, const Questions& q) {
-    lua_pushnumber(m.state, q.seconds());
-    m.set("t");
+    if (!q.timeless()) {  // otherwise a read of it reaches find_global
+      lua_pushnumber(m.state, q.seconds());
+      m.set("t");
+    }
     lua_pushlstring(m.state, q.self().data(), q.self().size());
     m.set("self");
   }

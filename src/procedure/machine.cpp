@@ -139,7 +139,7 @@ void charge(lua_State* l, double steps) {
   Call& c = *Machine::of(l).call;
   if (!Cancellation::wanted()) c.called_off = true, stop(l, not_wanted);
   c.steps += steps < 2.0 * most_steps ? static_cast<std::uint64_t>(steps) : 2 * most_steps;
-  if (c.steps > most_steps) stop(l, too_many_steps);
+  if (c.steps > c.most) stop(l, too_many_steps);
 }
 
 }  // namespace betwixt::lua

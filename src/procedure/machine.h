@@ -21,6 +21,7 @@
 namespace betwixt::lua {
 
 inline constexpr std::uint64_t most_steps = 1'000'000;
+inline constexpr std::uint64_t most_timeless_steps = 50'000;  // of code that may be constant: half a millisecond
 inline constexpr int steps_between_hooks = 100;
 // One instruction may compare whole texts, and may copy as many arguments as the stack has. So each instruction costs
 // an extra step for each `letters_a_step` letters of the longest text, and for each `slots_a_step` slots of the stack.
@@ -40,7 +41,7 @@ struct Call {
   Input* input = nullptr;
   Host* host = nullptr;
   double seconds = 0;
-  std::uint64_t steps = 0;
+  std::uint64_t steps = 0, most = most_steps;
   bool stopped = false;
   bool called_off = false;  // the caller has cancelled the call
 };

@@ -221,6 +221,10 @@ int global_of(lua_State* l, Machine& m) {
     return push_number(l, name == "rate" ? rate.per_second() : rate.frame_number(from_seconds(m.call->seconds))), 1;
   }
   if (!m.call->questions) return 0;
+  if (name == "t" && m.call->questions->timeless()) {
+    m.call->questions->seconds();  // notes that the code reads the time
+    return fail_with(l, "there is no time");
+  }
   if (!m.call->questions->procedure(lua_tostring(l, 2))) return 0;
   lua_pushvalue(l, 2);
   lua_pushcclosure(l, priced<call_routine>, 1);

@@ -14,6 +14,7 @@
 #include "betwixt/frame.h"
 #include "betwixt/program.h"
 #include "program/environment_set.h"
+#include "program/filter_inputs.h"
 #include "program/steps.h"
 
 namespace betwixt {
@@ -68,6 +69,7 @@ struct Caches {
   Tracers tracers;
   IdleEvaluations idle;
   StepRuns steps;
+  FilterInputs filter_inputs;
 };
 
 }  // namespace betwixt

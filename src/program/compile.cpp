@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/cancellation.h"
+#include "program/constant_code.h"
 
 namespace betwixt {
 namespace {
@@ -94,6 +95,8 @@ void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<Function
       continue;
     }
     const Slot* slot = o.find(f);
+    const std::optional<Slot> constant = slot ? with_constants(compiled, i, *slot) : std::nullopt;
+    if (constant) slot = &*constant;
     bool live = collides(o, f) || (slot ? alive(scene, *slot) : scripted(spec_of(scene, f).rest));
     for (const Slot& other : o.slots) live = live || (other.function == f && find_object(scene, other.layer));
     compiled.bindings.push_back(live                ? bind_live(compiled, i, f)

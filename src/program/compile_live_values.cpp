@@ -4,6 +4,7 @@
 // Live values, which are evaluated on demand: velocities in force, procedures, filters, layers.
 #include "program/collisions.h"
 #include "program/compile.h"
+#include "program/constant_code.h"
 #include "program/integrals.h"
 #include "track/operations.h"
 
@@ -173,8 +174,10 @@ Value nothing_like(const Value& v) {
   return *add_scaled(v, v, -1);
 }
 
-LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
+LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& written) {
   const Scene& scene = compiled.document.scene();
+  const std::optional<Slot> constant = with_constants(compiled, object, written);
+  const Slot& said = constant ? *constant : written;
   const Slot slot = with_beginning(scene, said);
   const FunctionSpec& spec = spec_of(scene, slot.function);
   LiveStrand out;

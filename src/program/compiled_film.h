@@ -247,6 +247,7 @@ struct CompiledFilm {
   std::vector<std::unique_ptr<NamedProcedure>> integrals;   // of velocities that code computes: see integrals.h
   std::vector<std::unique_ptr<NamedProcedure>> collisions;  // the laws of positions with obstacles: see collisions.h
   std::vector<Live> lives;
+  std::uint64_t constant_steps = 0;  // taken to find constant code: see constant_code.h
   std::vector<Reign> reigns;
   std::vector<Node> nodes;  // drawables, then the others, each by object
   std::vector<Drawable> drawables;

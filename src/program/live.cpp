@@ -19,6 +19,11 @@
 namespace betwixt {
 namespace {
 
+bool looks_at_grid(const Filter& f) {
+  const FilterSpec* spec = f.code ? nullptr : find_filter(f.name);
+  return spec && spec->on_grid;
+}
+
 // Evaluates one function of one object at any time.
 struct Worker : LiveParts {
   // The input of a filter.
@@ -27,9 +32,10 @@ struct Worker : LiveParts {
     const LiveStrand& s;
     std::size_t stage;
     int component;
+    bool on_grid;
     bool called_off = false;
-    Through(const Worker& worker, const LiveStrand& strand, std::size_t at, int part)
-        : w(worker), s(strand), stage(at), component(part) {}
+    Through(const Worker& worker, const LiveStrand& strand, std::size_t at, const Filter& f)
+        : w(worker), s(strand), stage(at), component(f.component), on_grid(looks_at_grid(f)) {}
     Value at(double seconds) override {
       if (!(std::abs(seconds) <= longest_seconds)) seconds = 0;
       const Value v = look(from_seconds(seconds));
@@ -37,7 +43,7 @@ struct Worker : LiveParts {
     }
     Value look(Time t) {
       try {
-        if (!called_off) return w.looked_at(s, stage, t);
+        if (!called_off) return on_grid ? w.grid_value(s, stage, t) : w.looked_at(s, stage, t);
       } catch (const Cancelled&) {
         called_off = true;
       }
@@ -61,6 +67,28 @@ struct Worker : LiveParts {
   }
   static constexpr std::size_t most_seen = 1'000'000;
   mutable std::map<std::tuple<const LiveStrand*, std::size_t, std::int64_t>, Value> seen{};
+
+  // The same for a filter that will look at the same times again in other frames. What failed is not kept, since each
+  // frame reports its own errors.
+  Value grid_value(const LiveStrand& s, std::size_t stage, Time t) const {
+    if (asking.deferred || asking.in_haste() || asking.step) return looked_at(s, stage, t);
+    const auto index = [](const auto& all, const auto& one) { return static_cast<std::int32_t>(&one - all.data()); };
+    const FilterInputs::Key key{index(c.lives, live), index(live.strands, s), static_cast<std::int32_t>(stage),
+                                t.flicks};
+    if (auto known = c.caches.filter_inputs.find(key, asking)) {
+      asking.work(0);
+      return *std::move(known);
+    }
+    const std::vector<Target> before = std::exchange(asking.read, {});
+    Working working(asking);
+    Value v = looked_at(s, stage, t);
+    auto taken = working.done();
+    std::vector<Target> read = std::exchange(asking.read, before);
+    for (const Target& target : read) asking.note_read(target);
+    if (taken && !asking.given_up && asking.problems.empty())
+      c.caches.filter_inputs.keep(key, {v, *std::move(taken), std::move(read)});
+    return v;
+  }
 
   // Returns the object's own value without code, filters and layers, for a cycle or too much work.
   Value without_asking(Time t, int component) const {
@@ -106,7 +134,7 @@ struct Worker : LiveParts {
     const Filter& f = s.filters[stage - 1];
     Value plain = looked_at(s, stage - 1, t);
     if (f.segment && (t < f.segment->first || t > f.segment->second)) return plain;
-    Through input(*this, s, stage - 1, f.component);
+    Through input(*this, s, stage - 1, f);
     const auto made = apply(f, input, t.seconds());
     if (input.called_off) throw Cancelled{};
     const auto pass = [&](const std::string& why, int line = 0) {

@@ -46,6 +46,36 @@ Time repeated(const Track& track, Time t) {
 
 }  // namespace
 
+Result<Value> usable(const Scene& scene, FunctionId function, Type type, const Value& v, bool rate) {
+  const auto no = [](std::string why) { return fail(ErrorCode::type, std::move(why)); };
+  const auto plain = [&]() -> Value {  // rates are plain numbers
+    if (const auto* angles = std::get_if<Angles>(&v)) return angles->xyz;
+    if (const auto* color = std::get_if<Color>(&v)) return Vec3{color->r, color->g, color->b};
+    return v;
+  };
+  auto fitting = fit(rate ? plain() : v, type, scene);
+  if (!fitting) return fitting;
+  double n[4];
+  if (!finite({n, static_cast<std::size_t>(to_numbers(*fitting, n))})) return no("it is not finite");
+  const auto* text = std::get_if<Text>(&*fitting);
+  if (!text) return fitting;
+  const std::string& letters = **text;
+  if (const FunctionSpec& spec = spec_of(scene, function); !spec.words.empty()) {
+    const auto words = choices(spec);
+    if (std::find(words.begin(), words.end(), letters) == words.end())
+      return no(fmt::format("'{}' is not one of {}", letters.substr(0, 40), fmt::join(words, ", ")));
+  }
+  if (function == fn::texture && !letters.empty() && !scene.pictures->contains(letters))
+    return no(fmt::format("the film has not read the picture '{}': write its name in quotes in this code",
+                          letters.substr(0, 60)));
+  if (function == fn::file && !letters.empty() && !scene.meshes->contains(letters))
+    return no(fmt::format("the film has not read the mesh '{}': write its name in quotes in this code",
+                          letters.substr(0, 60)));
+  if (function == fn::text && letters.size() > most_letters && count_characters(letters) > most_letters)
+    return no(fmt::format("its text has more than {} letters", most_letters));
+  return fitting;
+}
+
 // Returns true if the code is the default of the author's function.
 bool LiveParts::by_definition(const Routine& code) const {
   const auto* rest = std::get_if<Procedure>(&spec_of(scene, live.function).rest);
@@ -76,30 +106,8 @@ std::optional<Value> LiveParts::answer(const Routine& code, const LivePart& part
     return std::nullopt;
   };
   if (!answer) return say(answer.error().message, answer.error().place.line);
-  const Type type = part.value_type();
-  const auto plain = [&](const Value& v) -> Value {  // rates are plain numbers
-    if (const auto* angles = std::get_if<Angles>(&v)) return angles->xyz;
-    if (const auto* color = std::get_if<Color>(&v)) return Vec3{color->r, color->g, color->b};
-    return v;
-  };
-  const auto fitting = fit(part.velocity ? plain(*answer) : *answer, type, scene);
+  const auto fitting = usable(scene, live.function, part.value_type(), *answer, part.velocity);
   if (!fitting) return say(fitting.error().message);
-  double n[4];
-  if (!finite({n, static_cast<std::size_t>(to_numbers(*fitting, n))})) return say("it is not finite");
-  const auto* text = std::get_if<Text>(&*fitting);
-  if (const FunctionSpec& spec = spec_of(scene, live.function); text && !spec.words.empty()) {
-    const auto words = choices(spec);
-    if (std::find(words.begin(), words.end(), **text) == words.end())
-      return say(fmt::format("'{}' is not one of {}", (*text)->substr(0, 40), fmt::join(words, ", ")));
-  }
-  if (text && live.function == fn::texture && !(*text)->empty() && !scene.pictures->contains(**text))
-    return say(fmt::format("the film has not read the picture '{}': write its name in quotes in this code",
-                           (*text)->substr(0, 60)));
-  if (text && live.function == fn::file && !(*text)->empty() && !scene.meshes->contains(**text))
-    return say(fmt::format("the film has not read the mesh '{}': write its name in quotes in this code",
-                           (*text)->substr(0, 60)));
-  if (text && live.function == fn::text && (*text)->size() > most_letters && count_characters(**text) > most_letters)
-    return say(fmt::format("its text has more than {} letters", most_letters));
   return *fitting;
 }
 

@@ -6,6 +6,10 @@
 
 namespace betwixt {
 
+// Converts the result of code to the type of its track; a rate of change becomes plain numbers. Errors: why it cannot
+// be used, in plain words.
+Result<Value> usable(const Scene&, FunctionId, Type, const Value&, bool rate = false);
+
 // Evaluates the tracks of one function of one object, without filters and layers: procedures, places on lines, and
 // velocities in force.
 struct LiveParts {

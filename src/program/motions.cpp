@@ -139,6 +139,7 @@ void settle(Program::Compiled& compiled, const std::vector<std::int32_t>& frozen
     for (; i < end; ++i) ++moving_of(starts[i]).placed;
   }
   thaw_until({INT64_MAX});
+  compiled.caches.filter_inputs.clear();
   compiled.caches.tracers.all.clear();  // their cached positions may be too early
 }
 

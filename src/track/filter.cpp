@@ -102,14 +102,16 @@ const std::vector<FilterSpec>& built_in_filters() {
        .sentence = "Averages the values over a window of time, `width` long, around each moment.",
        .example = "filter ball.position smooth width=0.3s",
        .parameters = {{"width", Type::scalar, 0.5, 1e-3, 3600, true}},
-       .value = smooth},
+       .value = smooth,
+       .on_grid = true},
       {.name = "spring",
        .sentence = "Follows like a weight on a spring: late, and with oscillation: `frequency` times a second; from "
                    "`damping` 1 on "
                    "without.",
        .example = "filter ball.position spring frequency=3",
        .parameters = {{"frequency", Type::scalar, 2, 1e-2, 100}, {"damping", Type::scalar, 0.3, 0.05, 4}},
-       .value = spring},
+       .value = spring,
+       .on_grid = true},
       {.name = "noise",
        .sentence = "Adds random motion, the same every time; `frequency` is per second.",
        .example = "filter ball.position noise amount=(0.1 0.1 0) frequency=4",

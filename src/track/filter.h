@@ -35,6 +35,7 @@ struct FilterSpec {
   std::string_view sentence = {}, example = {};  // for help
   std::vector<FilterParameter> parameters;
   Value (*value)(const FilterCall&, Input&, double seconds) = nullptr;
+  bool on_grid = false;      // looks at the points of a grid that does not move with the time
   bool any_type = false;     // takes values that are not numbers too
   bool orientations = true;  // takes orientations
 };

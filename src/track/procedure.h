@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -47,7 +48,9 @@ class Routine;
 class Questions {
  public:
   virtual ~Questions() = default;
-  virtual double seconds() const = 0;         // the time at which the value is evaluated
+  virtual double seconds() const = 0;  // the time at which the value is evaluated
+  // Returns true if there is no time: the compiler asks whether code is constant, and code that reads the time fails.
+  virtual bool timeless() const { return false; }
   virtual Rate rate() const = 0;              // of frames
   virtual std::string_view self() const = 0;  // the name of the object whose value it is; "" if there is none
   // Reads "leg.rotation.z", ".scale.x" (of the object itself), "ball.world", "ball.position.velocity", at any time.
@@ -95,8 +98,10 @@ class Host {
 class Routine {
  public:
   virtual ~Routine() = default;
-  std::string language;                           // "lua" or "plug-in"
-  std::string source;                             // as written; for a plug-in its path
+  std::string language;  // "lua" or "plug-in"
+  std::string source;    // as written; for a plug-in its path
+  // Known to read the time or the film, or to take long, so that nobody tries again whether it is constant.
+  mutable std::atomic<bool> varies{false};
   virtual bool stepped() const { return false; }  // its role is `steps`
   // Returns the error of a step that needs itself.
   virtual std::string_view circle() const {

@@ -37,6 +37,10 @@ TEST(Recompiling, SharesOnlyWhatIsTheSame) {
                                            "create o9 sphere radius=2",
                                            "at 20f o9.radius 3",
                                            "rename o4 p4",
+                                           "procedure girth lua \"3\"",
+                                           "procedure girth lua \"t\"",
+                                           "set o2.scale = \"vec(girth(), #self, 1)\"",
+                                           "set o5.position = \"vec(1, 2, 3)\"",
                                            "define heat number = 3",
                                            "layer sway add",
                                            "on sway at 10f o2.position (1 1 1)",
@@ -51,6 +55,28 @@ TEST(Recompiling, SharesOnlyWhatIsTheSame) {
       expect_one_program(s.document(), program, random);
     }
   }));
+}
+
+// Constant code is replaced by its value, which a procedure may change.
+TEST(Recompiling, ConstantCodeFollowsItsProcedure) {
+  const Folder folder;
+  Session s = opened(folder, "film flat\ncreate a{1..2} circle\nprocedure girth lua \"2\"\n");
+  s.enter("set a*.radius = \"girth() * i\"");
+  Program program = Program::compile(s.document());
+  const auto radius = [&](double seconds) {
+    program = Program::compile(s.document(), program);
+    return numbers(program.read(find_targets("a2.radius", s.document())->front(), from_seconds(seconds)))[0];
+  };
+  EXPECT_EQ(radius(0), 4);
+  s.enter("create b circle");
+  EXPECT_EQ(radius(0), 4);
+  s.enter("procedure girth lua \"3\"");
+  EXPECT_EQ(radius(0), 6);
+  s.enter("procedure girth lua \"3 + t\"");
+  EXPECT_EQ(radius(0), 6);
+  EXPECT_EQ(radius(2), 10);
+  s.enter("undo");
+  EXPECT_EQ(radius(2), 6);
 }
 
 // The same of a text that is changed: what it has in common with the film before is shared, and no more.

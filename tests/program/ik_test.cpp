@@ -10,7 +10,7 @@
 namespace betwixt {
 namespace {
 
-struct Dice {
+struct ChainDice {
   std::mt19937 random;
   double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
   Vec3 place(double far) { return {number(-far, far), number(-far, far), number(-far, far)}; }
@@ -37,7 +37,7 @@ double least_gap(const std::vector<double>& bones, double far) {
 
 // The angle at the elbow is that of the law of cosines, the elbow stays in the plane it was in, on its side.
 TEST(Reaching, TwoBonesAreATriangle) {
-  Dice dice{std::mt19937(7)};
+  ChainDice dice{std::mt19937(7)};
   for (int round = 0; round < 2000; ++round) {
     const auto before = dice.chain(2);
     const Vec3 goal = before[0] + dice.place(2);
@@ -54,7 +54,7 @@ TEST(Reaching, TwoBonesAreATriangle) {
 }
 
 TEST(Reaching, ThePoleSaysTheSide) {
-  Dice dice{std::mt19937(8)};
+  ChainDice dice{std::mt19937(8)};
   for (int round = 0; round < 500; ++round) {
     const int n = 2 + round % 5;
     const auto before = dice.chain(n);
@@ -73,7 +73,7 @@ TEST(Reaching, ThePoleSaysTheSide) {
 
 // Longer ones come to the goal, or as near as any could; their bones stay as long as they are.
 TEST(Reaching, LongChainsComeAsNearAsCanBe) {
-  Dice dice{std::mt19937(9)};
+  ChainDice dice{std::mt19937(9)};
   for (int round = 0; round < 3000; ++round) {
     const auto before = dice.chain(3 + round % 10);
     const auto lengths = bones(before);
@@ -90,7 +90,7 @@ TEST(Reaching, LongChainsComeAsNearAsCanBe) {
 
 // That nothing comes nearer: a million poses of a chain of three, drawn by lot.
 TEST(Reaching, NothingComesNearer) {
-  Dice dice{std::mt19937(10)};
+  ChainDice dice{std::mt19937(10)};
   for (const double far : {0.05, 0.9, 4.0}) {
     const std::vector<Vec3> before{{0, 0, 0}, {2, 0, 0}, {2, 0.5, 0}, {2, 0.5, 0.7}};
     const Vec3 goal{0, far, 0};
@@ -129,7 +129,7 @@ TEST(Reaching, StraightAndFoldedAndOnTheSpot) {
   const std::vector<Vec3> nothing(4, Vec3{1, 2, 3});
   EXPECT_EQ(solve_ik(nothing, {{5, 5, 5}, {}, 1, {1, 0, 0}}), nothing);
   // A part of the way is on the straight line to it; no part is where it was.
-  Dice dice{std::mt19937(11)};
+  ChainDice dice{std::mt19937(11)};
   for (int n = 2; n < 6; ++n) {
     const auto before = dice.chain(n);
     const Vec3 goal = before[0] + 0.4 * (before[static_cast<std::size_t>(n)] - before[0]) + Vec3{0.1, 0.2, 0};
@@ -143,7 +143,7 @@ TEST(Reaching, StraightAndFoldedAndOnTheSpot) {
 }
 
 TEST(Reaching, TheShortestTurn) {
-  Dice dice{std::mt19937(12)};
+  ChainDice dice{std::mt19937(12)};
   for (int i = 0; i < 200; ++i) {
     const Vec3 a = dice.place(1), b = i % 10 == 0 ? -2.0 * a : dice.place(3);
     const Quat q = shortest_turn(a, b);
