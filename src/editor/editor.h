@@ -83,9 +83,7 @@ class Editor {
   void count(const Counts& counts) { now_.counts = counts; }                  // of the current document
   const std::string& base() const { return base_; }                           // the author's text
   std::span<const Step> steps() const { return {steps_.data(), standing_}; }  // not undone
-  std::span<const Step> undone() const {
-    return {steps_.begin() + static_cast<std::ptrdiff_t>(standing_), steps_.end()};
-  }
+  std::span<const Step> undone() const { return std::span<const Step>(steps_).subspan(standing_); }
 
   // Carries out a line: a command, or a row of the open sheet. `now`: the time of commands from a live client
   // (LoadOptions::now). `translated`: translates values that have no meaning at their place; the line of the result has

@@ -71,16 +71,62 @@ void take_back(std::string& text, const TextEdits& edits) {
   for (auto e = edits.rbegin(); e != edits.rend(); ++e) text.replace(e->at, e->inserted.size(), e->removed);
 }
 
+namespace {
+
+int count_lines(std::string_view text) {
+  const auto feeds = std::count(text.begin(), text.end(), '\n');
+  return static_cast<int>(feeds) + (text.empty() || text.back() == '\n' ? 0 : 1);
+}
+
+// Returns where the text goes on after so many lines from a place on.
+std::size_t after_lines(std::string_view text, std::size_t from, int lines) {
+  for (; lines > 0 && from < text.size(); --lines) from += line_at(text, from).size();
+  return from;
+}
+
+// Returns how many bytes are the same at the beginning (or at the end, with `from_end`). Compares blocks first, since a
+// text may have a million lines.
+std::size_t same_bytes(std::string_view a, std::string_view b, bool from_end) {
+  constexpr std::size_t block = 4096;
+  const std::size_t most = std::min(a.size(), b.size());
+  std::size_t n = 0;
+  const auto same = [&](std::size_t count) {
+    return from_end ? a.substr(a.size() - n - count, count) == b.substr(b.size() - n - count, count)
+                    : a.substr(n, count) == b.substr(n, count);
+  };
+  while (n + block <= most && same(block)) n += block;
+  while (n < most && same(1)) ++n;
+  return n;
+}
+
+// Returns how many bytes at the beginning are whole lines that both texts have.
+std::size_t same_head(std::string_view a, std::string_view b) {
+  const std::size_t same = same_bytes(a, b, false);
+  if (same == a.size() && same == b.size()) return same;
+  const std::size_t feed = same == 0 ? std::string_view::npos : a.rfind('\n', same - 1);
+  return feed == std::string_view::npos ? 0 : feed + 1;
+}
+// The same at the end, for the texts behind their common head.
+std::size_t same_tail(std::string_view a, std::string_view b) {
+  const std::size_t same = same_bytes(a, b, true);
+  const auto begins_line = [&](std::string_view text) {
+    return same == text.size() || text[text.size() - same - 1] == '\n';
+  };
+  if (begins_line(a) && begins_line(b)) return same;
+  const std::size_t feed = a.find('\n', a.size() - same);
+  return feed == std::string_view::npos ? 0 : a.size() - feed - 1;
+}
+
+}  // namespace
+
 Result<TextEdit> replace_lines(std::string_view text, LineRange lines, std::string_view others) {
-  std::vector<std::size_t> starts = line_starts(text);
-  const int count = static_cast<int>(starts.size());
+  const int count = count_lines(text);
   if (lines.first < 1 || lines.last < lines.first - 1 || lines.first > count + 1 || lines.last > count)
     return fail(ErrorCode::range,
                 fmt::format("there are no lines {}..{}: the text has {}", lines.first, lines.last, count));
-  starts.push_back(text.size());
-  const std::size_t from = starts[static_cast<std::size_t>(lines.first) - 1];
-  const std::size_t to = starts[static_cast<std::size_t>(lines.last)];
-  TextEdit e{from, std::string(text.substr(from, std::max(from, to) - from)), std::string(others)};
+  const std::size_t from = after_lines(text, 0, lines.first - 1);
+  const std::size_t to = after_lines(text, from, lines.last - lines.first + 1);
+  TextEdit e{from, std::string(text.substr(from, to - from)), std::string(others)};
   if (to < text.size() && !e.inserted.empty() && e.inserted.back() != '\n') e.inserted += '\n';
   if (from == text.size() && from > 0 && text.back() != '\n' && !e.inserted.empty()) e.inserted.insert(0, "\n");
   return e;
@@ -97,18 +143,12 @@ TextEdit whole_lines(std::string_view text, const TextEdit& e) {
 }
 
 LineChange change_between(std::string_view before, std::string_view after) {
-  const auto was = line_starts(before), is = line_starts(after);
-  const auto line = [](std::string_view text, const std::vector<std::size_t>& starts, std::size_t i) {
-    return text.substr(starts[i], (i + 1 < starts.size() ? starts[i + 1] : text.size()) - starts[i]);
-  };
-  const std::size_t most = std::min(was.size(), is.size());
-  std::size_t head = 0, tail = 0;
-  while (head < most && line(before, was, head) == line(after, is, head)) ++head;
-  while (tail < most - head && line(before, was, was.size() - 1 - tail) == line(after, is, is.size() - 1 - tail))
-    ++tail;
-  const std::size_t from = head < is.size() ? is[head] : after.size();
-  const std::size_t to = tail == 0 ? after.size() : is[is.size() - tail];
-  return {{static_cast<int>(head) + 1, static_cast<int>(was.size() - tail)}, after.substr(from, to - from)};
+  const std::size_t head = same_head(before, after);
+  const int above = count_lines(before.substr(0, head));
+  before.remove_prefix(head), after.remove_prefix(head);
+  const std::size_t tail = same_tail(before, after);
+  before.remove_suffix(tail), after.remove_suffix(tail);
+  return {{above + 1, above + count_lines(before)}, after};
 }
 
 TextEdits place(const std::string& text, const Step& step, const Document& before, const Document& after,

@@ -95,6 +95,7 @@ Result<TextEdit> Session::State::rewriting(std::string_view line) const {
 
 // Returns the film after a change of the text. Derives it from the current film if the change allows that.
 Point Session::State::after(const std::string& text, const TextEdit& edit, Diagnostics& said) const {
+  if (in_place && edit.inserted == edit.removed) return said = of_text, editor.now();  // typed, and taken back
   if (in_place && of_text.empty())
     if (const auto commands = commands_of(placed.text, edit, document())) {
       Point at = editor.now();

@@ -5,6 +5,7 @@
 #include <QScrollBar>
 #include <QTest>
 #include <QTreeWidget>
+#include <random>
 
 #include "studio/film.h"
 #include "studio/script/script_panel.h"
@@ -236,6 +237,68 @@ class ScriptTest : public QObject {
     QCOMPARE(s.text(), s.films());
     QVERIFY(s.text().startsWith("create ball sphere radius=5\n"));
     QVERIFY(s.text().endsWith("create car box\nhide car\nhide ball"));
+  }
+
+  static QByteArray long_text(int lines) {
+    QByteArray text("film flat\nrate 24\ncreate a circle\na.position\n");
+    for (int i = 1; i <= lines; ++i) text += "  " + QByteArray::number(i) + "f (0 " + QByteArray::number(i % 7) + " 0)\n";
+    return text;
+  }
+
+  // A long script comes in parts. Whoever needs all of it gets it: here a line, a change by others, and a search.
+  void a_long_script_fills_the_editor_part_by_part() {
+    const QByteArray text = long_text(40'000);
+    {
+      Shown s(text);
+      QTRY_VERIFY(!s.edit.filling());
+      QCOMPARE(s.text().toUtf8(), text);
+      QVERIFY(!s.edit.isReadOnly());
+    }
+    Film film(text);
+    ScriptPanel panel(film.workspace);
+    ScriptEdit& edit = *panel.findChild<ScriptEdit*>("script");
+    QVERIFY(edit.filling() && edit.isReadOnly());
+    QVERIFY(edit.toPlainText().size() < text.size());
+    edit.go_to_line(39'000);
+    QCOMPARE(edit.textCursor().blockNumber(), 38999);
+    QVERIFY(!edit.filling() && !edit.isReadOnly());
+
+    Film other(text);
+    ScriptPanel second(other.workspace);
+    other.workspace.say(std::string("set a.radius 3"));
+    QVERIFY(!second.findChild<ScriptEdit*>("script")->filling());
+    QCOMPARE(second.findChild<ScriptEdit*>("script")->toPlainText().toStdString(), other.workspace.text());
+  }
+
+  // What was typed, deleted and pasted, with letters beyond ASCII at times, is the film's text.
+  void typing_in_a_long_script_is_followed() {
+    Shown s(long_text(40'000));
+    QTRY_VERIFY(!s.edit.filling());
+    std::mt19937 random(11);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    for (int i = 0; i < 60; ++i) {
+      s.put_cursor(5 + below(39'000), below(8));
+      for (int k = 0, keys = 1 + below(4); k < keys; ++k) switch (below(7)) {
+          case 0: QTest::keyClick(&s.edit, Qt::Key_Backspace); break;
+          case 1: QTest::keyClick(&s.edit, Qt::Key_Delete); break;
+          case 2: QTest::keyClick(&s.edit, Qt::Key_Return); break;
+          case 3: s.edit.insertPlainText("# one\n  # two\n"); break;
+          case 4: s.edit.insertPlainText(i > 40 ? QString::fromUtf8("é€") : "x"); break;
+          case 5: {
+            QTextCursor c = s.edit.textCursor();
+            c.movePosition(QTextCursor::Down, QTextCursor::KeepAnchor, below(3));
+            c.removeSelectedText(), s.edit.setTextCursor(c);
+            break;
+          }
+          default: QTest::keyClicks(&s.edit, "7");
+        }
+      if (i % 3 == 0) QTRY_COMPARE(s.films().size(), s.text().size());
+      if (i % 10 == 0) s.workspace.settle_typing();
+      if (i % 20 == 0) s.workspace.say(std::string("set a.radius 2"));
+    }
+    QTRY_VERIFY(s.films() == s.text());
+    s.workspace.settle_typing();
+    QVERIFY(s.films() == s.text());
   }
 
   // States of lines below an edit are what they would be if all were read again.

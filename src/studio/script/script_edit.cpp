@@ -18,9 +18,6 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr std::size_t at_once = 400'000;  // bytes; longer texts are read after a pause in typing
-constexpr int flash_lasts = 700;          // ms
-constexpr int most_flashing = 200;        // lines
 constexpr const char* indent = "  ";
 
 std::size_t bytes_before(const QString& line, int column) {
@@ -29,7 +26,6 @@ std::size_t bytes_before(const QString& line, int column) {
 int column_of(const std::string& line, std::size_t bytes) {
   return static_cast<int>(QString::fromUtf8(line.data(), static_cast<qsizetype>(bytes)).size());
 }
-QString without_returns(std::string_view text) { return text_of(text).replace("\r\n", "\n"); }
 
 }  // namespace
 
@@ -38,8 +34,9 @@ ScriptEdit::ScriptEdit(Workspace& workspace, QWidget* parent) : WordEdit(workspa
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setTabStopDistance(2 * fontMetrics().horizontalAdvance(' '));
   setMouseTracking(true);
-  pass_on_soon_.setSingleShot(true), pass_on_soon_.setInterval(50), flash_ends_.setSingleShot(true);
+  pass_on_soon_.setSingleShot(true), flash_ends_.setSingleShot(true);
   connect(&pass_on_soon_, &QTimer::timeout, this, &ScriptEdit::pass_on);
+  connect(&fills_, &QTimer::timeout, this, &ScriptEdit::fill);
   connect(&flash_ends_, &QTimer::timeout, this, [this] { flashing_.clear(), mark_lines(); });
   connect(document(), &QTextDocument::contentsChange, this, &ScriptEdit::changed_here);
   connect(this, &QPlainTextEdit::textChanged, this, &ScriptEdit::typed);
@@ -49,7 +46,7 @@ ScriptEdit::ScriptEdit(Workspace& workspace, QWidget* parent) : WordEdit(workspa
   connect(&workspace, &Workspace::text_changed, this, &ScriptEdit::take_text);
   connect(&workspace, &Workspace::document_changed, this, &ScriptEdit::take_diagnostics);
   connect(&workspace, &Workspace::opened, this, [this] {
-    setReadOnly(!workspace_.session().may_change());
+    setReadOnly(!may_type());
     moveCursor(QTextCursor::Start);
   });
   connect(&workspace, &Workspace::colors_changed, this,
@@ -57,120 +54,6 @@ ScriptEdit::ScriptEdit(Workspace& workspace, QWidget* parent) : WordEdit(workspa
   connect(&workspace, &Workspace::selection_changed, this, [this] { colored_ = false, viewport()->update(); });
   take_text();
   take_diagnostics();
-}
-
-void ScriptEdit::changed_here(int at, int removed, int added) {
-  if (removed == 0 && added == 0) return;
-  const int first = document()->findBlock(at).blockNumber();
-  const int last = document()->findBlock(at + added).blockNumber();
-  states_changed(first, (last < 0 ? blockCount() - 1 : last) - first + 1);
-  colored_ = false;
-}
-
-void ScriptEdit::typed() {
-  if (taking_) return;
-  if (known_.size() < at_once) return pass_on();
-  if (!pass_on_soon_.isActive()) pass_on_soon_.start();
-}
-
-// Passes the typed text on as the film's. A long text is read again after twice the time that reading it took, at most
-// two seconds.
-void ScriptEdit::pass_on() {
-  if (!workspace_.jobs().hears()) return pass_on_soon_.start();
-  pass_on_soon_.stop();
-  QString raw = document()->toRawText();
-  raw.replace(QChar::ParagraphSeparator, '\n');
-  if (crlf_) raw.replace("\n", "\r\n");
-  std::string text = raw.toStdString();
-  if (text == known_) return;
-  known_ = text;
-  QElapsedTimer took;
-  took.start();
-  workspace_.retype(std::move(text));
-  pass_on_soon_.setInterval(static_cast<int>(std::clamp<qint64>(2 * took.elapsed(), 50, 2000)));
-}
-
-// Takes over changes made elsewhere. Replaces only the text that differs.
-void ScriptEdit::take_text() {
-  const std::string& now = workspace_.text();
-  if (now == known_) return;
-  if (pass_on_soon_.isActive()) {  // both sides have changes: merge them if possible
-    pass_on_soon_.stop();
-    QString raw = document()->toRawText();
-    const std::string ours = raw.replace(QChar::ParagraphSeparator, '\n').toStdString();
-    if (const auto both = merge(known_, ours, now)) {
-      known_ = ours;
-      std::string text = *both;
-      QMetaObject::invokeMethod(
-          this, [this, text] { workspace_.retype(text), take_text(); }, Qt::QueuedConnection);
-      return;
-    }
-  }
-  taking_ = true;
-  const QTextBlock top = firstVisibleBlock();
-  const int top_was = top.blockNumber(), scrolled = verticalScrollBar()->value();
-  const std::string before = std::exchange(known_, now);
-  crlf_ = now.find("\r\n") != std::string::npos;
-  if (before.empty()) {
-    setPlainText(without_returns(now));
-  } else {
-    const LineChange c = change_between(before, now);
-    std::size_t from = 0;
-    for (int line = 1; line < c.lines.first; ++line) from = before.find('\n', from) + 1;
-    std::size_t to = from;
-    for (int line = c.lines.first; line <= c.lines.last && to < before.size(); ++line)
-      to = std::min(before.find('\n', to), before.size() - 1) + 1;
-    const QString gone = without_returns(std::string_view(before).substr(from, to - from));
-    const QString come = without_returns(c.others);
-    const QStringList old_lines = gone.split('\n'), new_lines = come.split('\n');
-    const int first = c.lines.first - 1;
-    flashing_.clear();  // the lines changed by the previous step
-    if (old_lines.size() == new_lines.size()) {
-      for (qsizetype i = 0; i < old_lines.size(); ++i)
-        if (old_lines[i] != new_lines[i]) replace(first + static_cast<int>(i), old_lines[i], new_lines[i]);
-    } else {
-      replace(first, gone, come);
-    }
-  }
-  taking_ = false;
-  // Keep the top line in place, whatever was inserted above it.
-  if (top.isValid() && top_was > 0 && top.blockNumber() > 0)
-    verticalScrollBar()->setValue(scrolled + top.blockNumber() - top_was);
-  cursor_moved();
-}
-
-// Replaces one text by another, from a block on. The common start and end are not touched.
-void ScriptEdit::replace(int first_block, const QString& before, const QString& after) {
-  qsizetype head = 0, tail = 0;
-  const qsizetype most = std::min(before.size(), after.size());
-  while (head < most && before[head] == after[head]) ++head;
-  while (tail < most - head && before[before.size() - 1 - tail] == after[after.size() - 1 - tail]) ++tail;
-  const QTextBlock block = document()->findBlockByNumber(first_block);
-  const int start = block.isValid() ? block.position() : document()->characterCount() - 1;
-  QTextCursor c(document());
-  c.setPosition(start + static_cast<int>(head));
-  c.setPosition(start + static_cast<int>(before.size() - tail), QTextCursor::KeepAnchor);
-  c.insertText(after.mid(head, after.size() - head - tail));
-  const int from = document()->findBlock(start + static_cast<int>(head)).blockNumber();
-  const qsizetype last = std::max(head, after.size() - tail - 1);
-  flash(from, document()->findBlock(start + static_cast<int>(last)).blockNumber() - from + 1);
-}
-
-void ScriptEdit::flash(int first_block, int blocks) {
-  QColor color = colors().accent;
-  color.setAlpha(70);
-  QTextBlock b = document()->findBlockByNumber(first_block);
-  for (int i = 0; i < std::min(blocks, most_flashing) && b.isValid(); ++i, b = b.next()) {
-    QTextEdit::ExtraSelection s;
-    s.cursor = QTextCursor(b);
-    s.format.setBackground(color);
-    s.format.setProperty(QTextFormat::FullWidthSelection, true);
-    // Flash a line only once: two layers of the colour would make it unreadable.
-    flashing_.removeIf([&](const QTextEdit::ExtraSelection& f) { return f.cursor.block() == b; });
-    flashing_.push_back(s);
-  }
-  flash_ends_.start(flash_lasts);
-  mark_lines();
 }
 
 void ScriptEdit::mark_lines() {
@@ -217,6 +100,7 @@ void ScriptEdit::cursor_moved() {
 }
 
 void ScriptEdit::go_to_line(int line, int column) {
+  if (line > blockCount()) fill_all();
   const QTextBlock b = document()->findBlockByNumber(line - 1);
   if (!b.isValid()) return;
   QTextCursor c(b);
@@ -259,6 +143,7 @@ void ScriptEdit::put_number(Number& n, const QString& text) {
 }
 
 void ScriptEdit::keyPressEvent(QKeyEvent* e) {
+  fill_all();
   const auto held = e->modifiers();
   const int step = e->key() == Qt::Key_Up ? 1 : e->key() == Qt::Key_Down ? -1 : 0;
   if (e->key() == Qt::Key_Escape && scrubbed_) {

@@ -5,8 +5,10 @@
 // It colours only visible lines, so that long scripts stay fast.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QTextBlock>
 #include <map>
+#include <optional>
 
 #include "editor/line_pieces.h"
 #include "studio/shell/word_edit.h"
@@ -18,6 +20,9 @@ class ScriptEdit : public WordEdit {
  public:
   explicit ScriptEdit(Workspace&, QWidget* parent = nullptr);
   void go_to_line(int line, int column = 1);
+  // A long text comes into the editor part by part.
+  bool filling() const { return filled_.has_value(); }
+  void fill_all();
   // Returns the worst diagnostic of a line (the first is 1), or nullptr if there is none.
   const Diagnostic* said_of(int line) const;
   // The margin: whether a visible line names a selected object.
@@ -31,6 +36,7 @@ class ScriptEdit : public WordEdit {
  protected:
   std::string said_so_far() const override;
   void keyPressEvent(QKeyEvent*) override;
+  void inputMethodEvent(QInputMethodEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
@@ -44,8 +50,12 @@ class ScriptEdit : public WordEdit {
   // Between this text and the film's
   void changed_here(int at, int removed, int added);
   void typed();
+  void follow_typing(int at, int removed, int added);
+  std::string whole_text();
   void pass_on();
   void take_text();
+  void fill();
+  bool may_type() const;
   void replace(int first_block, const QString& before, const QString& after);
   void flash(int first_block, int blocks);
   void take_diagnostics();
@@ -66,9 +76,13 @@ class ScriptEdit : public WordEdit {
   std::optional<Number> number_under(const QTextCursor&) const;
   void put_number(Number&, const QString&);
 
-  std::string known_;  // the film's text, which this editor shows
+  std::string known_;                 // the film's text, which this editor shows
+  std::optional<std::string> typed_;  // a copy of this editor's text, if it is long: see follow_typing()
+  std::optional<std::size_t> filled_;  // bytes of `known_` that this editor has, while it is filled
   bool taking_ = false, crlf_ = false;
-  QTimer pass_on_soon_, flash_ends_;
+  int pause_ = 0;  // ms, after the text was passed on
+  QElapsedTimer passed_on_;
+  QTimer pass_on_soon_, flash_ends_, fills_;
   int stated_ = 0;  // number of blocks with a known state at their end
   bool colored_ = false;
   int colored_from_ = -1, colored_to_ = -1;

@@ -77,6 +77,7 @@ QSize ScriptPanel::sizeHint() const {
 
 // Finds the next place; searches from the other end if there is none.
 void ScriptPanel::find(bool backwards) {
+  edit_->fill_all();
   const auto how = backwards ? QTextDocument::FindBackward : QTextDocument::FindFlags();
   if (sought_->text().isEmpty() || edit_->find(sought_->text(), how)) return;
   QTextCursor c = edit_->textCursor();
