@@ -49,6 +49,23 @@ export interface Film {
   /** Returns several values at several times, as the object of `betwixt eval --json`. */
   evalAll(targets: string[], times: (number | string)[], how?: { text?: false }): unknown;
   evalAll(targets: string[], times: (number | string)[], how: { text: true }): string;
+  /**
+   * Replaces all events of a track. `times` are seconds, in order. `values` has a number for each, or two or three, row
+   * after row: metres, radians, or sRGB from 0 to 1. `twerper` is the interpolation, such as "linear". Throws if
+   * something is wrong; then nothing changes.
+   */
+  setTrack(target: string, times: ArrayLike<number>, values: ArrayLike<number> | ArrayLike<number>[],
+           how?: { twerper?: string }): void;
+  /** Returns the events of a track as `setTrack` takes them, with `width` numbers for each time. */
+  trackNumbers(target: string): { times: Float64Array; values: Float64Array; width: number };
+  /** Takes back the last `setTrack`. Returns a line that names it; throws if there is none. */
+  undo(): string;
+  /** Repeats what `undo` took back. */
+  redo(): string;
+  /** The script, with the tracks that were set. */
+  readonly text: string;
+  /** Called after each edit, for example to draw again. A player uses it for its own film. */
+  changed: ((otherDuration: boolean) => void) | null;
   /** Returns the errors of the script's code while pictures were drawn. */
   problems(): Diagnostic[];
   /** Frees the film's memory. */

@@ -124,10 +124,11 @@ i { font-style: normal; }
     #parts;
     #player = null;
     #first = null;      // the original text
+    #passed = "";       // the text that the player has from here
     #due = 0;
     #tab_leaves = false; // whether Escape was the last key
     #wrong = new Set(); // lines with errors
-    #listening = new AbortController();
+    #listening = null;  // an AbortController
 
     constructor() {
       super();
@@ -164,7 +165,7 @@ i { font-style: normal; }
     #find_player() {
       const player = this.querySelector("betwixt-player");
       if (player !== this.#player) {
-        this.#listening.abort();
+        this.#listening?.abort();
         this.#listening = new AbortController();
         this.#player = player;
         this.#first = null;
@@ -175,11 +176,13 @@ i { font-style: normal; }
       this.#take_text();
     }
 
-    // Takes the player's text, unless the text was edited.
+    // Takes the player's text if the page has changed it, unless the reader edits it.
     #take_text() {
       const { text, name } = this.#parts, script = this.#player?.script ?? "";
-      if (this.#first !== null || !script) return;
-      this.#first = text.value = script;
+      if (!script || script === this.#passed || this.#due) return;
+      this.#passed = text.value = script;
+      if (this.#first !== null) return this.#show_revert();
+      this.#first = script;
       name.textContent = this.#name();
       text.setAttribute("aria-label", `The film's text, ${this.#name()}`);
       this.#colour();
@@ -192,12 +195,14 @@ i { font-style: normal; }
     // Passes the text on at most once a frame; more often would not be visible.
     #changed() {
       this.#colour();
-      this.#root.querySelector("[data-do=revert]").disabled = this.text === this.#first;
+      this.#show_revert();
       this.#due ||= requestAnimationFrame(() => {
         this.#due = 0;
-        if (this.#player) this.#player.script = this.text;
+        this.#passed = this.text;
+        if (this.#player) this.#player.script = this.#passed;
       });
     }
+    #show_revert() { this.#root.querySelector("[data-do=revert]").disabled = this.text === this.#first; }
 
     #colour() {
       const { text, area, lines, colours } = this.#parts, all = text.value.split("\n");

@@ -7,10 +7,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +22,8 @@
 #include "base/files.h"
 #include "base/utf8.h"
 #include "betwixt/language.h"
+#include "betwixt/session.h"
+#include "betwixt/track.h"
 #include "editor/plain_values.h"
 #include "graphics.h"
 #include "language/json.h"
@@ -51,6 +57,7 @@ struct Film {
   FilmPlayer player{1, &spare_renderers};
   std::string text;                // as it was opened
   std::set<std::string> problems;  // JSON: errors of procedures while pictures were drawn
+  std::optional<Session> session;  // from the first edit on
 
   const Document& document() const { return loaded.document; }
   // Collects the errors of procedures, with their places in the text: they appear only when frames are made.
@@ -67,6 +74,14 @@ struct Film {
   void compile() {
     if (!program) program = Program::compile(document());
   }
+  // Takes the film of the session, after an edit.
+  void take_edit() {
+    loaded.document = session->document();
+    loaded.diagnostics = session->diagnostics();
+    text = session->text();
+    if (program) program = Program::compile(document(), *program);
+    problems.clear();
+  }
 };
 std::set<Film*> open_films;
 bool has_linear = true;  // whether the graphics can draw linear light
@@ -80,6 +95,17 @@ const char* returned(std::string text) {
 
 const char* returned(const Error& e) {
   return returned(e.hint.empty() ? e.message : fmt::format("{} ({})", e.message, e.hint));
+}
+
+const char* error_json(const Error& e) {
+  return returned(fmt::format(R"({{"error":{}}})", json_text(std::string(returned(e)))));
+}
+
+// Returns the answer of a session as {"said": …} or {"error": …}, and shows the film as it is now.
+const char* answered(Film& film, const Session::Answer& answer) {
+  if (answer.refused) return error_json(answer.why.empty() ? fail(ErrorCode::name, answer.said) : answer.why[0].what);
+  film.take_edit();
+  return returned(fmt::format(R"({{"said":{}}})", json_text(answer.said)));
 }
 
 // Returns the film's options. A style that pages do not have is replaced by a similar one.
@@ -181,9 +207,6 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_problems(Film* film) {
 // patterns are separated by line ends, and so are the times.
 EMSCRIPTEN_KEEPALIVE const char* betwixt_eval(Film* film, const char* patterns, const char* times, int one) {
   const Document& d = film->document();
-  const auto error = [](const Error& e) {
-    return returned(fmt::format(R"({{"error":{}}})", json_text(std::string(returned(e)))));
-  };
   const auto lines = [](std::string_view text) {
     std::vector<std::string> out;
     for (std::size_t at = 0; at < text.size();) {
@@ -196,21 +219,66 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_eval(Film* film, const char* patterns, 
   std::vector<std::pair<std::string, Time>> moments;
   for (const std::string& text : lines(times)) {
     const auto t = parse_time(text, d);
-    if (!t) return error(t.error());
+    if (!t) return error_json(t.error());
     moments.emplace_back(text, *t);
   }
   const auto targets = targets_of(d, lines(patterns));
-  if (!targets) return error(targets.error());
+  if (!targets) return error_json(targets.error());
   film->compile();
   if (!one) return returned(values_json(d, *film->program, *targets, moments));
   if (targets->size() != 1 || moments.size() != 1)
-    return error(fail(ErrorCode::name,
-                      fmt::format("'{}' names {} values, and one is asked for", patterns, targets->size()),
-                      "such as ball.position; evalAll() gives several"));
+    return error_json(fail(ErrorCode::name,
+                           fmt::format("'{}' names {} values, and one is asked for", patterns, targets->size()),
+                           "such as ball.position; evalAll() gives several"));
   const auto values = film->program->read(*targets, moments[0].second);
   return returned(fmt::format(R"({{"value":{},"text":{}}})", json(values[0], targets->front(), d),
                               json_text(plain_value(values[0], targets->front(), d))));
 }
+
+// Prepares a film for edits. Its files are in the current folder again, and `path` is the name of its script.
+EMSCRIPTEN_KEEPALIVE const char* betwixt_begin_edits(Film* film, const char* path) {
+  film->session.emplace();
+  film->session->begin(film->text, path);
+  return nullptr;
+}
+
+// Replaces the events of a track: `count` times in seconds, and `size` numbers. After betwixt_begin_edits.
+EMSCRIPTEN_KEEPALIVE const char* betwixt_set_track(Film* film, const char* target, const char* twerper,
+                                                   const double* seconds, std::size_t count, const double* numbers,
+                                                   std::size_t size) {
+  std::vector<Time> times;
+  times.reserve(count);
+  for (const double s : std::span(seconds, count)) {
+    if (!(std::abs(s) <= longest_seconds))
+      return error_json(fail(ErrorCode::range,
+                             std::isfinite(s) ? "this time is too far from the beginning" : "that is no time",
+                             "times are seconds"));
+    times.push_back(from_seconds(s));
+  }
+  return answered(*film, film->session->set_track(target, times, std::span(numbers, size), twerper));
+}
+
+// `word` is undo or redo. After betwixt_begin_edits.
+EMSCRIPTEN_KEEPALIVE const char* betwixt_step(Film* film, const char* word) {
+  return answered(*film, film->session->enter(word));
+}
+
+// Returns {"at": …, "count": …, "width": …}: the address of `count` times in seconds and then of `count` times `width`
+// numbers, which the caller frees; or {"error": …}.
+EMSCRIPTEN_KEEPALIVE const char* betwixt_track_numbers(Film* film, const char* target) {
+  const Result<TrackNumbers> found = track_numbers(film->document(), target);
+  if (!found) return error_json(found.error());
+  auto* const at =
+      static_cast<double*>(std::malloc((found->times.size() + found->numbers.size() + 1) * sizeof(double)));
+  if (!at) return error_json(fail(ErrorCode::machine, "there is no memory left"));
+  double* to = at;
+  for (const Time t : found->times) *to++ = t.seconds();
+  std::copy(found->numbers.begin(), found->numbers.end(), to);
+  return returned(fmt::format(R"({{"at":{},"count":{},"width":{}}})", reinterpret_cast<std::uintptr_t>(at),
+                              found->times.size(), found->width));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* betwixt_text(Film* film) { return film->text.c_str(); }
 
 EMSCRIPTEN_KEEPALIVE int betwixt_add_font(const char* path) { return add_font(path); }
 

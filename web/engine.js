@@ -8,15 +8,18 @@
 const Betwixt = (globalThis.Betwixt ??= {});
 
 class Film {
+  changed = null;  // a function, called after each edit; its argument: whether the duration is another one
   #engine;
   #handle;
+  #source;         // its name and its files, for the first edit
+  #edited = false;
   #contexts = new WeakMap();
 
-  constructor(engine, handle) {
+  constructor(engine, handle, source) {
     this.#engine = engine;
     this.#handle = handle;
-    Object.assign(this, JSON.parse(engine.call("betwixt_about", handle)));
-    this.duration = this.end - this.start;
+    this.#source = source;
+    this.#describe();
   }
 
   // Draws the film at `seconds` in the size of the canvas. Throws without WebGL 2, or if drawing fails.
@@ -38,6 +41,28 @@ class Film {
   evalAll(targets, times, { text = false } = {}) {
     return this.#eval(targets, times, 0, text);
   }
+  // Replaces all events of a track. `times` are seconds, in order. `values` has a number for each, or two or three, row
+  // after row: metres, radians, or sRGB from 0 to 1. `twerper` is the interpolation, such as "linear".
+  setTrack(target, times, values, { twerper = "" } = {}) {
+    const columns = [times, values].map((column) => Float64Array.from(Array.isArray(column) ? column.flat() : column));
+    this.#edit(() => this.#engine.with_numbers(columns, (...places) =>
+      this.#engine.call("betwixt_set_track", this.#handle, target, twerper, ...places)));
+  }
+  // Returns the events of a track as setTrack takes them: { times, values, width }, `width` numbers for each time.
+  trackNumbers(target) {
+    this.#alive();
+    const { at, count, width } = this.#answer(this.#engine.call("betwixt_track_numbers", this.#handle, target));
+    const all = this.#engine.take_numbers(at, count * (1 + width));
+    return { times: all.slice(0, count), values: all.slice(count), width };
+  }
+  // Takes back the last edit, or repeats the one that was taken back. Returns a line that names it.
+  undo() { return this.#edit(() => this.#engine.call("betwixt_step", this.#handle, "undo")); }
+  redo() { return this.#edit(() => this.#engine.call("betwixt_step", this.#handle, "redo")); }
+  // The script, with all edits.
+  get text() {
+    this.#alive();
+    return this.#engine.call("betwixt_text", this.#handle);
+  }
   // Returns the errors of procedures while pictures were drawn, in the form of `diagnostics`.
   problems() {
     this.#alive();
@@ -52,6 +77,25 @@ class Film {
     this.#handle = 0;
   }
 
+  #describe() {
+    Object.assign(this, JSON.parse(this.#engine.call("betwixt_about", this.#handle)));
+    this.duration = this.end - this.start;
+  }
+  #answer(words) {
+    const result = JSON.parse(words);
+    if (result.error) throw new Error(result.error);
+    return result;
+  }
+  #edit(run) {
+    this.#alive();
+    const { name, files } = this.#source;
+    if (!this.#edited) this.#engine.with_files(files, () => this.#engine.call("betwixt_begin_edits", this.#handle, name));
+    this.#edited = true;
+    const { said } = this.#answer(run()), { duration } = this;
+    this.#describe();
+    this.changed?.(this.duration !== duration);
+    return said;
+  }
   #alive() {
     if (!this.#handle) throw new Error("this film has been disposed of");
   }
@@ -59,8 +103,7 @@ class Film {
     this.#alive();
     const when = times.map((t) => (typeof t === "number" ? `${t}s` : String(t)));
     const words = this.#engine.call("betwixt_eval", this.#handle, targets.join("\n"), when.join("\n"), one);
-    const result = JSON.parse(words);
-    if (result.error) throw new Error(result.error);
+    const result = this.#answer(words);
     return text ? words : result;
   }
 }
@@ -93,6 +136,15 @@ class Engine {
 
   // Opens the film of a script. `files` has the bytes of its files by path, and fonts (.ttf, .otf) by any path.
   open(text, { name = "film.bx", files = {} } = {}) {
+    for (const [path, bytes] of Object.entries(files)) if (/\.(ttf|otf|ttc)$/i.test(path)) this.#add_font(path, bytes);
+    return this.with_files({ ...files, [name]: text },
+                           () => new Film(this, this.call("betwixt_open", name, false), { name, files }));
+  }
+
+  // ---- Used by Film
+
+  // Calls a function while these files are in the film's folder.
+  with_files(files, run) {
     const { FS } = this.#module;
     const written = [];
     const put = (path, content) => {
@@ -104,22 +156,36 @@ class Engine {
       FS.writeFile("/film/" + parts.join("/"), content);
       written.push("/film/" + parts.join("/"));
     };
-    for (const [path, bytes] of Object.entries(files)) {
-      if (/\.(ttf|otf|ttc)$/i.test(path)) this.#add_font(path, bytes);
-      put(path, bytes);  // a script can name a font's file, too
-    }
-    put(name, text);
+    for (const [path, content] of Object.entries(files)) put(path, content);
     this.#files = files;
     try {
-      return new Film(this, this.call("betwixt_open", name, false));
+      return run();
     } finally {
       for (const path of written) FS.unlink(path);
       this.#files = {};
     }
   }
-
-  // ---- Used by Film
-
+  // Calls a function with the address and the length of each of these columns in the engine's memory.
+  with_numbers(columns, run) {
+    const m = this.#module, places = [];
+    try {
+      for (const column of columns) {
+        const at = m._malloc(column.byteLength + 8);
+        if (!at) throw new Error("there is no memory left");
+        places.push(at, column.length);
+        m.HEAPF64.set(column, at / 8);
+      }
+      return run(...places);
+    } finally {
+      for (let i = 0; i < places.length; i += 2) m._free(places[i]);
+    }
+  }
+  // Returns numbers from the engine's memory, and frees them there.
+  take_numbers(at, count) {
+    const taken = this.#module.HEAPF64.slice(at / 8, at / 8 + count);
+    this.#module._free(at);
+    return taken;
+  }
   // Calls a function of the engine, and converts texts. Returns a text, or with a last argument `false` a handle.
   call(name, ...values) {
     const m = this.#module;
@@ -191,7 +257,9 @@ class Engine {
   }
   #make_canvas() {
     if (this.#canvas) return this.#canvas;
-    const canvas = globalThis.OffscreenCanvas ? new OffscreenCanvas(16, 16) : document.createElement("canvas");
+    const lost = waiting_canvas?.getContext("webgl2")?.isContextLost();
+    const canvas = lost || !waiting_canvas ? new_canvas() : waiting_canvas;
+    waiting_canvas = null;
     canvas.addEventListener("webglcontextlost", () => (this.#lost = true));
     return (this.#canvas = canvas);
   }
@@ -203,6 +271,25 @@ class Engine {
   }
 }
 
+// Makes a hidden canvas with its context. graphics.cpp asks for the same attributes, and so gets this context.
+const new_canvas = () => {
+  const canvas = globalThis.OffscreenCanvas ? new OffscreenCanvas(16, 16) : document.createElement("canvas");
+  const context = canvas.getContext("webgl2", { alpha: true, depth: false, stencil: false, antialias: false,
+                                                premultipliedAlpha: true, preserveDrawingBuffer: false });
+  if (context) trust_shaders(context);
+  return canvas;
+};
+// Does not wait for the answer whether a shader could be compiled: if not, its program cannot be linked, and that is asked.
+const trust_shaders = (context) => {
+  const { getShaderParameter, getProgramInfoLog } = context;
+  context.getShaderParameter = (shader, what) =>
+    what === context.COMPILE_STATUS || getShaderParameter.call(context, shader, what);
+  context.getProgramInfoLog = (program) =>
+    [getProgramInfoLog.call(context, program),
+     ...(context.getAttachedShaders(program) ?? []).map((shader) => context.getShaderInfoLog(shader))].join(" ").trim();
+};
+let waiting_canvas = null;  // made before the engine
+
 const reader = async () => {
   if (typeof makeReader === "undefined")
     throw new Error("this page reads no meshes, scenes, drawings and pictures, because its films had none when it was made");
@@ -213,10 +300,12 @@ const reader = async () => {
 };
 
 let only = null;
-// Returns the engine of this page; the first call makes it. Rejects with a readable message if that fails.
-Betwixt.engine = () =>
+// Returns the engine of this page; the first call makes it. Rejects with a readable message if that fails. `draws`: begins
+// the graphics at once, before the browser is busy with the page's first picture of itself.
+Betwixt.engine = ({ draws = false } = {}) =>
   (only ??= (async () => {
     if (typeof WebAssembly !== "object") throw new Error("this browser cannot run the engine: it has no WebAssembly");
+    if (draws) waiting_canvas ??= new_canvas();
     const module = await makeBetwixt({ wasmBinary: await wasmBytes("betwixt"), print() {}, printErr() {} });
     return new Engine(module);
   })().catch((e) => {

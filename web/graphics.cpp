@@ -22,7 +22,7 @@ EM_JS(EMSCRIPTEN_WEBGL_CONTEXT_HANDLE, betwixt_make_context, (), {
     antialias : false,
     premultipliedAlpha : true,
     preserveDrawingBuffer : false,
-    enableExtensionsByDefault : true
+    enableExtensionsByDefault : false  // has_extension() does it for the two that are used
   });
 })
 

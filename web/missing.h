@@ -6,8 +6,10 @@
 #ifdef __cplusplus
 #include <fast_float/fast_float.h>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
+#include <functional>
 #include <type_traits>
 
 namespace std {
@@ -25,6 +27,16 @@ from_chars_result from_chars(const char* first, const char* last, Real& out) {
   if (r.ec == errc()) out = read;
   return {r.ptr, r.ec};
 }
+
+namespace ranges {
+
+template <class Range, class Value, class Projection = std::identity>
+auto find(Range&& range, const Value& value, Projection projection = {}) {
+  return std::find_if(std::begin(range), std::end(range),
+                      [&](const auto& one) { return std::invoke(projection, one) == value; });
+}
+
+}  // namespace ranges
 
 }  // namespace std
 #endif

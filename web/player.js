@@ -242,7 +242,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       }
       const before = this.#film, time = this.currentTime;
       const [width, height, duration] = [this.videoWidth, this.videoHeight, this.duration];
-      this.#film = film;
+      this.#film = Object.assign(film, { changed: (longer) => this.#film_changed(longer) });
       if (before) before.dispose();
       this.#error = null;
       this.#picture.outdate();
@@ -254,6 +254,16 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       if (!before) this.#first_film();
       this.#fire("diagnostics", { diagnostics: this.#diagnostics });
       this.#show();
+      this.#update();
+    }
+
+    // Shows the film after film.setTrack(), undo or redo.
+    #film_changed(longer) {
+      this.#loader.text_changed(this.#film.text);
+      this.#diagnostics = this.#film.diagnostics;
+      this.#picture.outdate();
+      if (longer) this.#fire("durationchange");
+      this.#fire("diagnostics", { diagnostics: this.#diagnostics });
       this.#update();
     }
 

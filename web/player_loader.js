@@ -33,6 +33,9 @@ class FilmLoader {
     this.#open_again();
   }
 
+  // Takes the text of the film that is shown, which the page has edited.
+  text_changed(text) { this.#given_text = this.source.text = text; }
+
   get files() { return { ...(this.source ? Object.fromEntries(this.source.files) : this.#given_files) }; }
   set files(all) {
     this.#given_files = {};
@@ -59,7 +62,7 @@ class FilmLoader {
     const { signal } = loading;
     this.#inside.begin();
     try {
-      const engine = Betwixt.engine();  // loads in parallel with the source
+      const engine = Betwixt.engine({ draws: true });  // loads in parallel with the source
       engine.catch(() => {});
       const source = await FilmSource.find(this.#player, this.#given_text, this.#given_files, signal);
       if (signal.aborted) return;

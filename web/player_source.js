@@ -7,11 +7,6 @@ const files_query = 'script[type="application/json"][data-betwixt-files]';
 
 const text_of = (script) =>
   script.textContent.replace(/^\r?\n/, "").replace(/<\\(\\*(?:\/script|script|!--))/gi, "<$1");
-const bytes_of = (base64) => {
-  const held = atob(base64), bytes = new Uint8Array(held.length);  // a loop: Uint8Array.from takes ten times as long
-  for (let i = 0; i < held.length; ++i) bytes[i] = held.charCodeAt(i);
-  return bytes;
-};
 const as_bytes = (held) =>
   typeof held === "string" ? new TextEncoder().encode(held)
   : ArrayBuffer.isView(held) ? new Uint8Array(held.buffer, held.byteOffset, held.byteLength)

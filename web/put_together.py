@@ -3,7 +3,7 @@
 #
 # put_together.py FOLDER VERSION: makes the player from the compiled engine in the folder (betwixt.js, betwixt.wasm) and
 # the scripts here: betwixt-player.js, one file for pages, and the package for npm.
-import base64, gzip, json, os, re, shutil, sys
+import base64, gzip, json, os, re, shutil, subprocess, sys
 
 from scripts import editor_scripts, engine_scripts, player_scripts
 
@@ -23,38 +23,49 @@ def write(path, text):
     os.replace(path + ".new", path)
 
 
-def slim(text):  # without blank lines and lines of comments
-    return "\n".join(line for line in text.split("\n") if line.strip() and not re.match(r"\s*//", line)) + "\n"
+# Returns the script with short names, and without comments and blanks. Names at the top level of a script stay, those of
+# a module change, except what it exports. The result is ASCII, so a server may send it in any encoding.
+def minified(text, module=False):
+    how = ["esbuild", "--minify", "--target=es2022", "--legal-comments=none", "--log-level=warning"]
+    done = subprocess.run(how + ["--format=esm"] * module, input=text, capture_output=True, text=True, encoding="utf-8")
+    if done.returncode != 0:
+        sys.exit(done.stderr)
+    # These would end the script of a page, or begin a comment.
+    return re.sub(r"<(?=/script|!--)", r"\\x3c", done.stdout, flags=re.I)
+
+
+# Compresses for gunzip. zopfli takes seconds, so the result is kept as long as the program stays the same.
+def compressed(path):
+    if not os.path.exists(path + ".gz") or os.path.getmtime(path + ".gz") < os.path.getmtime(path):
+        subprocess.run(["zopfli", "--i5", path], check=True)
+    with open(path + ".gz", "rb") as file:
+        return file.read()
 
 
 # The compiled programs: the engine, and the reader of foreign files.
 programs = ["betwixt", "betwixt-reader"]
-packed, glue = {}, {}
-for name in programs:
-    with open(os.path.join(folder, name + ".wasm"), "rb") as file:
-        packed[name] = gzip.compress(file.read(), 9, mtime=0)
-    # Inside a function, the exports for other module systems are of no use.
-    glue[name] = re.sub(r"if\s*\(typeof exports\s*===.*", "", read(folder, name + ".js"), flags=re.S)
-parts = "".join(slim(read(here, name)) for name in engine_scripts + player_scripts + editor_scripts)
-# These would end the script of a page, or begin a comment.
-tame = lambda text: re.sub(r"<(?=/script|!--)", r"\\x3c", text, flags=re.I)
-glue, parts = {name: tame(text) for name, text in glue.items()}, tame(parts)
+packed = {name: compressed(os.path.join(folder, name + ".wasm")) for name in programs}
+# Inside a function, the exports for other module systems are of no use.
+glue = {name: re.sub(r"if\s*\(typeof exports\s*===.*", "", read(folder, name + ".js"), flags=re.S) for name in programs}
+base64_script = read(here, "base64.js")  # the engine needs it before the player
+parts = "".join(read(here, name) for name in engine_scripts + player_scripts + editor_scripts if name != "base64.js")
 head = f"// Betwixt {version}, <https://www.apache.org/licenses/LICENSE-2.0>: films from text. docs/web.md says what it does.\n"
 
-inline = """const held = { betwixt: "%s" };
-const wasmBytes = async (name) => {
-  const text = atob(held[name]), packed = new Uint8Array(text.length);  // a loop: Uint8Array.from takes ten times as long
-  for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
-  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+inline = """const wasmBytes = async (name) => {
+  const stream = new DecompressionStream("gzip"), writer = stream.writable.getWriter();
+  writer.write(bytes_of(held[name])).then(() => writer.close()).catch(() => {});  // the reader gets its errors
+  return new Response(stream.readable).arrayBuffer();  // not through a Blob, which would take a way through another process
 };
-""" % base64.b64encode(packed["betwixt"]).decode()
+"""
+in_text = lambda name: f'held["{name}"]="{base64.b64encode(packed[name]).decode()}";\n'
 # A page whose films have no files for the reader leaves out all from the first of these lines to the second
 # (src/app/player_file.cpp).
-reader = ("// begin of the reader\n" + glue["betwixt-reader"] +
-          '\nheld["betwixt-reader"] = "%s";\n// end of the reader\n' % base64.b64encode(packed["betwixt-reader"]).decode())
+reader = ("// begin of the reader\n" + minified(glue["betwixt-reader"]) + in_text("betwixt-reader") +
+          "// end of the reader\n")
 assert reader.count("// begin of the reader\n") == reader.count("// end of the reader\n") == 1
+plays = minified("(() => {\n" + parts + "})();\n")  # in a function, so that its names become short
 write(os.path.join(folder, "betwixt-player.js"),
-      head + "(() => {\n" + glue["betwixt"] + inline + reader + parts + "})();\n")
+      head + "(() => {\nconst held={};\n" + minified(glue["betwixt"] + base64_script + inline) + in_text("betwixt") + reader + plays + "})();\n")
 
 beside = """const addresses = {
   "betwixt": () => new URL("./betwixt.wasm", import.meta.url),
@@ -71,8 +82,8 @@ exports = """export const engine = Betwixt.engine;
 export const BetwixtPlayer = Betwixt.Player, BetwixtEditor = Betwixt.Editor;
 """
 package = os.path.join(folder, "package")
-write(os.path.join(package, "betwixt-player.mjs"), head + glue["betwixt"] + beside + parts + exports)
-write(os.path.join(package, "betwixt-reader.mjs"), head + glue["betwixt-reader"] + "export { makeReader };\n")
+write(os.path.join(package, "betwixt-player.mjs"), head + minified(glue["betwixt"] + base64_script + beside + parts + exports, True))
+write(os.path.join(package, "betwixt-reader.mjs"), head + minified(glue["betwixt-reader"] + "export { makeReader };\n", True))
 for name, source in {"betwixt.wasm": folder, "betwixt-reader.wasm": folder, "betwixt-player.js": folder, "betwixt-player.d.ts": here, "README.md": here,
                      "LICENSE": os.path.join(here, "..")}.items():
     shutil.copyfile(os.path.join(source, name), os.path.join(package, name))
@@ -81,6 +92,6 @@ about["version"] = version
 write(os.path.join(package, "package.json"), json.dumps(about, indent=2) + "\n")
 
 size = lambda text: len(gzip.compress(text.encode(), 9))
-plays = {"engine": len(packed["betwixt"]), "its glue": size(glue["betwixt"]), "player": size(parts)}
-print("compressed:", ", ".join(f"{what} {n}" for what, n in plays.items()), f"in all {sum(plays.values())} bytes;",
-      f"what reads files {len(packed['betwixt-reader']) + size(glue['betwixt-reader'])}")
+sizes = {"engine": len(packed["betwixt"]), "its glue": size(minified(glue["betwixt"])), "player": size(plays)}
+print("compressed:", ", ".join(f"{what} {n}" for what, n in sizes.items()), f"in all {sum(sizes.values())} bytes;",
+      f"what reads files {len(packed['betwixt-reader']) + size(minified(glue['betwixt-reader']))}")

@@ -14,11 +14,8 @@ constexpr Gradient gradient{Lighting::above, Lighting::beneath};
 
 class Shaded final : public Module {
  public:
-  Shaded(Canvas canvas, Surfaces surfaces, Shadows shadows, Lines lines)
-      : Module(std::move(canvas), Purpose::surfaces),
-        surfaces_(std::move(surfaces)),
-        shadows_(std::move(shadows)),
-        lines_(std::move(lines)) {}
+  Shaded(Canvas canvas, Surfaces surfaces, Shadows shadows)
+      : Module(std::move(canvas), Purpose::surfaces), surfaces_(std::move(surfaces)), shadows_(std::move(shadows)) {}
 
  private:
   void draw_anew() override {
@@ -74,24 +71,30 @@ class Shaded final : public Module {
   }
   // Meshes that have edges but no triangles.
   void draw_hairlines(const View& view, const std::vector<std::uint32_t>& hairlines) {
+    if (hairlines.empty()) return;
+    if (!lines_) {
+      auto made = Lines::create();
+      if (!made) return;  // the film is drawn without
+      lines_ = *std::move(made);
+    }
     std::vector<std::uint32_t> solid, clear;
     for (const std::uint32_t i : hairlines) (things_[i].transparent ? clear : solid).push_back(i);
     if (!solid.empty()) {
       const Batches batches = batches_of(things_, solid);
       line_instances_.set(things_, batches.order);
-      lines_.set(view, canvas_.side());
-      for (const Batch& b : batches.batches) lines_.draw(b, line_instances_);
+      lines_->set(view, canvas_.side());
+      for (const Batch& b : batches.batches) lines_->draw(b, line_instances_);
     }
     if (clear.empty()) return;
     const Batches batches = sorted_singles(things_, clear);
     clear_instances_.set(things_, batches.order);
-    lines_.draw_transparent(batches, clear_instances_, view, canvas_.side());
+    lines_->draw_transparent(batches, clear_instances_, view, canvas_.side());
   }
 
   Surfaces surfaces_;
   Shadows shadows_;
-  Lines lines_;
-  std::optional<ContactShading> contact_;  // made on first use
+  std::optional<Lines> lines_;  // these two are made on first use
+  std::optional<ContactShading> contact_;
   Instances line_instances_, clear_instances_;
 };
 
@@ -104,10 +107,8 @@ Result<std::unique_ptr<Module>> make_shaded(const RenderOptions& options) {
   if (!surfaces) return surfaces.error();
   auto shadows = Shadows::create();
   if (!shadows) return shadows.error();
-  auto lines = Lines::create();
-  if (!lines) return lines.error();
   return std::unique_ptr<Module>(
-      std::make_unique<Shaded>(*std::move(canvas), *std::move(surfaces), *std::move(shadows), *std::move(lines)));
+      std::make_unique<Shaded>(*std::move(canvas), *std::move(surfaces), *std::move(shadows)));
 }
 
 }  // namespace betwixt

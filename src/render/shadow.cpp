@@ -61,21 +61,31 @@ Mat4 looking(Vec3 from, Vec3 backward) {
   return r;
 }
 
+Result<gl::Program> new_caster(const char* defines) {
+  return gl::new_program(std::string(vertex_inputs) + uniforms + ball_outline + shadow_vertex, shadow_fragment,
+                         defines);
+}
+
 }  // namespace
 
 Result<Shadows> Shadows::create() {
   Shadows s;
   if (const Status made = s.make_layers(1); !made) return made.error();
-  const std::string source = std::string(vertex_inputs) + uniforms + ball_outline + shadow_vertex;
-  for (auto* to : {&s.meshes_, &s.balls_, &s.veils_}) {
-    auto program = gl::new_program(source, shadow_fragment,
-                                   to == &s.balls_   ? "#define BALL"
-                                   : to == &s.veils_ ? "#define VEIL"
-                                                     : "");
-    if (!program) return program.error();
-    *to = *std::move(program);
-  }
+  auto meshes = new_caster("");  // to know whether the driver can
+  if (!meshes) return meshes.error();
+  s.meshes_ = *std::move(meshes);
   return s;
+}
+
+const gl::Program* Shadows::need(gl::Program Shadows::*which) {
+  gl::Program& program = this->*which;
+  if (program.id() == 0) {
+    auto made = new_caster(which == &Shadows::balls_ ? "#define BALL" : "#define VEIL");
+    if (!made) return nullptr;
+    program = *std::move(made);
+    set_caster(program);
+  }
+  return &program;
 }
 
 // Makes as many as were ever needed, in steps. All have the size of the first.
@@ -310,7 +320,11 @@ void Shadows::draw_some(const Part& one, Things& things, bool veils) {
   }
   instances_.set(std::move(all));
   for (const auto& [key, g] : groups) {
-    glUseProgram(veils ? veils_.id() : g.batch.ball ? balls_.id() : meshes_.id());
+    const gl::Program* const program = need(veils          ? &Shadows::veils_
+                                            : g.batch.ball ? &Shadows::balls_
+                                                           : &Shadows::meshes_);
+    if (program == nullptr) continue;
+    glUseProgram(program->id());
     // Closed objects cast by their far side: then lit surfaces are never in their own shadow, however few triangles
     // there are. The depth is not offset, so that no light leaks in where the object touches another. Boxes, which are
     // exact, cast by their near side: nothing leaks at all.
@@ -321,19 +335,23 @@ void Shadows::draw_some(const Part& one, Things& things, bool veils) {
   }
 }
 
+void Shadows::set_caster(const gl::Program& program) const {
+  const Vec3 at = light_->sun ? light_->place : Vec3{};
+  glUseProgram(program.id());
+  glUniformMatrix4fv(gl::uniform(program, "clip"), 1, GL_FALSE, to_float(part_->clip).data());
+  glUniform4f(gl::uniform(program, "light"), static_cast<float>(at.x), static_cast<float>(at.y),
+              static_cast<float>(at.z), light_->sun ? 0 : 1);
+}
+
 void Shadows::draw(const Part& one, std::size_t layer, Things& things, const Made& light) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, layers_.id(), 0, static_cast<GLint>(layer));
   glViewport(0, 0, map_size, map_size);
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
-  const Vec3 at = light.sun ? light.place : Vec3{};
-  for (const auto* program : {&meshes_, &balls_, &veils_}) {
-    glUseProgram(program->id());
-    glUniformMatrix4fv(gl::uniform(*program, "clip"), 1, GL_FALSE, to_float(one.clip).data());
-    glUniform4f(gl::uniform(*program, "light"), static_cast<float>(at.x), static_cast<float>(at.y),
-                static_cast<float>(at.z), light.sun ? 0 : 1);
-  }
+  part_ = &one, light_ = &light;
+  for (const auto* program : {&meshes_, &balls_, &veils_})
+    if (program->id() != 0) set_caster(*program);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);

@@ -74,25 +74,49 @@ Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const
   return look;
 }
 
-Result<Surfaces::Looks> Surfaces::new_looks(std::size_t variant) const {
-  Looks looks;
-  for (auto& [look, defines] :
-       {std::pair{&looks.plain, ""}, {&looks.textured, "#define TEXTURED"}, {&looks.balls, "#define BALL"}}) {
-    auto made = new_look(false, variant, defines);
-    if (!made) return made.error();
-    *look = *std::move(made);
-  }
-  return looks;
-}
-
+// Makes one program, to know whether the driver can.
 Result<Surfaces> Surfaces::create(bool unclamped) {
   Surfaces s;
   s.unclamped_ = unclamped;
-  auto simple = s.new_looks(0);
+  auto simple = s.new_look(false, 0, "");
   if (!simple) return simple.error();
-  s.variants_[0] = *std::move(simple);
+  s.variants_[0].plain = *std::move(simple);
   s.depths_ = gl::new_depth_sampler();
   return s;
+}
+
+const Surfaces::Look* Surfaces::need(Look Looks::*which) {
+  Look& look = looks().*which;
+  if (look.program.id() != 0) return &look;
+  const bool ground = which == &Looks::ground;
+  const char* const defines = ground                      ? "#define GROUND"
+                              : which == &Looks::textured ? "#define TEXTURED"
+                              : which == &Looks::balls    ? "#define BALL"
+                                                          : "";
+  auto made = new_look(ground, variant_, defines);
+  if (!made) {
+    looks().refused = true;
+    if (variant_ == 0) return nullptr;
+    use(variant_);
+    return need(which);
+  }
+  look = *std::move(made);
+  prepare(look);
+  return &look;
+}
+
+template <class F>
+void Surfaces::each_made(F&& f) {
+  for (const Look* look : {&looks().textured, &looks().balls, &looks().plain})
+    if (look->program.id() != 0) f(*look);
+}
+
+// Sets everything that depends on the frame.
+void Surfaces::prepare(const Look& look) const {
+  set_program(look, *frame_);
+  if ((variant_ & rich) != 0) set_mirrored(look, *frame_);
+  glUniform1f(look.encodes, encodes_ ? 1 : 0);
+  glUniform1f(look.receives, receives_ ? 1 : 0);
 }
 
 void Surfaces::set_program(const Look& look, const FrameSettings& frame) {
@@ -160,23 +184,18 @@ void Surfaces::set_mirrored(const Look& look, const FrameSettings& frame) {
   glUniform1f(at("floor_height"), static_cast<float>(-view.eye.y));
 }
 
-bool Surfaces::use(std::size_t variant) {
-  if (!variants_[variant])
-    if (auto made = new_looks(variant)) variants_[variant] = *std::move(made);
-  if (!variants_[variant]) return false;
-  variant_ = variant;
-  return true;
+// Chooses the variant, or one with as many of its features as the driver takes.
+void Surfaces::use(std::size_t variant) {
+  const std::size_t simpler[] = {variant, variant & contact, 0};
+  variant_ =
+      *std::find_if(std::begin(simpler), std::end(simpler) - 1, [&](std::size_t v) { return !variants_[v].refused; });
+  each_made([&](const Look& look) { prepare(look); });
 }
 
 void Surfaces::set(const FrameSettings& frame) {
-  const std::size_t received = frame.contact ? contact : 0;
-  const std::size_t wanted = is_rich(frame) ? rich : frame.shadows.size() > 1 ? levels : 0;
-  if (!use(received | wanted) && !use(received)) use(0);  // with as many features as possible
-  for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
-    set_program(*look, frame);
-    if ((variant_ & rich) != 0) set_mirrored(*look, frame);
-  }
-  receive_contact(true);
+  frame_ = &frame;
+  encodes_ = false, receives_ = frame.contact;
+  use((frame.contact ? contact : 0) | (is_rich(frame) ? rich : frame.shadows.size() > 1 ? levels : 0));
   flat_ = frame.around.flat;
   if (frame.shadows.empty()) return;
   gl::use_layers(shadow_unit, frame.shadow_layers);
@@ -185,12 +204,9 @@ void Surfaces::set(const FrameSettings& frame) {
 }
 
 void Surfaces::draw_setting(const FrameSettings& frame, const Gradient& gradient, bool encoded) {
-  Look& ground = looks().ground;
-  if (ground.program.id() == 0) {
-    auto made = new_look(true, variant_, "#define GROUND");
-    if (!made) return;  // it has the same stages as the others
-    ground = *std::move(made);
-  }
+  const Look* const made = need(&Looks::ground);
+  if (made == nullptr) return;
+  const Look& ground = *made;
   set_program(ground, frame);
   const View& v = frame.view;
   const Surroundings& around = frame.around;
@@ -228,27 +244,31 @@ void Surfaces::draw_parts(const Batch& batch) {
   for (const StoredPart& part : batch.mesh->parts) {
     const StoredTexture* const picture = batch.texture != nullptr ? batch.texture : part.texture.get();
     const GLuint texture = picture != nullptr ? Store::need_texture(*picture) : 0;
-    const Look& look = batch.ball ? looks().balls : texture != 0 ? looks().textured : looks().plain;
+    const Look* const look = need(batch.ball ? &Looks::balls : texture != 0 ? &Looks::textured : &Looks::plain);
+    if (look == nullptr) continue;
     if (texture != 0) gl::use_texture(picture_unit, texture);
-    glUseProgram(look.program.id());
-    glUniform4f(look.part_color, part.color[0], part.color[1], part.color[2], part.tinted ? 1.F : 0.F);
+    glUseProgram(look->program.id());
+    glUniform4f(look->part_color, part.color[0], part.color[1], part.color[2], part.tinted ? 1.F : 0.F);
     glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
                             reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)),
                             static_cast<GLsizei>(batch.count));
   }
 }
 
-void Surfaces::set_everywhere(GLint Look::*uniform, bool on) {
-  for (const Look* look : {&looks().textured, &looks().balls, &looks().plain}) {
-    glUseProgram(look->program.id());
-    glUniform1f(look->*uniform, on ? 1 : 0);
-  }
+void Surfaces::write_encoded(bool encoded) {
+  encodes_ = encoded;
+  each_made([&](const Look& look) {
+    glUseProgram(look.program.id());
+    glUniform1f(look.encodes, encoded ? 1 : 0);
+  });
 }
 
-void Surfaces::write_encoded(bool encoded) { set_everywhere(&Look::encodes, encoded); }
-
 void Surfaces::receive_contact(bool receives) {
-  if ((variant_ & contact) != 0) set_everywhere(&Look::receives, receives);
+  receives_ = receives;
+  each_made([&](const Look& look) {
+    glUseProgram(look.program.id());
+    glUniform1f(look.receives, receives ? 1 : 0);
+  });
 }
 
 // Draws the depth alone, so that afterwards only the nearest of the lit surfaces are drawn.

@@ -36,27 +36,31 @@ class Surfaces {
     gl::Program program;
     GLint part_color = 0, encodes = 0, receives = 0;
   };
-  // The variants for one picture.
+  // The programs of one picture, each made on first use: most films need one or two of them.
   struct Looks {
-    Look plain, textured, balls;
-    Look ground;  // made on first use
+    Look plain, textured, balls, ground;
+    bool refused = false;  // by the graphics driver
   };
-  Looks& looks() { return *variants_[variant_]; }
-  // Makes them if necessary. Returns whether they exist.
-  bool use(std::size_t variant);
+  Looks& looks() { return variants_[variant_]; }
+  // Returns null if the driver refuses even the simplest program.
+  const Look* need(Look Looks::*);
+  void prepare(const Look&) const;
+  void use(std::size_t variant);
   void draw_parts(const Batch&);
   void draw_depth(const Batch&);
   Result<Look> new_look(bool fills, std::size_t variant, const char* defines) const;
-  Result<Looks> new_looks(std::size_t variant) const;
-  void set_everywhere(GLint Look::*uniform, bool on);  // in all variants
+  template <class F>
+  void each_made(F&&);
   void receive_contact(bool);
   static void set_program(const Look&, const FrameSettings&);
   static void set_shadows(const Look&, const FrameSettings&);
   static void set_mirrored(const Look&, const FrameSettings&);
   // The features of variants beyond the simple one; made on first use. `levels`: one light, hard, has several maps.
   static constexpr std::size_t rich = 1, contact = 2, levels = 4;
-  std::array<std::optional<Looks>, 8> variants_;
-  std::size_t variant_ = 0;  // the current one
+  std::array<Looks, 8> variants_;
+  std::size_t variant_ = 0;               // the current one
+  const FrameSettings* frame_ = nullptr;  // during a frame
+  bool encodes_ = false, receives_ = false;
   gl::Sampler depths_;
   Instances solid_, glass_;
   bool flat_ = false;  // whether everything is unlit

@@ -241,7 +241,8 @@ class ScriptTest : public QObject {
 
   static QByteArray long_text(int lines) {
     QByteArray text("film flat\nrate 24\ncreate a circle\na.position\n");
-    for (int i = 1; i <= lines; ++i) text += "  " + QByteArray::number(i) + "f (0 " + QByteArray::number(i % 7) + " 0)\n";
+    for (int i = 1; i <= lines; ++i)
+      text += "  " + QByteArray::number(i) + "f (0 " + QByteArray::number(i % 7) + " 0)\n";
     return text;
   }
 
@@ -279,18 +280,29 @@ class ScriptTest : public QObject {
     for (int i = 0; i < 60; ++i) {
       s.put_cursor(5 + below(39'000), below(8));
       for (int k = 0, keys = 1 + below(4); k < keys; ++k) switch (below(7)) {
-          case 0: QTest::keyClick(&s.edit, Qt::Key_Backspace); break;
-          case 1: QTest::keyClick(&s.edit, Qt::Key_Delete); break;
-          case 2: QTest::keyClick(&s.edit, Qt::Key_Return); break;
-          case 3: s.edit.insertPlainText("# one\n  # two\n"); break;
-          case 4: s.edit.insertPlainText(i > 40 ? QString::fromUtf8("é€") : "x"); break;
+          case 0:
+            QTest::keyClick(&s.edit, Qt::Key_Backspace);
+            break;
+          case 1:
+            QTest::keyClick(&s.edit, Qt::Key_Delete);
+            break;
+          case 2:
+            QTest::keyClick(&s.edit, Qt::Key_Return);
+            break;
+          case 3:
+            s.edit.insertPlainText("# one\n  # two\n");
+            break;
+          case 4:
+            s.edit.insertPlainText(i > 40 ? QString::fromUtf8("é€") : "x");
+            break;
           case 5: {
             QTextCursor c = s.edit.textCursor();
             c.movePosition(QTextCursor::Down, QTextCursor::KeepAnchor, below(3));
             c.removeSelectedText(), s.edit.setTextCursor(c);
             break;
           }
-          default: QTest::keyClicks(&s.edit, "7");
+          default:
+            QTest::keyClicks(&s.edit, "7");
         }
       if (i % 3 == 0) QTRY_COMPARE(s.films().size(), s.text().size());
       if (i % 10 == 0) s.workspace.settle_typing();

@@ -91,6 +91,58 @@ def typed(browser):
     page.close()
 
 
+def tracks(browser):
+    page = opened(browser, f"file://{folder}/ball.html", size=(1200, 800))
+    page.until("p.readyState === 4")
+    page.do("p.pause(); p.currentTime = 0; await calm();")
+    first = page.ask("t.value")
+    page.do("p.film.setTrack('ball.position', [0, 1, 1.5], new Float64Array([9, 0, 0, 1, 2, 0, 3, 4, 0]), { twerper: 'linear' }); await calm();")
+    check("a track from numbers is seen", page.ask("pixel(p).join() !== '255,0,0'"))
+    same("its values", page.ask("[p.eval('ball.position', 0.5), p.eval('ball.position', 1.5)]"), [[5, 1, 0], [3, 4, 0]])
+    same("its rows are in the text", page.ask("t.value"),
+         first + "clear ball.position 1f..25f\nball.position\n  1f (9 0 0) linear\n  25f (1 2 0) linear\n  37f (3 4 0) linear\n")
+    same("the film and the player have the same text", page.ask("p.script === t.value && p.film.text === t.value"), True)
+    same("the numbers come back", page.ask("(({ times, values, width }) => [times instanceof Float64Array, [...times], [...values], width])(p.film.trackNumbers('ball.position'))"),
+         [True, [0, 1, 1.5], [9, 0, 0, 1, 2, 0, 3, 4, 0], 3])
+    page.do("p.film.setTrack('ball.radius', [0], [1]);")
+    same("rows of a colour", page.do("p.film.setTrack('ball.color', [0, 1], [[1, 0, 0], [0, 0, 1]]); return p.eval('ball.color', 1);"), [0, 0, 1])
+    same("one step each", page.ask("[p.film.undo(), p.film.undo(), p.film.undo()].length"), 3)
+    check("undone", page.until("pixel(p).join() === '255,0,0'"))
+    same("in the text too", page.ask("t.value"), first)
+    same("and done again", page.do("p.film.redo(); return p.eval('ball.position', 1.5);"), [3, 4, 0])
+    # The page and the program do the same: the text says so.
+    page.do("await calm();")
+    said = run("eval", write("edited/ball.bx", page.ask("t.value")), "--at", "0.7s", "ball.position", "--json").stdout
+    same("the program reads the same film", page.ask("p.eval('ball.position', 0.7)"), json.loads(said)["times"][0]["values"]["ball.position"])
+    thrown = lambda call: page.ask(f"(() => {{ try {{ p.film.{call} }} catch (e) {{ return e.message }} }})()")
+    for call, words in (("setTrack('ball.positon', [0], [1])", "did you mean 'position'?"),
+                        ("setTrack('ball.*', [0], [1])", "'ball.*' does not name one track"),
+                        ("setTrack('ball.attachment', [0], [1])", "the values of 'ball.attachment' are not numbers"),
+                        ("setTrack('ball.position', [0], [1, 2])", "1 times need 3 numbers, not 2"),
+                        ("setTrack('ball.radius', [0, 0], [1, 2])", "time 2 is not after the time before it"),
+                        ("setTrack('ball.radius', [0], [NaN])", "value 1 is not finite"),
+                        ("setTrack('ball.radius', [0], [-1])", "value 1 is -1, which is not from 0 to"),
+                        ("setTrack('ball.radius', [1e12], [1])", "this time is too far from the beginning"),
+                        ("setTrack('ball.radius', [0], [1], { twerper: 'linaer' })", "linear"),
+                        ("trackNumbers('ball.none')", "'ball', a circle, has no function 'none'")):
+        said = thrown(call)
+        check(f"{call} says what is wrong", said and words in said, said)
+    same("what was wrong changed nothing", page.ask("t.value === p.film.text"), True)
+    page.do("t.focus(); t.setSelectionRange(t.value.length, t.value.length);")
+    page.type("set ball.color blue\n")
+    check("the text can be edited on", page.until("p.eval('ball.color', 0).join() === '0,0,1'"))
+    same("with the track", page.ask("p.eval('ball.position', 1.5)"), [3, 4, 0])
+    page.do("const b = p.parentNode; p.film.setTrack('ball.radius', [0], [2]); p.remove(); await calm(); b.append(p);")
+    page.until("p.readyState === 4")
+    same("a player that comes back has its edits", page.ask("p.eval('ball.radius', 0)"), 2)
+    same("many rows", page.do("""const film = (await Betwixt.engine()).open("create ball sphere\\n"), n = 20000;
+        const times = Float64Array.from({ length: n }, (_, i) => i / 24), values = times.map(Math.sin);
+        film.setTrack("ball.position.y", times, values); const back = film.trackNumbers("ball.position.y"); film.dispose();
+        return back.values.length === n && back.values.every((v, i) => v === values[i]) && back.times.every((t, i) => Math.abs(t - times[i]) < 1e-9);"""), True)
+    same("nothing was thrown", page.said, [])
+    page.close()
+
+
 def wrong(browser, served):
     page = opened(browser, f"{served}/empty.html")
     said = lambda: page.do("await calm(); const m = p.shadowRoot.querySelector('[part=message]'); return m.hidden ? '' : m.innerText")
@@ -100,6 +152,7 @@ def wrong(browser, served):
     check("a mesh that is not there", "meshes/none.obj" in said() and "404" in said() and "^" in said(), said())
     page.do("p.src = 'mesh.bx'; await until(p, 'loadeddata'); await calm();")
     check("one that is there is fetched", page.ask("colours(p)") > 20, page.ask("[colours(p), p.message]"))
+    same("a film with files can be edited", page.do("p.film.setTrack('m.position.x', [0, 1], [0, 5]); await calm(); return [p.eval('m.position.x', 1), p.message, colours(p) > 20];"), [5, "", True])
     page.close()
 
 
@@ -249,7 +302,7 @@ with open(player, encoding="utf-8") as source:
     write("betwixt-player.js", source.read())
 write("empty.html", '<!DOCTYPE html><meta charset="utf-8"><body><script src="betwixt-player.js"></script><betwixt-player></betwixt-player>')
 with Browser() as browser, Served(folder) as served:
-    for part in (typed, own_font, code_errs, clear, graphics_go, package, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
+    for part in (typed, tracks, own_font, code_errs, clear, graphics_go, package, pages, lambda b: wrong(b, served), lambda b: many(b, served)):
         try:
             part(browser)
         except Exception as e:

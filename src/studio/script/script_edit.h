@@ -76,8 +76,8 @@ class ScriptEdit : public WordEdit {
   std::optional<Number> number_under(const QTextCursor&) const;
   void put_number(Number&, const QString&);
 
-  std::string known_;                 // the film's text, which this editor shows
-  std::optional<std::string> typed_;  // a copy of this editor's text, if it is long: see follow_typing()
+  std::string known_;                  // the film's text, which this editor shows
+  std::optional<std::string> typed_;   // a copy of this editor's text, if it is long: see follow_typing()
   std::optional<std::size_t> filled_;  // bytes of `known_` that this editor has, while it is filled
   bool taking_ = false, crlf_ = false;
   int pause_ = 0;  // ms, after the text was passed on

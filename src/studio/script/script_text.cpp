@@ -60,8 +60,8 @@ std::string ScriptEdit::whole_text() {
   return text;
 }
 
-// Passes the typed text on as the film's: a long one at once after a pause, and then not again before twice the time that
-// reading it took, at most two seconds.
+// Passes the typed text on as the film's: a long one at once after a pause, and then not again before twice the time
+// that reading it took, at most two seconds.
 void ScriptEdit::pass_on() {
   if (!workspace_.jobs().hears()) return pass_on_soon_.start(least_pause);
   pass_on_soon_.stop();
