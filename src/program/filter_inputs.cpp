@@ -14,7 +14,7 @@ constexpr std::uint64_t least_cost = 100;        // steps; reading a plain track
 
 std::size_t FilterInputs::Hash::operator()(const Key& k) const {
   std::uint64_t h = static_cast<std::uint64_t>(k.time) * 0x9e3779b97f4a7c15;
-  for (const std::int32_t part : {k.live, k.strand, k.stage})
+  for (const std::int32_t part : {k.live, k.strand})
     h = (h ^ (h >> 29) ^ static_cast<std::uint32_t>(part)) * 0xbf58476d1ce4e5b9;
   return static_cast<std::size_t>(h ^ (h >> 32));
 }

@@ -17,7 +17,7 @@ namespace betwixt {
 class FilterInputs {
  public:
   struct Key {
-    std::int32_t live = 0, strand = 0, stage = 0;  // the value, its layer, and how many filters come before
+    std::int32_t live = 0, strand = 0;  // the value, and its layer
     std::int64_t time = 0;
     friend bool operator==(const Key&, const Key&) = default;
   };

@@ -43,7 +43,7 @@ struct Worker : LiveParts {
     }
     Value look(Time t) {
       try {
-        if (!called_off) return on_grid ? w.grid_value(s, stage, t) : w.looked_at(s, stage, t);
+        if (!called_off) return w.looked_at(s, stage, t, on_grid);
       } catch (const Cancelled&) {
         called_off = true;
       }
@@ -55,33 +55,34 @@ struct Worker : LiveParts {
 
   // Returns the input of a filter at a time. Stacked filters sample the same times again, on grids of their own. A
   // cache for this one answer makes their cost the sum, not the product.
-  Value looked_at(const LiveStrand& s, std::size_t stage, Time t) const {
+  Value looked_at(const LiveStrand& s, std::size_t stage, Time t, bool on_grid = false) const {
     Cancellation::check();
     if (asking.work(20)) return given_up();
-    if (s.filters.size() < 2) return strand_value(s, stage, t);
+    const auto value = [&] { return on_grid && stage == 0 ? grid_value(s, t) : strand_value(s, stage, t); };
+    if (s.filters.size() < 2) return value();
     const auto key = std::tuple(&s, stage, t.flicks);
     if (const auto known = seen.find(key); known != seen.end()) return known->second;
-    Value v = strand_value(s, stage, t);
+    Value v = value();
     if (!asking.given_up && seen.size() < most_seen) seen.emplace(key, v);
     return v;
   }
   static constexpr std::size_t most_seen = 1'000'000;
   mutable std::map<std::tuple<const LiveStrand*, std::size_t, std::int64_t>, Value> seen{};
 
-  // The same for a filter that will look at the same times again in other frames. What failed is not kept, since each
-  // frame reports its own errors.
-  Value grid_value(const LiveStrand& s, std::size_t stage, Time t) const {
-    if (asking.deferred || asking.in_haste() || asking.step) return looked_at(s, stage, t);
+  // Returns the value without filters, for one that will look at the same times again in other frames. What failed is
+  // not kept, since each frame reports its own errors. Values of a stack are not kept either: what they cost depends on
+  // what this answer has seen before.
+  Value grid_value(const LiveStrand& s, Time t) const {
+    if (asking.deferred || asking.in_haste() || asking.step) return strand_value(s, 0, t);
     const auto index = [](const auto& all, const auto& one) { return static_cast<std::int32_t>(&one - all.data()); };
-    const FilterInputs::Key key{index(c.lives, live), index(live.strands, s), static_cast<std::int32_t>(stage),
-                                t.flicks};
+    const FilterInputs::Key key{index(c.lives, live), index(live.strands, s), t.flicks};
     if (auto known = c.caches.filter_inputs.find(key, asking)) {
       asking.work(0);
       return *std::move(known);
     }
     const std::vector<Target> before = std::exchange(asking.read, {});
     Working working(asking);
-    Value v = looked_at(s, stage, t);
+    Value v = strand_value(s, 0, t);
     auto taken = working.done();
     std::vector<Target> read = std::exchange(asking.read, before);
     for (const Target& target : read) asking.note_read(target);
