@@ -10,18 +10,14 @@ since the driver then stores its shaders. Prints a Markdown table with the minim
 """
 import argparse
 import pathlib
-import resource
 import statistics
-import subprocess
 import tempfile
+
+from processor_time import processor_time
 
 
 def measure(program, film, picture):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([program, "frame", film.name, "-o", picture, "--size", "1280x720"], cwd=film.parent, check=True,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return 1000 * (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return 1000 * processor_time([program, "frame", film.name, "-o", picture, "--size", "1280x720"], film.parent)[0]
 
 
 def main():

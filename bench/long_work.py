@@ -13,11 +13,11 @@ import math
 import pathlib
 import random
 import re
-import resource
 import statistics
-import subprocess
 import sys
 import tempfile
+
+from processor_time import processor_time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ARMS = 60
@@ -82,12 +82,9 @@ def main():
             times, made = [[] for _ in programs], [b""] * len(programs)
             for _ in range(chosen.rounds):
                 for i, program in enumerate(programs):
-                    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-                    done = subprocess.run([program, *words] + (["-o", "out" + ending] if ending else []), cwd=here,
-                                          check=True, capture_output=True)
-                    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-                    times[i].append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-                    made[i] = (here / ("out" + ending)).read_bytes() if ending else done.stdout
+                    t, said = processor_time([program, *words] + (["-o", "out" + ending] if ending else []), here)
+                    times[i].append(t)
+                    made[i] = (here / ("out" + ending)).read_bytes() if ending else said
             if ending not in (".mp4", ".glb") and not all(alike(made[0], other) for other in made):
                 print(f"{what}: the programs differ", file=sys.stderr)
             middle = [statistics.median(t) for t in times]

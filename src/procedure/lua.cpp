@@ -115,6 +115,7 @@ class Lua final : public Routine {
   }
 
   bool stepped() const override { return role == Role::steps; }
+  bool may_be_constant() const override { return role == Role::value; }
 
   Result<State> step(Questions& q, const State& before, std::int64_t number, double seconds_each,
                      std::uint64_t& cost) const override {

@@ -99,7 +99,7 @@ void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<Function
     if (constant) slot = &*constant;
     bool live = collides(o, f) || (slot ? alive(scene, *slot) : scripted(spec_of(scene, f).rest));
     for (const Slot& other : o.slots) live = live || (other.function == f && find_object(scene, other.layer));
-    compiled.bindings.push_back(live                ? bind_live(compiled, i, f)
+    compiled.bindings.push_back(live                ? bind_live(compiled, i, f, slot)
                                 : has_events(*slot) ? bind_track(compiled, with_beginning(scene, *slot))
                                                     : bind_track(compiled, *slot));
     alone = alone && !live;

@@ -14,7 +14,8 @@ Binding bind_constant(CompiledFilm&, FunctionId, const Value&, Type);
 Binding bind_track(CompiledFilm&, const Slot&);
 // Returns the slot with its set value placed before the first event of each track, so that it holds until that event.
 Slot with_beginning(const Scene&, const Slot&);
-Binding bind_live(Program::Compiled&, std::uint32_t object, FunctionId);
+// `own`: the object's slot, with its constant code replaced; null if it has none.
+Binding bind_live(Program::Compiled&, std::uint32_t object, FunctionId, const Slot* own);
 // Compiles nodes, their environments and parents. All bindings must exist.
 void compile_nodes(Program::Compiled&, const CompiledFilm* before);
 // Compiles the drawables and when each value changes. Nodes, attachments and motions exist, but not the transforms that

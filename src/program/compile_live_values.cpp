@@ -174,10 +174,8 @@ Value nothing_like(const Value& v) {
   return *add_scaled(v, v, -1);
 }
 
-LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& written) {
+LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
   const Scene& scene = compiled.document.scene();
-  const std::optional<Slot> constant = with_constants(compiled, object, written);
-  const Slot& said = constant ? *constant : written;
   const Slot slot = with_beginning(scene, said);
   const FunctionSpec& spec = spec_of(scene, slot.function);
   LiveStrand out;
@@ -231,19 +229,18 @@ LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& written)
 
 }  // namespace
 
-Binding bind_live(Compiled& compiled, std::uint32_t object, FunctionId f) {
+Binding bind_live(Compiled& compiled, std::uint32_t object, FunctionId f, const Slot* own) {
   const Scene& scene = compiled.document.scene();
   const Object& o = scene.objects[object];
   const FunctionSpec& spec = spec_of(scene, f);
   static const Slot nothing;
   Live live{object, f};
-  const Slot* own = o.find(f);
   Slot base = own ? *own : nothing;
   base.function = f;
   live.strands.push_back(strand(compiled, object, base));
   for (const Slot& slot : o.slots)
     if (slot.function == f && slot.layer && find_object(scene, slot.layer))
-      live.strands.push_back(strand(compiled, object, slot));
+      live.strands.push_back(strand(compiled, object, with_constants(compiled, object, slot).value_or(slot)));
   const Value& rest = base.set.value_or(spec.rest);
   Value example = scripted(rest) ? spec.rest : rest;
   if (scripted(example)) example = row_of(spec.type).example();

@@ -93,7 +93,7 @@ class Folding {
 
   std::optional<Value> value(const Value& code, Type type) {
     const Routine& routine = *std::get<Procedure>(code).code;
-    if (routine.language != "lua" || routine.varies || film_.constant_steps > most_constant_steps) return std::nullopt;
+    if (!routine.may_be_constant() || routine.varies || film_.constant_steps > most_constant_steps) return std::nullopt;
     Timeless questions(scene(), object_);
     std::uint64_t cost = 0;
     const Result<Value> answer = routine.value(questions, {}, cost);

@@ -108,6 +108,9 @@ class Routine {
     return "it depends on itself: a step can read its own state only at earlier times, as in (t - dt)";
   }
 
+  // Returns true if `value` can be asked by Questions that are timeless().
+  virtual bool may_be_constant() const { return false; }
+
   // Only the function of its role is called. `arguments`: those that another procedure passes.
   virtual Result<Value> value(Questions&, const std::vector<Value>& arguments, std::uint64_t& cost) const;
   // Returns the state after one more step. `before`: the state of the step before, or nothing. `number`: of this step,

@@ -34,7 +34,7 @@ struct Gate {
 };
 class Waiting final : public Routine {
  public:
-  explicit Waiting(Gate& gate) : gate_(gate) { language = "test", source = "wait()"; }
+  explicit Waiting(Gate& gate) : gate_(gate) { language = "lua", source = "wait()"; }
   Result<Value> value(Questions& q, const std::vector<Value>&, std::uint64_t&) const override {
     pass();
     return Value(q.seconds() + 1);
