@@ -31,15 +31,12 @@ void Session::State::read_text_again() {
 Session::Answer Session::State::undo(const Words&) {
   if (editor.steps().empty()) return refused("there is nothing to undo", "the script is as you opened it");
   if (Status s = editor.undo(); !s) return refused(s.error());
-  const TextEdits& edits = placed.edits[editor.steps().size()];
-  for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit)
-    placed.text.replace(edit->at, edit->inserted.size(), edit->removed);
+  take_back(placed.text, placed.edits[editor.steps().size()]);
   return done("undone: " + editor.undone().front().lines[0] + "\n");
 }
 Session::Answer Session::State::redo(const Words&) {
   if (Status s = editor.redo(); !s) return refused(s.error());
-  for (const TextEdit& edit : placed.edits[editor.steps().size() - 1])
-    placed.text.replace(edit.at, edit.removed.size(), edit.inserted);
+  put_into(placed.text, placed.edits[editor.steps().size() - 1]);
   return done("redone: " + editor.steps().back().lines[0] + "\n");
 }
 

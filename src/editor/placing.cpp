@@ -63,14 +63,6 @@ std::optional<TextEdits> renamed(const std::string& text, const std::string& lin
 
 }  // namespace
 
-void put_into(std::string& text, const TextEdits& edits) {
-  for (const TextEdit& e : edits) text.replace(e.at, e.removed.size(), e.inserted);
-}
-
-void take_back(std::string& text, const TextEdits& edits) {
-  for (auto e = edits.rbegin(); e != edits.rend(); ++e) text.replace(e->at, e->inserted.size(), e->removed);
-}
-
 namespace {
 
 int count_lines(std::string_view text) {

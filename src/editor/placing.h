@@ -22,8 +22,12 @@ struct TextEdit {
   friend bool operator==(const TextEdit&, const TextEdit&) = default;
 };
 using TextEdits = std::vector<TextEdit>;  // applied one after the other
-void put_into(std::string& text, const TextEdits&);
-void take_back(std::string& text, const TextEdits&);
+inline void put_into(std::string& text, const TextEdits& edits) {
+  for (const TextEdit& e : edits) text.replace(e.at, e.removed.size(), e.inserted);
+}
+inline void take_back(std::string& text, const TextEdits& edits) {
+  for (auto e = edits.rbegin(); e != edits.rend(); ++e) text.replace(e->at, e->inserted.size(), e->removed);
+}
 
 // Lines of a text that are replaced, counted from 1. If last = first - 1, the new lines are inserted before the first.
 struct LineRange {

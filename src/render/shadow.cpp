@@ -61,6 +61,14 @@ Mat4 looking(Vec3 from, Vec3 backward) {
   return r;
 }
 
+void set_caster(const gl::Program& program, const Mat4& clip, Vec3 light, bool sun) {
+  const Vec3 at = sun ? light : Vec3{};  // the direction towards a sun; a lamp is the origin
+  glUseProgram(program.id());
+  glUniformMatrix4fv(gl::uniform(program, "clip"), 1, GL_FALSE, to_float(clip).data());
+  glUniform4f(gl::uniform(program, "light"), static_cast<float>(at.x), static_cast<float>(at.y),
+              static_cast<float>(at.z), sun ? 0 : 1);
+}
+
 Result<gl::Program> new_caster(const char* defines) {
   return gl::new_program(std::string(vertex_inputs) + uniforms + ball_outline + shadow_vertex, shadow_fragment,
                          defines);
@@ -77,13 +85,13 @@ Result<Shadows> Shadows::create() {
   return s;
 }
 
-const gl::Program* Shadows::need(gl::Program Shadows::*which) {
+const gl::Program* Shadows::need(gl::Program Shadows::*which, const Part& one, const Made& light) {
   gl::Program& program = this->*which;
   if (program.id() == 0) {
     auto made = new_caster(which == &Shadows::balls_ ? "#define BALL" : "#define VEIL");
     if (!made) return nullptr;
     program = *std::move(made);
-    set_caster(program);
+    set_caster(program, one.clip, light.place, light.sun);
   }
   return &program;
 }
@@ -281,7 +289,7 @@ std::span<const Shadows::Map> Shadows::update(Things& things, std::span<const Li
 }
 
 // Draws the casters that let some light through, or those that let none.
-void Shadows::draw_some(const Part& one, Things& things, bool veils) {
+void Shadows::draw_some(const Part& one, Things& things, const Made& light, bool veils) {
   struct Group {
     Batch batch;
     std::vector<Instance> instances;
@@ -322,7 +330,8 @@ void Shadows::draw_some(const Part& one, Things& things, bool veils) {
   for (const auto& [key, g] : groups) {
     const gl::Program* const program = need(veils          ? &Shadows::veils_
                                             : g.batch.ball ? &Shadows::balls_
-                                                           : &Shadows::meshes_);
+                                                           : &Shadows::meshes_,
+                                            one, light);
     if (program == nullptr) continue;
     glUseProgram(program->id());
     // Closed objects cast by their far side: then lit surfaces are never in their own shadow, however few triangles
@@ -335,28 +344,19 @@ void Shadows::draw_some(const Part& one, Things& things, bool veils) {
   }
 }
 
-void Shadows::set_caster(const gl::Program& program) const {
-  const Vec3 at = light_->sun ? light_->place : Vec3{};
-  glUseProgram(program.id());
-  glUniformMatrix4fv(gl::uniform(program, "clip"), 1, GL_FALSE, to_float(part_->clip).data());
-  glUniform4f(gl::uniform(program, "light"), static_cast<float>(at.x), static_cast<float>(at.y),
-              static_cast<float>(at.z), light_->sun ? 0 : 1);
-}
-
 void Shadows::draw(const Part& one, std::size_t layer, Things& things, const Made& light) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, layers_.id(), 0, static_cast<GLint>(layer));
   glViewport(0, 0, map_size, map_size);
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
-  part_ = &one, light_ = &light;
   for (const auto* program : {&meshes_, &balls_, &veils_})
-    if (program->id() != 0) set_caster(*program);
+    if (program->id() != 0) set_caster(*program, one.clip, light.place, light.sun);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);
   glPolygonOffset(1.0F, 2.0F);
-  for (const bool veils : {false, true}) draw_some(one, things, veils);
+  for (const bool veils : {false, true}) draw_some(one, things, light, veils);
   glCullFace(GL_BACK);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }

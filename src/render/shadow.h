@@ -66,17 +66,14 @@ class Shadows {
   Part part_of_sun(const Things&, const Made&, const Numbers&) const;
   void look(One&, const Things&) const;
   void draw(const Part&, std::size_t layer, Things&, const Made&);
-  void draw_some(const Part&, Things&, bool veils);
-  void set_caster(const gl::Program&) const;
+  void draw_some(const Part&, Things&, const Made&, bool veils);
   // Makes the program on first use. Returns null if the graphics driver refuses it.
-  const gl::Program* need(gl::Program Shadows::*);
+  const gl::Program* need(gl::Program Shadows::*, const Part&, const Made&);
 
   gl::Texture layers_;
   gl::Framebuffer framebuffer_;
   std::size_t count_ = 0;  // of layers
   gl::Program meshes_, balls_, veils_;
-  const Part* part_ = nullptr;   // that is being drawn …
-  const Made* light_ = nullptr;  // … and its light
   Instances instances_;
   Numbers casters_;
   std::optional<std::pair<std::uint64_t, Vec3>> found_;  // the casters and the anchor for which these are valid
