@@ -17,6 +17,7 @@
 #include "commands/lint.h"
 #include "commands/list_rows.h"
 #include "commands/own_kinds.h"
+#include "commands/plain_rows.h"
 #include "commands/verbs.h"
 #include "language/formula.h"
 #include "syntax/tokens.h"
@@ -215,6 +216,10 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     c.depth = 0;
     Command k{s, c, {}, {}, script};
     script.touched = 0;
+    if (p > line_start && !(script.watch && script.depth == 0) && plain_rows(k)) {
+      script.frames_read = c.frames_read, script.ticks_read = c.ticks_read;
+      continue;
+    }
     bool too_much = false;
     const bool done = line_within_limits(k, line_start, too_much);
     if (done && script.options.counts) say_touched(script, line_start);

@@ -47,7 +47,7 @@ void EventChunk::own(std::size_t room) {
   *this = EventChunk(all(), room);
 }
 
-void EventChunk::append(Event event, std::size_t most) {
+void EventChunk::append(Event&& event, std::size_t most) {
   std::size_t made = size_;
   // The first to append gets the place behind the last event; `made` says that it is taken before the event is there.
   // Nobody else reads it: others know only their own sizes. Only the last owner destroys it.

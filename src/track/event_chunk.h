@@ -30,7 +30,7 @@ class EventChunk {
   std::span<const Event> all() const { return {begin(), size_}; }
 
   // Appends an event. A chunk without room gets twice as much, but at most `most`, which is more than its size.
-  void append(Event event, std::size_t most);
+  void append(Event&& event, std::size_t most);
   void insert(std::size_t at, Event event);
   // Removes the events from `first` to before `end`.
   void erase(std::size_t first, std::size_t end);
