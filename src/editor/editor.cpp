@@ -101,7 +101,8 @@ CommandResult Editor::carry_out(const Step& step) const {
   const std::vector<std::string> lines = lines_of(step, last_step());
   CommandResult result;
   Point at = now_;
-  if (step.lines.size() > 1 || (!step.sheet.empty() && !stands_below(step, last_step()))) at.script.left.reset();
+  if (step.lines.size() > 1 || step.rows || (!step.sheet.empty() && !stands_below(step, last_step())))
+    at.script.left.reset();
   if (lines.size() > 1)
     if (Diagnostics said; auto after = carried_out(at, fmt::format("{}", fmt::join(lines, "\n")), said)) {
       result.done = true, result.after = *std::move(after);

@@ -38,7 +38,7 @@ std::string_view trimmed(std::string_view s, bool both) {
   return s;
 }
 
-std::string Session::State::text() const { return in_place ? placed.text : as_script(editor.base(), editor.steps()); }
+std::string Session::State::text() const { return in_place ? placed().text : as_script(editor.base(), editor.steps()); }
 
 // Returns the index of the answer; nullopt if there is no answer.
 std::string to_string(const Session::Question& q) {

@@ -40,11 +40,12 @@ void Session::State::keep_journal() {
 // recorded as the lines that it changes.
 Status Session::State::write_step(Did what, const Step& step) {
   const auto say = [&](Did did, const std::string& text) { return write_down(did, text); };
-  if (!in_place) return say(what, what == Did::command ? packed(step) : "");
+  const auto text_of_it = [&] { return journal && what == Did::command ? packed(step) : ""; };
+  if (!in_place) return say(what, text_of_it());
   std::size_t& from = what == Did::undo ? journal_knows : journal_undid;
   std::size_t& to = what == Did::undo ? journal_undid : journal_knows;
   if (what == Did::command) {
-    if (Status s = say(what, packed(step)); !s) return s;
+    if (Status s = say(what, text_of_it()); !s) return s;
     ++journal_knows, journal_undid = 0;
     return Nothing{};
   }
@@ -53,10 +54,10 @@ Status Session::State::write_step(Did what, const Step& step) {
     --from, ++to;
     return Nothing{};
   }
-  std::string after = placed.text;
+  std::string after = placed().text;
   const std::size_t stand = editor.steps().size();
-  what == Did::undo ? take_back(after, placed.edits[stand - 1]) : put_into(after, placed.edits[stand]);
-  const LineChange c = change_between(placed.text, after);
+  what == Did::undo ? take_back(after, placed().edits[stand - 1]) : put_into(after, placed().edits[stand]);
+  const LineChange c = change_between(placed().text, after);
   if (Status s = say(Did::command, rewrite_line(c.lines.first, c.lines.last, c.others)); !s) return s;
   journal_knows = journal_undid = 0;
   return Nothing{};

@@ -20,7 +20,7 @@ void Session::State::start(Opening& o, const std::string& base) {
   tally = {};
   sheet_refused = false;
   of_text = editor.begin(base, file);
-  placed = {base, {}}, journal_knows = journal_undid = 0;
+  written = {base, {}}, unwritten.clear(), journal_knows = journal_undid = 0;
   for (const Diagnostic& d : of_text)
     if (d.severity != Severity::notice) o.said += to_string(d);
 }

@@ -21,6 +21,7 @@
 #include "editor/journal.h"
 #include "editor/placing.h"
 #include "editor/set_aside.h"
+#include "editor/track_rows.h"
 #include "syntax/tokens.h"
 
 namespace betwixt {
@@ -60,13 +61,24 @@ struct Session::State {
   bool sheet_refused = false;  // the last sheet was refused, so its rows are refused too
   bool ended = false;
   bool in_place = false;  // edits change the author's text; if false, they are appended to it
-  PlacedText placed;
-  // The rows that the last set_track() wrote to the text. They are its end as long as nothing else was done.
-  struct {
-    std::string opener;
-    Document made;
+  // The text as it is, with all rows that set_track() has put at its end. They are written when somebody asks for it.
+  PlacedText& placed() { return write_rows(), written; }
+  const PlacedText& placed() const { return write_rows(), written; }
+  mutable PlacedText written;
+  struct UnwrittenRows {
+    std::size_t step;                // its place among the steps
+    std::vector<std::string> lines;  // above the rows
+    std::shared_ptr<const TrackRows> rows;
+    bool instead;  // of the rows of the call before
+  };
+  mutable std::vector<UnwrittenRows> unwritten;
+  // The last set_track(): the film that it made, and where its rows are in the text.
+  std::string last_opener;
+  Document last_made;
+  struct RowsInText {
     std::size_t begin = 0, end = 0;
-  } last_track;
+  };
+  mutable RowsInText last_rows;
   Diagnostics of_text;                               // diagnostics of the author's text
   std::size_t journal_knows = 0, journal_undid = 0;  // last standing and undone steps that the journal has
   int lines = 0;                                     // entered until now
@@ -114,9 +126,8 @@ struct Session::State {
   // set_track.cpp: tracks from columns of numbers
   Answer set_track(std::string_view name, std::span<const Time> times, std::span<const double> numbers,
                    std::string_view twerper);
-  std::vector<std::string> rows_of(const Document&, const Target&, Type, std::span<const Time> times,
-                                   std::span<const double> numbers, std::string_view twerper) const;
   Status take_track(Point then, Step step, const std::string& opener);
+  void write_rows() const;
 
   // session_text.cpp: edits that change the author's text
   void go_in_place();

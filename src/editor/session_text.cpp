@@ -19,7 +19,7 @@ std::string Session::rewrite_line(int first, int last, std::string_view others) 
 
 void Session::State::go_in_place() {
   if (in_place) return;
-  placed = {text(), std::vector<TextEdits>(editor.steps().size() + editor.undone().size())};
+  written = {text(), std::vector<TextEdits>(editor.steps().size() + editor.undone().size())};
   in_place = true;
   read_text_again();
 }
@@ -27,7 +27,7 @@ void Session::State::go_in_place() {
 // Updates the diagnostics of the text.
 void Session::State::read_text_again() {
   of_text.clear();
-  (void)editor.read(placed.text, of_text);
+  (void)editor.read(placed().text, of_text);
 }
 
 Status Session::State::take(Point then, Step step) {
@@ -36,13 +36,13 @@ Status Session::State::take(Point then, Step step) {
   const auto makes = [&](const std::string& text, const TextEdits& edits) {
     said.clear();
     const Point made =
-        edits.size() == 1 ? after(text, whole_lines(placed.text, edits[0]), said) : editor.read(text, said);
+        edits.size() == 1 ? after(text, whole_lines(placed().text, edits[0]), said) : editor.read(text, said);
     return made.document == then.document;
   };
-  TextEdits edits = place(placed.text, step, document(), then.document, makes);
+  TextEdits edits = place(placed().text, step, document(), then.document, makes);
   // An open bracket above would swallow the new line.
   if (has_errors(of_text)) {
-    std::string text = placed.text;
+    std::string text = placed().text;
     put_into(text, edits);
     const auto wrong = std::ranges::find(of_text, Severity::error, &Diagnostic::severity);
     if (!(editor.read(text, said).document == then.document))
@@ -51,23 +51,23 @@ Status Session::State::take(Point then, Step step) {
     said.clear();
   }
   if (Status s = editor.take(std::move(then), std::move(step)); !s) return s;
-  placed.edits.resize(editor.steps().size() - 1);
-  placed.edits.push_back(std::move(edits));
-  put_into(placed.text, placed.edits.back());
+  placed().edits.resize(editor.steps().size() - 1);
+  placed().edits.push_back(std::move(edits));
+  put_into(placed().text, placed().edits.back());
   if (!of_text.empty()) read_text_again();
   return Nothing{};
 }
 
 Status Session::State::go_back() {
   if (Status s = editor.undo(); !s || !in_place) return s;
-  take_back(placed.text, placed.edits[editor.steps().size()]);
+  take_back(placed().text, placed().edits[editor.steps().size()]);
   read_text_again();
   return Nothing{};
 }
 
 Status Session::State::go_again() {
   if (Status s = editor.redo(); !s || !in_place) return s;
-  put_into(placed.text, placed.edits[editor.steps().size() - 1]);
+  put_into(placed().text, placed().edits[editor.steps().size() - 1]);
   read_text_again();
   return Nothing{};
 }
@@ -90,14 +90,14 @@ Result<TextEdit> Session::State::rewriting(std::string_view line) const {
   if (lines.first < 0 || lines.last < 0 || !c.text(others) || !c.at_line_end())
     return fail(ErrorCode::syntax, "rewrite needs the lines and their new text",
                 "usage: rewrite FIRST..LAST \"…\", as in rewrite 2..2 \"create ball sphere\"");
-  return replace_lines(in_place ? placed.text : text(), lines, others);
+  return replace_lines(in_place ? placed().text : text(), lines, others);
 }
 
 // Returns the film after a change of the text. Derives it from the current film if the change allows that.
 Point Session::State::after(const std::string& text, const TextEdit& edit, Diagnostics& said) const {
   if (in_place && edit.inserted == edit.removed) return said = of_text, editor.now();  // typed, and taken back
   if (in_place && of_text.empty())
-    if (const auto commands = commands_of(placed.text, edit, document())) {
+    if (const auto commands = commands_of(placed().text, edit, document())) {
       Point at = editor.now();
       at.script.left.reset();
       bool plain = true;
@@ -116,14 +116,14 @@ Session::Answer Session::State::rewrite(std::string_view line) {
   const Result<TextEdit> edit = rewriting(line);
   if (!edit) return refused(edit.error());
   go_in_place();
-  std::string text = placed.text;
+  std::string text = placed().text;
   put_into(text, {*edit});
   Diagnostics said;
   Point then = after(text, *edit, said);
   if (Status s = editor.take(std::move(then), {{std::string(line)}, {}}); !s) return refused(s.error());
-  placed.edits.resize(editor.steps().size() - 1);
-  placed.edits.push_back({*edit});
-  placed.text = std::move(text), of_text = std::move(said);
+  placed().edits.resize(editor.steps().size() - 1);
+  placed().edits.push_back({*edit});
+  placed().text = std::move(text), of_text = std::move(said);
   tally.command(), sheet_refused = false;
   return done(has_errors(of_text) ? "the script has errors\n" : "");
 }
@@ -139,7 +139,7 @@ Status Session::State::go_on_from_file() {
   tally.save();
   journal_knows = journal_undid = 0;
   std::vector<Record> rest;
-  if (const LineChange c = change_between(**there, placed.text); placed.text != **there) {
+  if (const LineChange c = change_between(**there, placed().text); placed().text != **there) {
     rest.push_back({Did::command, rewrite_line(c.lines.first, c.lines.last, c.others)});
     tally.gone = 1;  // the file is one command behind
   }

@@ -19,37 +19,10 @@
 namespace betwixt {
 namespace {
 
-// How many numbers a value has; 0: it does not consist of numbers.
-std::size_t width_of(Type type) {
-  switch (type) {
-    case Type::scalar:
-    case Type::angle:
-      return 1;
-    case Type::pair:
-      return 2;
-    case Type::vector:
-    case Type::color:
-    case Type::rotation:
-      return 3;
-    default:
-      return 0;
-  }
-}
-
 Type type_of(const Scene& scene, const Target& t) {
   const FunctionSpec& spec = spec_of(scene, t.function);
   const Type whole = t.velocity ? row_of(spec.type).rate.value_or(Type::text) : spec.type;
   return t.component < 0 ? whole : component_type(whole);
-}
-
-// Adding 0 makes 0 of -0, which a script cannot say.
-Value value_of(Type type, const double* n) {
-  const double x = n[0] + 0;
-  if (type == Type::pair) return Vec3{x, n[1] + 0, 0};
-  if (type == Type::vector) return Vec3{x, n[1] + 0, n[2] + 0};
-  if (type == Type::color) return Color{x, n[1] + 0, n[2] + 0};
-  if (type == Type::rotation) return Angles{{x, n[1] + 0, n[2] + 0}};
-  return x;
 }
 
 // Appends a value of the target's track, or its component.
@@ -102,37 +75,6 @@ Status check(std::span<const Time> times, std::span<const double> numbers, std::
 
 }  // namespace
 
-// Returns the rows of the track, one line each.
-std::vector<std::string> Session::State::rows_of(const Document& at, const Target& target, Type type,
-                                                 std::span<const Time> times, std::span<const double> numbers,
-                                                 std::string_view twerper) const {
-  const std::size_t width = width_of(type);
-  std::vector<std::string> rows;
-  rows.reserve(times.size());
-  const FunctionSpec& spec = spec_of(at.scene(), target.function);
-  const auto no_names = [](ObjectId) { return std::string(); };
-  std::string end;
-  if (!twerper.empty()) (end = " ") += twerper;
-  const Rate rate = at.rate();
-  fmt::memory_buffer row;
-  const auto to = std::back_inserter(row);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    row.clear();
-    const auto frame = static_cast<std::int64_t>(std::llround(rate.frame_number(times[i])));
-    if (rate.frame(static_cast<double>(frame)) == times[i])  // the usual case, and the fastest
-      fmt::format_to(to, FMT_COMPILE("  {}f "), frame);
-    else
-      fmt::format_to(to, FMT_COMPILE("  {} "), write_time(times[i], rate));
-    if (type == Type::scalar)
-      fmt::format_to(to, FMT_COMPILE("{}"), numbers[i] + 0);  // no -0
-    else
-      row.append(write_value(value_of(type, &numbers[i * width]), spec, target.component, no_names));
-    row.append(end);
-    rows.emplace_back(row.data(), row.size());
-  }
-  return rows;
-}
-
 Session::Answer Session::State::set_track(std::string_view name, std::span<const Time> times,
                                           std::span<const double> numbers, std::string_view twerper) {
   if (looks_only) return only_looks();
@@ -144,9 +86,19 @@ Session::Answer Session::State::set_track(std::string_view name, std::span<const
   if (Status s = check(times, numbers, width_of(type), spec_of(before.scene(), target->function), target->velocity); !s)
     return refused(s.error());
   const std::string opener = before.name(*target);
-  Step step;
-  step.lines = rows_of(before, *target, type, times, numbers, twerper);
-  std::vector<std::string> first{opener, step.lines.front()};
+  const auto rows = std::make_shared<const TrackRows>(TrackRows{spec_of(before.scene(), target->function),
+                                                                target->component,
+                                                                type,
+                                                                before.rate(),
+                                                                std::string(twerper),
+                                                                {times.begin(), times.end()},
+                                                                {numbers.begin(), numbers.end()}});
+  const auto row = [&](std::size_t i) {
+    std::string line;
+    rows->write(i, line);
+    return line;
+  };
+  std::vector<std::string> first{opener, row(0)};
   std::optional<std::pair<Time, Time>> there;  // the times of events that it has, on one track or several
   for (const TrackView& t : tracks(before, *target))
     if (t.event_count > 0)
@@ -173,17 +125,17 @@ Session::Answer Session::State::set_track(std::string_view name, std::span<const
     const Event pattern = events.front();
     for (std::size_t i = 1; i + 1 < times.size(); ++i) {
       Event e = pattern;
-      const double* const number = &numbers[i * width_of(type)];
-      e.time = times[i], e.value = parts ? Value(number[k] + 0) : value_of(type, number);
+      e.time = times[i];
+      e.value = parts ? Value(numbers[i * width_of(type) + k] + 0) : rows->value(i);
       events.put(std::move(e));
     }
   }
   then.document = Document(std::make_shared<const Scene>(std::move(scene)));
   then.script.left.reset();  // it knows the track as it was
-  if (times.size() > 1 && !(carried_out(opener) && carried_out(step.lines.back()))) return answer;
+  if (times.size() > 1 && !(carried_out(opener) && carried_out(row(times.size() - 1)))) return answer;
   then.script.left.reset();
-  step.lines.insert(step.lines.begin(), first.begin(), first.end() - 1);
-  if (Status s = take_track(std::move(then), std::move(step), opener); !s) return refused(s.error());
+  first.pop_back();
+  if (Status s = take_track(std::move(then), {std::move(first), "", rows}, opener); !s) return refused(s.error());
   tally.command(), sheet_refused = false;
   return done("");
 }
@@ -195,31 +147,40 @@ Status Session::State::take_track(Point then, Step step, const std::string& open
   if (const auto wrong = std::ranges::find(of_text, Severity::error, &Diagnostic::severity); wrong != of_text.end())
     return fail(ErrorCode::syntax, "an error in the script hides this track",
                 fmt::format("correct it first: line {}, {}", wrong->what.place.line, wrong->what.message));
-  TextEdit edit{placed.text.size(), {}, {}};
-  std::size_t kept = 0;  // lines of the step that are there already
-  const bool is_end = last_track.end == placed.text.size() && &last_track.made.scene() == &document().scene();
-  if (last_track.opener == opener && is_end) {
-    edit.at = last_track.begin;
-    edit.removed = placed.text.substr(edit.at);
-    kept = step.lines.size() > 1 && step.lines[0].starts_with("clear ") ? 1 : 0;
-  }
-  std::size_t size = 1;
-  for (const std::string& line : step.lines) size += line.size() + 1;
-  edit.inserted.reserve(size);
-  if (edit.at > 0 && placed.text[edit.at - 1] != '\n') edit.inserted += '\n';
-  const std::size_t blank = edit.inserted.size();
-  for (std::size_t i = kept; i < step.lines.size(); ++i) (edit.inserted += step.lines[i]) += '\n';
+  const bool instead = last_opener == opener && &last_made.scene() == &document().scene();
+  UnwrittenRows rows{0, step.lines, step.rows, instead};
   if (Status s = editor.take(std::move(then), std::move(step)); !s) return s;
-  placed.edits.resize(editor.steps().size() - 1);
-  placed.text.resize(edit.at);
-  placed.text += edit.inserted;
-  // The lines that clear earlier events stay in front of what a later call replaces.
-  const std::size_t begin = edit.at + blank;
-  const bool clears = placed.text.compare(begin, 6, "clear ") == 0;
-  last_track = {opener, document(), clears ? placed.text.find('\n', begin) + 1 : begin, placed.text.size()};
-  placed.edits.push_back({std::move(edit)});
+  rows.step = editor.steps().size() - 1;
+  unwritten.push_back(std::move(rows));
+  last_opener = opener, last_made = document();
   if (!of_text.empty()) read_text_again();
   return Nothing{};
+}
+
+void Session::State::write_rows() const {
+  for (UnwrittenRows& rows : std::exchange(unwritten, {})) {
+    std::string& text = written.text;
+    TextEdit edit{text.size(), {}, {}};
+    const bool clears = rows.lines[0].starts_with("clear ");
+    bool cleared = false;  // earlier events, in front of the rows that these replace
+    if (rows.instead && last_rows.end == text.size()) {
+      edit.at = last_rows.begin;
+      edit.removed = text.substr(edit.at);
+      cleared = clears;
+    }
+    if (edit.at > 0 && text[edit.at - 1] != '\n') edit.inserted += '\n';
+    last_rows.begin = edit.at + edit.inserted.size();
+    for (std::size_t i = cleared ? 1 : 0; i < rows.lines.size(); ++i) {
+      (edit.inserted += rows.lines[i]) += '\n';
+      if (clears && i == 0) last_rows.begin = edit.at + edit.inserted.size();
+    }
+    rows.rows->write_all("", "\n", edit.inserted);
+    text.resize(edit.at);
+    text += edit.inserted;
+    last_rows.end = text.size();
+    written.edits.resize(rows.step);
+    written.edits.push_back({std::move(edit)});
+  }
 }
 
 Session::Answer Session::set_track(std::string_view target, std::span<const Time> times,

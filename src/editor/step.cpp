@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 #include "editor/said_line.h"
+#include "editor/track_rows.h"
 
 namespace betwixt {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr char between_lines = '\0';
 
 // Returns true for several lines, or for one logical line over several.
-bool stands_alone(const Step& s) { return s.lines.size() > 1 || s.lines[0].find('\n') != std::string::npos; }
+bool stands_alone(const Step& s) { return s.rows || s.lines.size() > 1 || s.lines[0].find('\n') != std::string::npos; }
 
 }  // namespace
 
@@ -36,10 +37,12 @@ std::vector<std::string> lines_of(const Step& step, const Step* above) {
     out.push_back(std::exchange(line, {}));
   }
   out.insert(out.end(), step.lines.begin(), step.lines.end());
+  for (std::size_t i = 0; step.rows && i < step.rows->times.size(); ++i) step.rows->write(i, out.emplace_back());
   return out;
 }
 
 std::size_t bytes_of(const Step& step) {
+  if (step.rows) return packed(step).size() + 1;
   std::size_t n = step.sheet.size() + 1;
   for (const std::string& line : step.lines) n += line.size() + 1;
   return n;
@@ -48,7 +51,7 @@ std::size_t bytes_of(const Step& step) {
 std::size_t memory_of(const Step& step) {
   std::size_t n = sizeof(Step) + bytes_held(step.sheet) + bytes_held(step.lines);
   for (const std::string& line : step.lines) n += bytes_held(line);
-  return n;
+  return n + (step.rows ? step.rows->bytes() : 0);
 }
 
 std::string as_script(std::string_view base, std::span<const Step> steps) {
@@ -58,14 +61,16 @@ std::string as_script(std::string_view base, std::span<const Step> steps) {
     const Step& s = steps[i];
     if (!s.sheet.empty() && !stands_below(s, i > 0 ? &steps[i - 1] : nullptr)) out += s.sheet + "\n";
     for (const std::string& line : s.lines) out += line + "\n";
+    if (s.rows) s.rows->write_all("", "\n", out);
   }
   return out;
 }
 
 std::string packed(const Step& step) {
-  if (step.sheet.empty() && step.lines.size() == 1) return step.lines[0];
+  if (step.sheet.empty() && step.lines.size() == 1 && !step.rows) return step.lines[0];
   std::string out = step.sheet;
   for (const std::string& line : step.lines) (out += between_lines) += line;
+  if (step.rows) step.rows->write_all({&between_lines, 1}, "", out);
   return out;
 }
 

@@ -4,6 +4,7 @@
 // A step of the history, as text.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,11 +12,14 @@
 
 namespace betwixt {
 
+struct TrackRows;
+
 // Commands that were carried out together, as a history records them.
 struct Step {
   std::vector<std::string> lines;
   std::string sheet;  // opener lines above the rows, unless they are there already; may be empty
-  friend bool operator==(const Step&, const Step&) = default;
+  std::shared_ptr<const TrackRows> rows = {};                  // further lines, as numbers; may be null
+  friend bool operator==(const Step&, const Step&) = default;  // two steps with rows share them
 };
 
 // save: a file holds all standing steps; checkpoint: a file may begin with a new text that contains the first steps.

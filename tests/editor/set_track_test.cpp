@@ -120,6 +120,41 @@ TEST(SetTrack, ReplacesItsOwnRowsAndIsUndone) {
   expect_sound(s, "ball.position.x", frames(2), std::vector<double>{3, 4});
 }
 
+// The text is written when somebody asks for it; when does not matter.
+TEST(SetTrack, WritesTheSameTextNowAndLater) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 60; ++round) {
+    Session asked = begun(plain_text + "ball.position.x\n  1f 5\n  900f 6\n", true),
+            not_asked = begun(asked.text(), true);
+    for (int k = 0; k < 12; ++k) {
+      const auto both = [&](const auto& act) { EXPECT_EQ(act(asked).done, act(not_asked).done); };
+      const std::size_t count = 1 + random() % 5;
+      const std::vector<double> numbers(count, static_cast<double>(random() % 9));
+      switch (random() % 8) {
+        case 0:
+          both([](Session& s) { return s.enter("undo"); });
+          break;
+        case 1:
+          both([](Session& s) { return s.enter("redo"); });
+          break;
+        case 2:
+          both([&](Session& s) { return s.enter(fmt::format("at 7f other.position.x {}", k)); });
+          break;
+        default: {
+          const char* const target = random() % 3 ? "ball.position.x" : "other.position.y";
+          both([&](Session& s) { return s.set_track(target, frames(count), numbers); });
+        }
+      }
+      (void)asked.text();
+    }
+    ASSERT_EQ(asked.text(), not_asked.text());
+    const Loaded again = load_text(asked.text(), "film.bx");
+    EXPECT_TRUE(again.document == asked.document());
+    while (asked.enter("undo").done) ASSERT_TRUE(not_asked.enter("undo").done);
+    ASSERT_EQ(asked.text(), not_asked.text());
+  }
+}
+
 TEST(SetTrack, SaysWhatIsWrong) {
   Session s = begun(plain_text + "at 5f ball.geometry shape(other)\nball.position.y\n  1f 2\n", true);
   const std::string text = s.text();
