@@ -78,7 +78,6 @@ struct Film {
   void take_edit() {
     loaded.document = session->document();
     loaded.diagnostics = session->diagnostics();
-    text = session->text();
     if (program) program = Program::compile(document(), *program);
     problems.clear();
   }
@@ -278,7 +277,9 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_track_numbers(Film* film, const char* t
                               found->times.size(), found->width));
 }
 
-EMSCRIPTEN_KEEPALIVE const char* betwixt_text(Film* film) { return film->text.c_str(); }
+EMSCRIPTEN_KEEPALIVE const char* betwixt_text(Film* film) {
+  return film->session ? returned(film->session->text()) : film->text.c_str();
+}
 
 EMSCRIPTEN_KEEPALIVE int betwixt_add_font(const char* path) { return add_font(path); }
 

@@ -38,6 +38,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       super();
       this.#face = new PlayerFace(this, look, {
         source_name: () => this.#loader.source?.name ?? "",
+        text_until_edits: () => this.#loader.text_until_edits,
         trouble: () => (this.#picture.count ? "" : this.#picture.trouble),
       });
       this.#parts = this.#face.parts;
@@ -259,7 +260,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
 
     // Shows the film after film.setTrack(), undo or redo.
     #film_changed(longer) {
-      this.#loader.text_changed(this.#film.text);
+      this.#loader.text_changed(() => this.#film.text);
       this.#diagnostics = this.#film.diagnostics;
       this.#picture.outdate();
       if (longer) this.#fire("durationchange");

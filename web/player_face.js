@@ -5,7 +5,7 @@
 class PlayerFace {
   parts;
   #player;
-  #inside;          // functions of the player that pages do not have: source_name, trouble
+  #inside;          // functions of the player that pages do not have: source_name, text_until_edits, trouble
   #size = sheet();  // its size and its background
   #size_rule = "";
 
@@ -46,7 +46,7 @@ class PlayerFace {
     banner.hidden = !!said || !wrong || player.hasAttribute("editing");
     if (!banner.hidden) banner.textContent = `line ${wrong.line}: ${wrong.text}`;
     wait.hidden = !(player.networkState === 2 && !player.film) || !!said;
-    const words = player.alt || first_comment(player.script) || (source && `the film ${source}`) || "a film";
+    const words = player.alt || first_comment(this.#inside.text_until_edits()) || (source && `the film ${source}`) || "a film";
     stage.setAttribute("aria-label", player.getAttribute("aria-label") || `Film: ${source || words}`);
     canvas.setAttribute("aria-label", words);
     full.hidden = !document.fullscreenEnabled;

@@ -8,6 +8,7 @@ class FilmLoader {
   #inside;             // functions of the player that pages do not have: begin, stay_empty, take, fail
   #engine = null;
   #given_text = null;  // set by the page; overrides its own text
+  #edited = null;      // returns the text after edits by the page; the text of a million rows is made only when read
   #given_files = {};
   #loading = null;     // an AbortController
 
@@ -18,11 +19,17 @@ class FilmLoader {
 
   // The film's text. Setting it shows the new film at the same time; if it has errors, the last good film stays.
   get text() {
+    this.#write_edits();
+    return this.text_until_edits;
+  }
+  // The text without edits of the film (film.setTrack), which are at its end.
+  get text_until_edits() {
     if (this.#given_text !== null) return this.#given_text;
     const inline = this.source || this.#player.hasAttribute("src") ? null : this.#player.querySelector(script_query);
     return this.source ? this.source.text : inline ? text_of(inline) : "";
   }
   set text(text) {
+    this.#write_edits();
     if (this.#given_text === String(text)) return;
     this.#given_text = String(text);
     if (!this.#engine || !this.source || this.#loading) {
@@ -33,11 +40,16 @@ class FilmLoader {
     this.#open_again();
   }
 
-  // Takes the text of the film that is shown, which the page has edited.
-  text_changed(text) { this.#given_text = this.source.text = text; }
+  // Takes a function that returns the text of the film that is shown, which the page has edited.
+  text_changed(read) { this.#edited = read; }
+  #write_edits() {
+    if (this.#edited) this.#given_text = this.source.text = this.#edited();
+    this.#edited = null;
+  }
 
   get files() { return { ...(this.source ? Object.fromEntries(this.source.files) : this.#given_files) }; }
   set files(all) {
+    this.#write_edits();
     this.#given_files = {};
     for (const [name, held] of Object.entries(all ?? {})) this.#given_files[name] = as_bytes(held);
     if (this.source && this.#engine && !this.#loading) {
@@ -52,12 +64,13 @@ class FilmLoader {
   }
   // Goes back to the page's own source.
   forget() {
-    this.#given_text = null;
+    this.#given_text = this.#edited = null;
     this.source = null;
   }
 
   async load() {
     this.stop();
+    this.#write_edits();
     const loading = (this.#loading = new AbortController());
     const { signal } = loading;
     this.#inside.begin();
