@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <mutex>
+#include <vector>
 
 #include "render/gl.h"
 
@@ -47,14 +48,29 @@ EGLDisplay surfaceless() {
   return display_of(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
 }
 
-// Returns the display of the last device, which is the software renderer.
-EGLDisplay software() {
+// Returns the displays of all devices. The last one is the software renderer, if there is one.
+std::vector<EGLDisplay> displays_of_devices() {
   EGLDeviceEXT devices[16];
   EGLint count = 0;
   const auto query = function_of_extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
-  if (!has_egl_extension("EGL_EXT_platform_device") || query == nullptr || !query(16, devices, &count) || count == 0)
-    return EGL_NO_DISPLAY;
-  return display_of(EGL_PLATFORM_DEVICE_EXT, devices[count - 1]);
+  std::vector<EGLDisplay> all;
+  if (!has_egl_extension("EGL_EXT_platform_device") || query == nullptr || !query(16, devices, &count)) return all;
+  for (EGLint i = 0; i < count; ++i) all.push_back(display_of(EGL_PLATFORM_DEVICE_EXT, devices[i]));
+  return all;
+}
+
+bool starts(EGLDisplay display) { return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr); }
+
+// Returns a display that has been started. Some drivers have no surfaceless platform, only devices.
+EGLDisplay first_display() {
+  if (const EGLDisplay display = surfaceless(); starts(display)) return display;
+  for (const EGLDisplay display : displays_of_devices())
+    if (starts(display)) return display;
+  return EGL_NO_DISPLAY;
+}
+EGLDisplay display_after_fork() {
+  const std::vector<EGLDisplay> all = displays_of_devices();
+  return !all.empty() && starts(all.back()) ? all.back() : EGL_NO_DISPLAY;
 }
 
 // All contexts of the process share one display. It is never terminated: other threads, or the host program, may use
@@ -68,8 +84,7 @@ EGLDisplay open_display() {
   if (owner == ::getpid()) return display;
   owner = ::getpid();
   ++opened;
-  display = opened == 1 ? surfaceless() : opened == 2 ? software() : EGL_NO_DISPLAY;
-  if (display != EGL_NO_DISPLAY && !eglInitialize(display, nullptr, nullptr)) display = EGL_NO_DISPLAY;
+  display = opened == 1 ? first_display() : opened == 2 ? display_after_fork() : EGL_NO_DISPLAY;
   return display;
 }
 
@@ -77,7 +92,7 @@ EGLDisplay open_display() {
 
 Result<Context> Context::create() {
   const EGLDisplay display = open_display();
-  if (display == EGL_NO_DISPLAY) return no_graphics("EGL has no surfaceless platform on this machine");
+  if (display == EGL_NO_DISPLAY) return no_graphics("EGL has no display without a window on this machine");
   const EGLenum previous = eglQueryAPI();
   if (!eglBindAPI(EGL_OPENGL_ES_API)) return no_graphics("EGL has no OpenGL ES");
   const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
