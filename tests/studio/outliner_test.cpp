@@ -98,12 +98,29 @@ class OutlinerTest : public QObject {
       s.drag("ball", s.place("hand"), held);
       const auto spans = attachments(s.workspace.document(), s.id("ball"));
       QVERIFY(!spans.empty());
-      QCOMPARE(spans[0].to, (Attachment{how, s.id("hand"), true}));
+      QCOMPARE(spans[0].to, (Attachment{how, s.id("hand"), false}));
       QCOMPARE(s.told(), "hand(ball)");
+      const auto place = [&] { return translation_of(*std::get<Matrix>(s.value("ball.world"))); };
+      QCOMPARE(place(), (Vec3{0, 0, 0}));  // it stays, and then moves along
+      s.workspace.say(std::string("set hand.position (3 1 0)"));
+      QCOMPARE(place(), (Vec3{0, 1, 0}));
+      s.workspace.undo();
       s.workspace.undo();
       QCOMPARE(s.text(), film);
       QCOMPARE(s.told(), "hand ball");
     }
+  }
+
+  // To something that stands still, it is a child for the whole film; to something that has moved, from now on.
+  void later_a_drag_is_timed_only_if_the_parent_has_moved() {
+    Shown s(
+        "rate 24\nrange 1f 48f\ncreate hand box position=(3 0 0)\ncreate ball sphere\ncreate cart box\n"
+        "cart.position.x\n  1f 0\n  48f 9\n");
+    s.workspace.go_to(s.at_time("24f"));
+    s.drag("ball", s.place("hand"));
+    QVERIFY(!s.text().contains("at 24f"));
+    s.drag("ball", s.place("cart"));
+    QVERIFY2(s.text().contains("at 24f couple ball to cart keep-world"), qPrintable(s.text()));
   }
 
   void a_drag_to_nowhere_lets_go() {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -18,6 +19,7 @@
 #include "editor/made_by.h"
 #include "language/values.h"
 #include "scene/own_kinds.h"
+#include "studio/objects/object_actions.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
 #include "studio/viewport/kind_icons.h"
@@ -147,7 +149,7 @@ void OutlinerTree::drop(QPoint at, Qt::KeyboardModifiers held) {
     const Attachment to = onto    ? Attachment{how, onto, true}
                           : timed ? Attachment{AttachmentKind::letgo, {}, false}
                                   : Attachment{AttachmentKind::detach, {}, false};
-    lines.push_back(line_that_holds(d, id, workspace_.time(), to));
+    for (std::string& line : ObjectActions::of(workspace_).parent_lines(id, to)) lines.push_back(std::move(line));
   }
   say_all(workspace_, lines);
 }
@@ -196,14 +198,19 @@ void OutlinerTree::keyPressEvent(QKeyEvent* e) {
     unsetCursor();
     return viewport()->update();
   }
-  if (e->key() == Qt::Key_Delete || e->key() == Qt::Key_Backspace) {
-    std::vector<std::string> lines;
-    for (const ObjectId id : workspace_.selected()) lines.push_back("remove " + workspace_.name(id));
-    return say_all(workspace_, lines);
-  }
   if (e->key() == Qt::Key_H && e->modifiers() == Qt::NoModifier && !workspace_.selected().empty())
     return toggle(workspace_.selected().back());
+  if (ObjectActions::of(workspace_).key(*e)) return;
   QTreeView::keyPressEvent(e);
+}
+
+void OutlinerTree::contextMenuEvent(QContextMenuEvent* e) {
+  const QModelIndex under = indexAt(e->pos());
+  if (under.isValid() && !selectionModel()->isSelected(under)) workspace_.select({model_.object(under)});
+  QMenu menu(this);
+  if (under.isValid()) menu.addAction(tr("Rename"), this, [this, under] { edit(under.siblingAtColumn(0)); });
+  ObjectActions::of(workspace_).fill(menu);
+  menu.exec(e->globalPos());
 }
 
 // Marks the drop target.

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/shell/actions.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "studio/objects/object_actions.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/window.h"
 #include "studio/timeline/event_actions.h"
@@ -9,8 +14,25 @@
 
 namespace betwixt::studio {
 
-const std::vector<ActionRow>& action_rows() {
-  static const std::vector<ActionRow> all = {
+namespace {
+
+// The actions on objects (ObjectActions): the panels that show objects have their keys.
+std::vector<ActionRow> object_rows() {
+  static std::vector<std::string> sentences;
+  std::vector<ActionRow> rows;
+  sentences.reserve(ObjectActions::rows().size());
+  for (const ObjectActions::Row& row : ObjectActions::rows()) {
+    const std::string_view sentence = row.sentence;
+    sentences.push_back(
+        fmt::format("{}; in the picture and the outliner, {}.", sentence.substr(0, sentence.size() - 1), row.key));
+    rows.push_back({"Object", row.name, "", sentences.back(),
+                    [run = row.run](Window& w) { (ObjectActions::of(w.workspace()).*run)(); }});
+  }
+  return rows;
+}
+
+std::vector<ActionRow> made_rows() {
+  std::vector<ActionRow> all = {
       {"File", "New", "Ctrl+N", "Begins a new film; asks first if you have unsaved changes.",
        [](Window& w) { w.new_film(); }},
       {"File", "Open…", "Ctrl+O", "Opens another script: `open FILE`.", [](Window& w) { w.open_asking(); }},
@@ -123,6 +145,15 @@ const std::vector<ActionRow>& action_rows() {
        [](Window& w) { w.show_panel("server"); }},
       {"View", "All keys", "F1", "Lists all keys.", [](Window& w) { w.show_keys(); }},
   };
+  const std::vector<ActionRow> objects = object_rows();
+  all.insert(std::ranges::find(all, std::string_view("View"), &ActionRow::menu), objects.begin(), objects.end());
+  return all;
+}
+
+}  // namespace
+
+const std::vector<ActionRow>& action_rows() {
+  static const std::vector<ActionRow> all = made_rows();
   return all;
 }
 

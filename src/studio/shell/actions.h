@@ -17,7 +17,7 @@ struct ActionRow {
   std::string_view menu, name;  // "Play", "Play forward"
   std::string_view keys;        // "Space", "Ctrl+Z; Ctrl+U": any of these keys
   std::string_view sentence;    // describes the command; `…` are the script lines that it carries out
-  void (*run)(Window&);
+  std::function<void(Window&)> run;
   bool (*is_on)(const Window&) = nullptr;  // whether a switch is on; null if the command is no switch
 };
 const std::vector<ActionRow>& action_rows();

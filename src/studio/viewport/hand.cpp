@@ -88,6 +88,15 @@ std::string written(const Document& d, const Value& v, const Target& t) {
   return write_value(v, spec_of(d.scene(), t.function), t.component, [&](ObjectId id) { return d.name(id); });
 }
 
+// Objects turn and scale about their pivots.
+Vec3 pivot_in_world(const Program& program, ObjectId id, const Mat4& world, Time time) {
+  for (const FunctionView& f : functions(program.document(), id))
+    if (f.id == fn::pivot)
+      if (const Value v = program.read(Target(id, fn::pivot), time); const auto* p = std::get_if<Vec3>(&v))
+        return transform_point(world, *p);
+  return translation_of(world);
+}
+
 }  // namespace
 
 double step_below(double at_most) {
@@ -135,7 +144,7 @@ std::vector<std::string> lines_to_bring(const Program& program, ObjectId id, con
   }
   const Hand hand(program, time, {id}, always);
   if (hand.empty()) return {};
-  const auto moved = hand.move(translation_of(world) - hand.place(), step);
+  const auto moved = hand.move(pivot_in_world(program, id, world, time) - hand.place(), step);
   const auto turned = hand.turn_to(from_matrix(world));
   lines.insert(lines.end(), moved.begin(), moved.end());
   lines.insert(lines.end(), turned.begin(), turned.end());
@@ -172,7 +181,7 @@ void Hand::take(ObjectId id) {
   h.rotation = values[1];
   const auto* world = std::get_if<Matrix>(&values[3]);
   if (!world) return;
-  h.place = translation_of(**world);
+  h.place = pivot_in_world(program_, id, **world, time_);
   const Mat4 to_world = program_.kinematics(id, time_).track_to_world;
   h.back = inverse(to_world).value_or(Mat4{});
   h.aims = looks_at_something(program_, id, time_);

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "scene/kinds.h"
+#include "studio/objects/object_actions.h"
 #include "studio/shell/theme.h"
 
 namespace betwixt::studio {
@@ -88,6 +89,7 @@ void Viewport::set_style(const std::string& style) {
 
 void Viewport::set_switches(const ViewportSwitches& s) {
   switches_ = s;
+  ObjectActions::of(workspace_).set_makes_events(s.auto_key);
   grip_.reset();
   show_corner();
   update();
@@ -271,6 +273,7 @@ void Viewport::keyPressEvent(QKeyEvent* e) {
     unsetCursor(), update();
     return;
   }
+  if (ObjectActions::of(workspace_).key(*e)) return;
   if (!plain) return QWidget::keyPressEvent(e);
   switch (e->key()) {
     case Qt::Key_W:

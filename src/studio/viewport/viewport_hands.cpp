@@ -8,6 +8,7 @@
 
 #include "betwixt/object.h"
 #include "scene/functions.h"
+#include "studio/objects/object_actions.h"
 #include "studio/shell/marks.h"
 #include "studio/viewport/viewport.h"
 
@@ -114,20 +115,17 @@ void Viewport::contextMenuEvent(QContextMenuEvent* e) {
     menu.addAction(in_words(all[i].id), this, [this, id = all[i].id] { workspace_.select({id}); });
   if (!workspace_.selected().empty()) {
     menu.addSeparator();
-    const auto add = [&](const QString& words, const std::string& verb) {
-      std::vector<std::string> lines;
-      for (const ObjectId id : workspace_.selected()) lines.push_back(verb + " " + workspace_.name(id));
-      menu.addAction(words, this, [this, lines] { workspace_.say(lines); })
-          ->setToolTip(QString::fromStdString(lines[0]));
-    };
-    menu.setToolTipsVisible(true);
+    std::vector<std::string> lines;
+    for (const ObjectId id : workspace_.selected())
+      lines.push_back("at " + workspace_.when(workspace_.time()) + " hide " + workspace_.name(id));
     menu.addAction(tr("Frame it"), this, [this] { frame_selected(); });
-    add(tr("Hide"), "hide");
-    add(tr("Hide from now on"), "at " + workspace_.when(workspace_.time()) + " hide");
-    add(tr("Remove"), "remove");
+    menu.addAction(tr("Hide from now on"), this, [this, lines] { workspace_.say(lines); })
+        ->setToolTip(QString::fromStdString(lines[0]));
     add_motion_menu(menu);
   }
-  if (!menu.isEmpty()) menu.exec(e->globalPos());
+  menu.addSeparator();
+  ObjectActions::of(workspace_).fill(menu);
+  menu.exec(e->globalPos());
 }
 
 void Viewport::select_all() {

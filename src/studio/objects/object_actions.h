@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Actions on the selected objects, by keys and menus, shared by the picture and the outliner.
+#pragma once
+
+#include <QObject>
+
+#include "studio/objects/object_lines.h"
+
+class QKeyEvent;
+class QMenu;
+
+namespace betwixt::studio {
+
+class ObjectActions : public QObject {
+  Q_OBJECT
+ public:
+  static ObjectActions& of(Workspace&);
+
+  // An action: its name, its key in the picture and the outliner, and what it does.
+  struct Row {
+    const char *name, *key, *sentence;
+    void (ObjectActions::*run)();
+    bool divides = false;  // a line above it in menus
+  };
+  static const std::vector<Row>& rows();
+
+  bool key(const QKeyEvent&);  // carries out the action of a key; returns false if it has none
+  void fill(QMenu&);           // with the actions on the selection
+  void set_makes_events(bool makes) { makes_events_ = makes; }  // of Auto-key
+
+  // Returns the lines that give an object another parent, at a time or, if nothing has moved by then, for the whole
+  // film. The object stays where it is, and then moves along with the parent.
+  Lines parent_lines(ObjectId, const Attachment& to) const;
+
+  void duplicate();
+  void instance();
+  void cut();
+  void copy();
+  void paste();
+  void group();
+  void ungroup();
+  void remove();
+  void remove_all();
+  void hide();
+  void show_all();
+  void mirror(Axis);
+  void align(Axis);
+  void distribute(Axis);
+
+ private:
+  explicit ObjectActions(Workspace& workspace);
+  void say(const ObjectEdit&);
+  void say(const Lines&);
+  Value world(ObjectId, Time) const;
+  void tell(const QString& why);
+
+  Workspace& workspace_;
+  bool makes_events_ = false;
+};
+
+}  // namespace betwixt::studio

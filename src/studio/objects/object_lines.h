@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Edits of whole objects as script lines: copies, instances, groups, alignment, and objects as text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studio/timeline/event_lines.h"
+
+namespace betwixt::studio {
+
+// Lines, and the names of the objects to select afterwards.
+struct ObjectEdit {
+  Lines lines;
+  std::vector<std::string> names;
+};
+
+enum class Axis : std::uint8_t { x, y, z };
+
+// Returns the attachment that an object has during the whole film, if there is one.
+std::optional<Attachment> fixed_attachment(const Document&, ObjectId);
+// Returns the line that gives a child such a parent for the whole film.
+std::string hold_line(const Attachment&, const std::string& child, const std::string& parent, bool keep_world);
+// Returns a name that no object has: ball2 or ball3 for "ball" or "ball2", man/arm2 for "man/arm".
+std::string unused_name(const Document&, std::string_view like, const std::vector<std::string>& taken = {});
+// Returns the objects, and those that hang on them during the whole film; each once, in order of creation.
+std::vector<ObjectId> with_all_below(const Document&, const std::vector<ObjectId>&);
+// Returns those of the objects that do not hang on another one of them.
+std::vector<ObjectId> topmost(const Document&, const std::vector<ObjectId>&);
+
+// Copies objects with all that hangs on them: `create ball2 like ball`. Events stay at their times. A copy keeps its
+// parent, unless that is copied too.
+ObjectEdit duplicate_lines(const Document&, const std::vector<ObjectId>&);
+// Makes instances, which follow later changes of the object: `define kind ball-kind like ball`, `create ball2
+// ball-kind`.
+ObjectEdit instance_lines(const Document&, const std::vector<ObjectId>&);
+// Copies objects into a group that mirrors them, and all their motion, at the middle of the film's world or of their
+// parent.
+ObjectEdit mirror_lines(const Document&, const std::vector<ObjectId>&, Axis);
+// Makes a group that turns about the middle of the objects, and couples them to it for the whole film. They stay where
+// they are.
+ObjectEdit group_lines(const Program&, const std::vector<ObjectId>&, Time);
+// Returns the lines that remove objects, with what hangs on them at this time if `all`.
+Lines remove_lines(const Document&, const std::vector<ObjectId>&, bool all, Time);
+// Moves all objects along an axis to the place of the last one; or spreads them evenly between the outermost two.
+Lines align_lines(const Program&, const std::vector<ObjectId>&, Axis, Time, bool make_events);
+Lines distribute_lines(const Program&, const std::vector<ObjectId>&, Axis, Time, bool make_events);
+
+// Returns the script of objects with all that hangs on them, for the clipboard; without the film's settings. `rest` is
+// the film without the other objects.
+Lines lines_to_leave(const Document&, const std::vector<ObjectId>&);
+std::string text_of_objects(const Document& rest);
+// Returns the lines that add the objects of such a text to a film, with new names where a name is taken. Errors: those
+// of the text.
+Result<ObjectEdit> paste_lines(const Document&, const std::string& film_text, const std::string& text);
+
+}  // namespace betwixt::studio
