@@ -80,7 +80,7 @@ class Session {
   // increase. `numbers` has one number for each time, or two or three for each if a value is a pair, a vector, a colour
   // or a rotation: metres, radians, or sRGB from 0 to 1. `twerper` is the interpolation after each event, as in a row:
   // "linear", or "" for the default. One undo takes the call back. A call that follows another for the same track
-  // replaces its rows in the text. A million events take less than half a second. The answer says what is wrong:
+  // replaces its rows in the text. A million events take about a tenth of a second. The answer says what is wrong:
   // name (there is no such track), type (its values are not numbers), range (wrong count, order or value).
   Answer set_track(std::string_view target, std::span<const Time> times, std::span<const double> numbers,
                    std::string_view twerper = {});
@@ -114,8 +114,17 @@ class Session {
   std::string sheet() const;
   const std::string& file() const;  // "" if it has none
   std::size_t unsaved() const;      // how many commands are not saved
-  bool may_change() const;          // false if another session has the file
-  std::string text() const;         // the text that `save` writes: the author's, then the commands
+  // A step of the history: what one undo takes back.
+  struct PastStep {
+    std::string line;       // the first of its lines
+    std::size_t lines = 1;  // how many it has
+    std::string sheet;      // the target of its rows; "" if it is no row of an open sheet
+    bool stands = true;     // false if it was undone
+  };
+  // Returns the latest steps, at most so many, in order; undone steps come last, and the next redo first among them.
+  std::vector<PastStep> history(std::size_t most) const;
+  bool may_change() const;   // false if another session has the file
+  std::string text() const;  // the text that `save` writes: the author's, then the commands
 
  private:
   std::unique_ptr<State> state_;

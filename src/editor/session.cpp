@@ -282,6 +282,18 @@ std::string Session::sheet() const {
   return left ? left->opener : std::string();
 }
 const std::string& Session::file() const { return state_->file; }
+std::vector<Session::PastStep> Session::history(std::size_t most) const {
+  const std::span<const Step> stand = state_->editor.steps(), undone = state_->editor.undone();
+  std::vector<PastStep> all;
+  const auto add = [&](const Step& step, bool stands) {
+    const std::size_t rows = step.rows ? step.rows->times.size() : 0;
+    all.push_back({step.lines.empty() ? "" : step.lines[0], step.lines.size() + rows, step.sheet, stands});
+  };
+  const std::size_t later = std::min(undone.size(), most), earlier = std::min(stand.size(), most - later);
+  for (const Step& step : stand.last(earlier)) add(step, true);
+  for (const Step& step : undone.first(later)) add(step, false);
+  return all;
+}
 std::size_t Session::unsaved() const { return state_->tally.unsaved(); }
 bool Session::may_change() const { return !state_->looks_only; }
 std::string Session::text() const { return state_->text(); }

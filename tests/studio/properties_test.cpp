@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "betwixt/language.h"
+#include "scene/document.h"
 #include "studio/film.h"
 #include "studio/shell/number_field.h"
 
@@ -77,6 +78,40 @@ class PropertiesTest : public QObject {
     s.workspace.undo();
     QCOMPARE(s.text(), "create ball sphere radius=2\n");
     QCOMPARE(s.at("radius").text(), "2");
+  }
+
+  // Without a selection, the panel has the settings of the film; each is a line.
+  void the_film_has_settings() {
+    Shown s("# a film\nrate 25\ncreate ball sphere\nball.position.x\n  1f 0\n  50f 2\n");
+    s.workspace.select({});
+    const auto box = [&](const char* verb) -> QComboBox& {
+      return *s.panel.findChild<QComboBox*>(QString("film_") + verb);
+    };
+    QCOMPARE(box("rate").currentText(), "25");
+    QCOMPARE(box("range").currentText(), "1f 50f");
+    QVERIFY(box("size").currentText().isEmpty());
+    s.type(*box("size").lineEdit(), "640x360");
+    QTest::keyClick(&box("size"), Qt::Key_Return);
+    QVERIFY2(s.text().contains("size 640x360\n"), qPrintable(s.text()));
+    s.type(*box("size").lineEdit(), "320x180");
+    QTest::keyClick(&box("size"), Qt::Key_Return);
+    QCOMPARE(s.text().count("size "), 1);  // it replaces the earlier one
+    box("sky").setCurrentText("on");
+    emit box("sky").activated(0);
+    QVERIFY(s.workspace.document().scene().appearance.sky);
+    s.type(*box("rate").lineEdit(), "30");
+    QTest::keyClick(&box("rate"), Qt::Key_Return);
+    QVERIFY(s.text().startsWith("# a film\nrate 30\n"));
+    const QString text = s.text();
+    s.type(*box("exposure").lineEdit(), "much");
+    QTest::keyClick(&box("exposure"), Qt::Key_Return);
+    QCOMPARE(s.text(), text);
+    QVERIFY(box("exposure").currentText().isEmpty());  // it is back
+    for (int k = 0; k < 4; ++k) s.workspace.undo();
+    QVERIFY(!s.workspace.document().scene().appearance.sky);
+    QVERIFY(box("sky").currentText().isEmpty());
+    s.select("ball");
+    QVERIFY(!box("rate").isVisible());
   }
 
   void what_is_wrong_changes_nothing() {

@@ -85,7 +85,8 @@ Properties::Properties(Workspace& workspace, QWidget* parent)
       workspace_(workspace),
       icon_(new QLabel(this)),
       kind_(new QLabel(this)),
-      nothing_(new QLabel(tr("Nothing is selected."), this)),
+      film_(new FilmSettings(workspace)),
+      film_area_(new QScrollArea(this)),
       name_(new QLineEdit(this)),
       area_(new QScrollArea(this)) {
   setObjectName("properties");
@@ -96,11 +97,12 @@ Properties::Properties(Workspace& workspace, QWidget* parent)
   QFont bold = name_->font();
   bold.setBold(true);
   name_->setFont(bold);
-  nothing_->setAlignment(Qt::AlignCenter);
-  nothing_->setEnabled(false);
-  area_->setFrameShape(QFrame::NoFrame);
-  area_->setWidgetResizable(true);
-  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  film_area_->setWidget(film_);
+  for (QScrollArea* area : {area_, film_area_}) {
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  }
   auto* head = new QHBoxLayout;
   head->setContentsMargins(6, 4, 6, 2);
   head->addWidget(icon_);
@@ -110,7 +112,7 @@ Properties::Properties(Workspace& workspace, QWidget* parent)
   all->setContentsMargins(0, 0, 0, 0);
   all->setSpacing(0);
   all->addLayout(head);
-  all->addWidget(nothing_, 1);
+  all->addWidget(film_area_, 1);
   all->addWidget(area_, 1);
   connect(name_, &QLineEdit::editingFinished, this, &Properties::rename);
   connect(&workspace, &Workspace::document_changed, this, &Properties::refresh);
@@ -144,7 +146,8 @@ void Properties::refresh() {
   refreshing_ = true;
   const Document& d = workspace_.document();
   const ObjectId id = leading();
-  nothing_->setVisible(!id);
+  film_area_->setVisible(!id);
+  if (!id) film_->refresh();
   area_->setVisible(static_cast<bool>(id)), name_->setVisible(static_cast<bool>(id));
   kind_->setVisible(static_cast<bool>(id)), icon_->setVisible(static_cast<bool>(id));
   if (id) {

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include "studio/panels/film_settings.h"
 #include "studio/panels/value_editors.h"
 
 namespace betwixt::studio {
@@ -44,7 +45,9 @@ class Properties : public QWidget {
   void add_row(QWidget* section, const FunctionView&, EditorKind);
 
   Workspace& workspace_;
-  QLabel *icon_, *kind_, *nothing_;
+  QLabel *icon_, *kind_;
+  FilmSettings* film_;  // shown if no object is selected
+  QScrollArea* film_area_;
   QLineEdit* name_;
   QScrollArea* area_;
   std::vector<std::unique_ptr<Row>> rows_;

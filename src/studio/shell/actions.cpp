@@ -139,6 +139,8 @@ std::vector<ActionRow> made_rows() {
       {"View", "Go to curves", "Ctrl+3", "Shows values against time.", [](Window& w) { w.show_panel("curves"); }},
       {"View", "Go to properties", "Ctrl+4", "Shows the values of the selection.",
        [](Window& w) { w.show_panel("properties"); }},
+      {"View", "Go to history", "Ctrl+H", "Lists all steps; a click goes back or forward to one.",
+       [](Window& w) { w.show_panel("history"); }},
       {"View", "Go to live controls", "Ctrl+5", "Receives OSC and MIDI, and connects them to targets.",
        [](Window& w) { w.show_panel("live"); }},
       {"View", "Go to server", "Ctrl+6", "Watches and controls a running imaging server.",

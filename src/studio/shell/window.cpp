@@ -24,6 +24,7 @@
 
 #include "base/files.h"
 #include "studio/curves/curves.h"
+#include "studio/panels/history_panel.h"
 #include "studio/panels/live_panel.h"
 #include "studio/panels/outliner.h"
 #include "studio/panels/properties.h"
@@ -133,7 +134,9 @@ void Window::add_panels() {
   auto* curves = add(new Curves(workspace_), Qt::BottomDockWidgetArea);
   auto* script = add(new ScriptPanel(workspace_), Qt::RightDockWidgetArea);
   auto* properties = add(new Properties(workspace_), Qt::RightDockWidgetArea);
-  add(new Console(workspace_), Qt::RightDockWidgetArea);
+  auto* console = add(new Console(workspace_), Qt::RightDockWidgetArea);
+  auto* history = add(new HistoryPanel(workspace_), Qt::RightDockWidgetArea);
+  tabifyDockWidget(history, console), console->raise();
   auto* live = add(new LivePanel(workspace_), Qt::LeftDockWidgetArea);
   auto* server = add(new ServerPanel, Qt::LeftDockWidgetArea);
   tabifyDockWidget(live, server), live->raise();
