@@ -24,6 +24,8 @@ class Playhead {
   int direction() const { return direction_; }  // 1 or -1; 0 if it does not play
   bool loops() const { return loops_; }
   void loop(bool on) { hold(), loops_ = on; }
+  double speed() const { return speed_; }
+  void speed(double s) { hold(), speed_ = s; }  // 1: as fast as the film; more than 0
   Rate rate() const { return rate_; }
   Time first() const { return first_; }
   Time last() const { return last_; }
@@ -44,12 +46,12 @@ class Playhead {
   // Returns the seconds until another frame is due.
   double until_next(Clock::time_point clock = Clock::now()) const {
     const double frame = direction_ * exact_frame(clock);
-    return (std::floor(frame) + 1 - frame) / rate_.per_second();
+    return (std::floor(frame) + 1 - frame) / (rate_.per_second() * speed_);
   }
   // The position for sound: the number of whole frames since the first one, and the moment at which that frame began.
   // Playback counts from there.
   struct Place {
-    bool playing;  // forward, because sounds do not play backward
+    bool playing;  // forward and at speed 1, because sounds play neither backward nor at another speed
     int frame;
     Clock::time_point since;
   };
@@ -57,7 +59,7 @@ class Playhead {
     const double frames = std::max(0.0, rate_.frame_number(at_) - rate_.frame_number(first_));
     const int whole = static_cast<int>(std::floor(frames));
     const std::chrono::duration<double> begun((frames - whole) / rate_.per_second());
-    return {direction_ > 0, whole, since_ - std::chrono::duration_cast<Clock::duration>(begun)};
+    return {direction_ > 0 && speed_ == 1, whole, since_ - std::chrono::duration_cast<Clock::duration>(begun)};
   }
   // Returns whether the frame at the end has had its full time; always false in a loop.
   bool ended(Clock::time_point clock = Clock::now()) const {
@@ -82,7 +84,7 @@ class Playhead {
   // that arrived before the start belongs to the first frame, not to the last one of an earlier round.
   double exact_frame(Clock::time_point clock) const {
     const auto since = std::max(clock, since_) - since_;
-    const double gone = direction_ * std::chrono::duration<double>(since).count() * rate_.per_second();
+    const double gone = direction_ * std::chrono::duration<double>(since).count() * rate_.per_second() * speed_;
     const double from = rate_.frame_number(first_), to = rate_.frame_number(last_);
     const double frame = rate_.frame_number(at_) + gone;
     const double length = std::floor(to) - std::ceil(from) + 1;
@@ -101,6 +103,7 @@ class Playhead {
   Time first_, last_, at_;
   int direction_ = 0;
   bool loops_ = true;
+  double speed_ = 1;
   Clock::time_point since_ = Clock::now();
 };
 

@@ -37,6 +37,19 @@ TEST(Playhead, PlaysBothWays) {
   EXPECT_EQ(frame_at(t, 0), frame_at(t, 1));  // 24 frames: once around
 }
 
+TEST(Playhead, PlaysAtOtherSpeeds) {
+  for (const double speed : {0.5, 2.0}) {
+    Playhead t = over(1, 240, false);
+    t.speed(speed), t.play(1);
+    EXPECT_EQ(frame_at(t, 2.02), 1 + 48 * speed);
+    EXPECT_FALSE(t.place().playing);  // without sound
+    EXPECT_NEAR(t.until_next(in(0)), 1 / (24 * speed), 0.005);
+    t.speed(1);
+    EXPECT_EQ(frame_at(t, 1.02), 25);
+    EXPECT_TRUE(t.place().playing);
+  }
+}
+
 TEST(Playhead, StaysInItsPart) {
   Playhead t = over(5, 8, true);
   for (const int direction : {1, -1}) {

@@ -32,6 +32,7 @@ class TimelineTest : public QObject {
   void a_typed_number_goes_to_that_frame();
   void the_keys_play_step_and_stop();
   void a_note_is_dragged();
+  void the_ends_of_the_film_are_dragged();
   void what_is_called_off_changes_nothing();
   void a_double_click_writes_a_note();
   void a_note_of_several_gets_other_words();
@@ -115,6 +116,24 @@ void TimelineTest::a_note_is_dragged() {
   s.at.workspace.undo();
   QVERIFY(s.at.is(film));
   QCOMPARE(s.at.workspace.text(), film);
+}
+
+void TimelineTest::the_ends_of_the_film_are_dragged() {
+  Shown s;
+  const int y = s.ruler.part_box().center().y();
+  const auto pull = [&](double from, double to) { drag(s.ruler, {s.x(from), y}, {s.x(to), y}); };
+  pull(100, 72);
+  QCOMPARE(s.at.said, std::vector<std::string>{"range 1f 72f"});
+  pull(1, 13);
+  QCOMPARE(s.at.said.back(), "range 13f 72f");
+  QVERIFY(s.at.workspace.text().find("range 13f 72f\n") != std::string::npos);
+  QVERIFY(s.at.workspace.text().find("range 1f") == std::string::npos);
+  pull(13, 90);  // no further than the other end
+  QCOMPARE(s.at.said.back(), "range 72f 72f");
+  for (int k = 0; k < 3; ++k) s.at.workspace.undo();
+  QCOMPARE(s.at.workspace.text(), film);
+  drag(s.ruler, {s.x(50), y}, {s.x(60), y});  // not at an end
+  QVERIFY(!s.at.said.back().starts_with("range"));
 }
 
 void TimelineTest::what_is_called_off_changes_nothing() {

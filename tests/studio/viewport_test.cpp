@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QWheelEvent>
+#include <set>
 
 #include "betwixt/language.h"
 #include "studio/shell/theme.h"
@@ -399,6 +400,36 @@ class ViewportTest : public QObject {
     QVERIFY(f.text().endsWith("create sky plane size=(6 3) texture=\"sky.png\" position=(-3 0 0)\n"));
     drop("sky.png", at(-3, 3));
     QCOMPARE(f.selected(), QStringList{"sky2"});
+  }
+
+  void scenes_that_are_dropped_keep_their_parts() {
+    Film f({"film flat", "range 1f 48f"});
+    QFile drawing("logo.svg");
+    QVERIFY(drawing.open(QIODevice::WriteOnly));
+    drawing.write(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'>"
+        "<circle id='dot' cx='50' cy='50' r='40' fill='red'/></svg>");
+    drawing.close();
+    QCOMPARE(QString::fromStdString(f.view.line_for_file(f.folder.filePath("logo.svg"), at(2, 1))),
+             QString("create logo scene file=\"logo.svg\" position=(2 1 0)"));
+    QVERIFY(f.workspace.say(f.view.line_for_file(f.folder.filePath("logo.svg"), at(2, 1))));
+    QVERIFY(f.workspace.document().find("logo/dot"));
+    f.workspace.go_to(f.workspace.document().rate().frame(12));
+    QVERIFY(f.view.line_for_file("walk.bvh", at(0, 0)).find(" start=12f") != std::string::npos);
+  }
+
+  // Pixels of the widget: a film without a background shows a pattern, and auto-key a red frame.
+  void what_must_not_be_overlooked_is_seen() {
+    Film f({"film flat", "background transparent"});
+    f.view.await_picture();
+    std::set<QRgb> seen;
+    const QImage clear = f.view.grab().toImage();
+    for (int x = 0; x < 40; ++x) seen.insert(clear.pixel(clear.width() / 2 + x, clear.height() / 2));
+    QCOMPARE(seen.size(), std::size_t{2});
+    const QRgb before = clear.pixel(1, clear.height() / 2);
+    f.view.flip(&ViewportSwitches::auto_key);
+    const QColor frame = f.view.grab().toImage().pixel(1, clear.height() / 2);
+    QVERIFY(frame.rgb() != before && frame.red() > 150 && frame.red() > 2 * frame.green());
   }
 
   void a_thing_that_is_dropped_on_lies_below() {

@@ -173,6 +173,26 @@ class DeskTest : public QObject {
     }
   }
 
+  // Every row of words belongs to an action, and words of other programs lead to it.
+  void thePaletteKnowsTheWordsOfOtherPrograms() {
+    Workspace workspace;
+    Window window(workspace);
+    const auto first = [&](const char* letters) {
+      Palette palette(window);
+      QTest::keyClicks(palette.findChild<QLineEdit*>(), letters);
+      return palette.findChild<QListWidget*>()->item(0)->text();
+    };
+    for (const auto& [letters, name] : {std::pair("keyframe", "Insert event at playhead"),
+                                        {"interpol", "Go to curves"},
+                                        {"parent", "Group"},
+                                        {"delete", "Remove"},
+                                        {"orthographic", "Perspective"},
+                                        {"motion path", "Ways"}})
+      QVERIFY2(first(letters).contains(name), qPrintable(QString(letters) + ": " + first(letters)));
+    for (const ActionRow& row : action_rows())
+      if (row.name == "Go to curves") QVERIFY(row.also.find("easing") != row.also.npos);
+  }
+
   void thePaletteFindsByLetters() {
     QVERIFY(fit("und", "Undo") > fit("und", "Round"));
     QCOMPARE(fit("xyz", "Undo"), 0);

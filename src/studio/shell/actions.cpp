@@ -31,6 +31,37 @@ std::vector<ActionRow> object_rows() {
   return rows;
 }
 
+// The words of other programs.
+constexpr std::pair<std::string_view, std::string_view> other_words[] = {
+    {"Insert event at playhead", "keyframe key set record"},
+    {"Auto-key", "automatic keyframe record"},
+    {"Duplicate", "clone copy"},
+    {"Duplicate linked", "instance clone reference"},
+    {"Group", "parent empty null join"},
+    {"Ungroup", "unparent"},
+    {"Remove", "delete erase"},
+    {"Remove with all below", "delete hierarchy children"},
+    {"Render film…", "export video mp4 gif animation composition"},
+    {"Save session…", "macro"},
+    {"Ways", "motion path trajectory trail"},
+    {"Onion skin", "ghost"},
+    {"Frame selection", "zoom fit view selected center"},
+    {"Move camera to view", "align camera"},
+    {"Go to curves", "graph editor f-curve interpolation easing"},
+    {"Go to sheet", "dope timeline keyframes"},
+    {"Go to history", "undo list"},
+    {"Go to script", "text code source"},
+    {"Set play range start", "in point work area"},
+    {"Set play range end", "out point work area"},
+    {"Free view", "orbit viewport camera"},
+    {"Perspective", "orthographic"},
+    {"Move selection", "translate grab position"},
+    {"Rotate selection", "turn rotation"},
+    {"Scale selection", "size resize"},
+    {"Half speed", "slow motion"},
+    {"Light colours", "theme dark preferences"},
+};
+
 std::vector<ActionRow> made_rows() {
   std::vector<ActionRow> all = {
       {"File", "New", "Ctrl+N", "Begins a new film; asks first if you have unsaved changes.",
@@ -60,6 +91,12 @@ std::vector<ActionRow> made_rows() {
       {"Play", "Loop", "L", "Plays again from the beginning at the end.",
        [](Window& w) { w.workspace().playhead().loop(!w.workspace().playhead().loops()); },
        [](const Window& w) { return w.workspace().playhead().loops(); }},
+      {"Play", "Half speed", "", "Plays half as fast, without sound; once more, as fast as the film.",
+       [](Window& w) { w.workspace().playhead().speed(w.workspace().playhead().speed() == 0.5 ? 1 : 0.5); },
+       [](const Window& w) { return w.workspace().playhead().speed() == 0.5; }},
+      {"Play", "Double speed", "", "Plays twice as fast, without sound; once more, as fast as the film.",
+       [](Window& w) { w.workspace().playhead().speed(w.workspace().playhead().speed() == 2 ? 1 : 2); },
+       [](const Window& w) { return w.workspace().playhead().speed() == 2; }},
       {"Play", "Mute", "Ctrl+M", "Turns the film's sound off or on.",
        [](Window& w) { w.sound().mute(!w.sound().muted()); }, [](const Window& w) { return w.sound().muted(); }},
       {"Play", "Next frame", "Right", "Moves the playhead one frame forwards.",
@@ -147,7 +184,11 @@ std::vector<ActionRow> made_rows() {
        [](Window& w) { w.show_panel("server"); }},
       {"View", "All keys", "F1", "Lists all keys.", [](Window& w) { w.show_keys(); }},
   };
-  const std::vector<ActionRow> objects = object_rows();
+  std::vector<ActionRow> objects = object_rows();
+  for (const auto& [name, words] : other_words)
+    for (std::vector<ActionRow>* rows : {&all, &objects})
+      for (ActionRow& row : *rows)
+        if (row.name == name) row.also = words;
   all.insert(std::ranges::find(all, std::string_view("View"), &ActionRow::menu), objects.begin(), objects.end());
   return all;
 }

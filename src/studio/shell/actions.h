@@ -19,6 +19,7 @@ struct ActionRow {
   std::string_view sentence;    // describes the command; `…` are the script lines that it carries out
   std::function<void(Window&)> run;
   bool (*is_on)(const Window&) = nullptr;  // whether a switch is on; null if the command is no switch
+  std::string_view also = {};              // words by which people look for it
 };
 const std::vector<ActionRow>& action_rows();
 

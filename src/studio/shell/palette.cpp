@@ -76,8 +76,11 @@ void Palette::list(const QString& letters) {
   const auto& rows = action_rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const QString name = text_of(rows[i].name), keys = text_of(rows[i].keys).section("; ", 0, 0);
-    add(fit(letters, name), text_of(rows[i].menu) + ": " + name + (keys.isEmpty() ? "" : "    " + keys),
-        text_of(rows[i].sentence), action, static_cast<int>(i));
+    int good = fit(letters, name);
+    const QString other = " " + text_of(rows[i].also);
+    if (letters.size() > 2 && other.contains(" " + letters.trimmed(), Qt::CaseInsensitive)) good = std::max(good, 1500);
+    add(good, text_of(rows[i].menu) + ": " + name + (keys.isEmpty() ? "" : "    " + keys), text_of(rows[i].sentence),
+        action, static_cast<int>(i));
   }
   if (!letters.isEmpty()) {
     int listed = 0;

@@ -44,6 +44,13 @@ QRectF Ruler::note_box(Time t) const {
   return {x_of(t), top, w, line_height() * 0.95};
 }
 
+Ruler::Edge Ruler::edge_at(const QPointF& at) const {
+  if (!part_box().adjusted(0, -3, 0, 3).contains(at.toPoint())) return Edge::none;
+  const auto [from, to] = workspace_.document().range();
+  const double near = line_height() * 0.4, a = std::abs(at.x() - x_of(from)), b = std::abs(at.x() - x_of(to));
+  return std::min(a, b) > near ? Edge::none : b <= a ? Edge::last : Edge::first;
+}
+
 std::optional<Time> Ruler::note_at(const QPointF& at) const {
   std::optional<Time> found;
   const auto all = workspace_.document().notes(time_at(at.x() - width()), time_at(at.x() + 3));
@@ -76,8 +83,9 @@ void Ruler::paint_part(QPainter& p) const {
     const double a = x_of(from), b = std::max(a + 2, x_of(to));
     p.fillRect(QRectF(a, box.y(), b - a, box.height()), color);
   };
-  const auto [from, to] = workspace_.document().range();
-  bar(from, to, c.line);
+  auto [from, to] = workspace_.document().range();
+  if (edge_to_) edge_ == Edge::first ? from = *edge_to_ : to = *edge_to_;
+  bar(from, to, edge_to_ ? c.accent : c.line);
   const Playhead& played = workspace_.playhead();
   if (played.first() != from || played.last() != to) bar(played.first(), played.last(), c.accent);
 }
@@ -126,11 +134,25 @@ void Ruler::paint_notes(QPainter& p) const {
 void Ruler::press(QMouseEvent* e) {
   from_ = e->position();
   note_ = note_at(from_);
+  edge_ = e->modifiers() & Qt::AltModifier ? Edge::none : edge_at(from_);
   if (part_box().contains(from_.toPoint()) && e->modifiers() & Qt::AltModifier) note_.reset();
   update();
 }
 
+// Returns the time to which the film's first or last frame is dragged.
+Time Ruler::edge_time(const QMouseEvent& e) const {
+  const auto [from, to] = workspace_.document().range();
+  const Time there = nearest_frame(time_at(e.position().x()));
+  return edge_ == Edge::first ? std::min(there, to) : std::max(there, from);
+}
+
 std::string Ruler::moving(const QMouseEvent& e) const {
+  if (edge_ != Edge::none) {
+    auto [from, to] = workspace_.document().range();
+    const auto before = std::pair(from, to);
+    edge_ == Edge::first ? from = edge_time(e) : to = edge_time(e);
+    return std::pair(from, to) == before ? "" : fmt::format("range {} {}", workspace_.when(from), workspace_.when(to));
+  }
   if (!note_) return {};
   Time to = *note_ + (time_at(e.position().x()) - time_at(from_.x()));
   if (!(e.modifiers() & Qt::ControlModifier)) to = nearest_frame(to);
@@ -141,6 +163,10 @@ std::string Ruler::moving(const QMouseEvent& e) const {
 
 void Ruler::drag(QMouseEvent* e) {
   if ((e->position() - from_).manhattanLength() < 3) return;
+  if (edge_ != Edge::none) {  // without a preview of the film, which would change the scale of the ruler
+    edge_to_ = edge_time(*e);
+    return update();
+  }
   const std::string line = moving(*e);
   line.empty() ? workspace_.look_back() : void(workspace_.look_ahead({line}));
 }
@@ -149,18 +175,23 @@ void Ruler::release(QMouseEvent* e) {
   const bool moved = (e->position() - from_).manhattanLength() >= 3;
   const std::string line = moved ? moving(*e) : "";
   workspace_.look_back();
+  edge_ = Edge::none, edge_to_.reset();
   if (line.empty()) return;
   if (workspace_.say(line)) note_.reset();
 }
 
 void Ruler::call_off() {
   workspace_.look_back();
-  note_.reset();
+  note_.reset(), edge_ = Edge::none, edge_to_.reset();
 }
 
 void Ruler::hover(QMouseEvent* e) {
   const auto note = note_at(e->position());
+  const Edge edge = edge_at(e->position());
+  setCursor(edge == Edge::none ? Qt::ArrowCursor : Qt::SizeHorCursor);
   QString words;
+  if (edge != Edge::none)
+    words = edge == Edge::first ? tr("the film's first frame: drag it") : tr("the film's last frame: drag it");
   if (note)
     for (const auto& [t, text] : workspace_.document().notes(*note, *note))
       words += QString::fromStdString(fmt::format("at {} note {}\n", workspace_.when(t), write_text(text)));

@@ -38,11 +38,16 @@ class Ruler : public TimePane {
   void paint_cuts(QPainter&) const;
   void paint_notes(QPainter&) const;
   std::optional<Time> note_at(const QPointF&) const;
+  enum class Edge : std::uint8_t { none, first, last };
+  Edge edge_at(const QPointF&) const;  // of the film's range
   // Edits the notes at a time. Without `which` it appends one.
   void write_note(Time, std::optional<std::size_t> which);
-  std::string moving(const QMouseEvent&) const;  // the line that moves the dragged note; "" if it would not move
+  Time edge_time(const QMouseEvent&) const;
+  std::string moving(const QMouseEvent&) const;  // the line for the dragged note or edge; "" if it would not move
 
-  std::optional<Time> note_;  // the selected one
+  std::optional<Time> note_;     // the selected one
+  Edge edge_ = Edge::none;       // the dragged one
+  std::optional<Time> edge_to_;  // where it is dragged to
   QPointF from_;
   QLineEdit* words_ = nullptr;
 };

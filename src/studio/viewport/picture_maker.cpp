@@ -38,7 +38,8 @@ class Maker {
       return m;
     }
     m.image = QImage(p.rgba.data(), p.width, p.height, 4 * p.width, QImage::Format_RGBA8888)
-                  .convertToFormat(QImage::Format_RGB32);
+                  .convertToFormat(w.program.document().transparent() ? QImage::Format_ARGB32_Premultiplied
+                                                                      : QImage::Format_RGB32);
     return m;
   }
 

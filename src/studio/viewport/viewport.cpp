@@ -62,6 +62,7 @@ PictureWanted Viewport::wanted() const {
   RenderOptions o;
   o.width = std::clamp(size.width(), 1, 8192), o.height = std::clamp(size.height(), 1, 8192);
   o.style = style_;
+  o.linear = workspace_.document().transparent();  // otherwise the picture is opaque
   return {workspace_.program(), workspace_.time(), o, free_};
 }
 

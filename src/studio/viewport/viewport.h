@@ -148,6 +148,7 @@ class Viewport : public QWidget {
   void paint_icons(QPainter&, const Scope&);
   void paint_pull(QPainter&);
   void paint_words(QPainter&);
+  void paint_auto_key(QPainter&);
   void paint_camera(QPainter&, const Scope&);
 
   void make_corner();  // viewport_corner.cpp

@@ -15,13 +15,14 @@
 namespace betwixt::studio {
 namespace {
 
-enum class Sort { none, film, mesh, picture, sound };
+enum class Sort { none, film, scene, mesh, picture, sound };
 
 Sort sort_of(const QString& file) {
   const QString ending = QFileInfo(file).suffix().toLower();
   const auto in = [&](const char* endings) { return QString(endings).split(' ').contains(ending); };
   if (ending == "bx") return Sort::film;
-  if (in("gltf glb ply obj stl dae fbx 3ds")) return Sort::mesh;
+  if (in("gltf glb dae fbx bvh svg")) return Sort::scene;
+  if (in("ply obj stl 3ds")) return Sort::mesh;
   if (in("png jpg jpeg tga bmp")) return Sort::picture;
   if (in("wav flac ogg mp3 opus m4a")) return Sort::sound;
   return Sort::none;
@@ -82,6 +83,9 @@ std::string Viewport::line_for_file(const QString& file, QPointF p) const {
   std::string line = "create " + name;
   if (sort == Sort::mesh) {
     line += " mesh file=" + path;
+  } else if (sort == Sort::scene) {  // its own places and animation
+    line += " scene file=" + path;
+    if (workspace_.time() > d.range().first) line += " start=" + workspace_.when(workspace_.time());
   } else {
     // The image gets a third of the picture's height, and its own aspect ratio.
     const QSize size = QImageReader(file).size();

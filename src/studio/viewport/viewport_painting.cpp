@@ -20,12 +20,24 @@ constexpr std::size_t most_cleared = 60;      // objects in front of the grid
 constexpr std::size_t most_bracketed = 300;
 constexpr double grid_pixels = 40;  // least distance of two lines
 
+// Shows where a film is transparent.
+QBrush checkerboard() {
+  QPixmap two(16, 16);
+  two.fill(QColor(0x66, 0x66, 0x66));
+  QPainter p(&two);
+  p.fillRect(0, 0, 8, 8, QColor(0x99, 0x99, 0x99));
+  p.fillRect(8, 8, 8, 8, QColor(0x99, 0x99, 0x99));
+  p.end();
+  return two;
+}
+
 }  // namespace
 
 void Viewport::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.fillRect(rect(), palette().color(QPalette::Window).darker(120));
   p.setRenderHint(QPainter::SmoothPixmapTransform);
+  if (!shown_.image.isNull() && workspace_.document().transparent()) p.fillRect(picture_box(), checkerboard());
   if (!shown_.image.isNull()) p.drawImage(picture_box(), shown_.image);
   if (plain_) return;
   if (!free_) {
@@ -47,7 +59,23 @@ void Viewport::paintEvent(QPaintEvent*) {
     paint_pull(p);
   else if (const auto h = handles())
     h->paint(p, hot_);
+  if (switches_.auto_key) paint_auto_key(p);
   paint_words(p);
+}
+
+// A red frame: every change writes an event.
+void Viewport::paint_auto_key(QPainter& p) {
+  p.setRenderHint(QPainter::Antialiasing, false);
+  p.setBrush(Qt::NoBrush);
+  p.setPen(QPen(colors().error, 4));
+  p.drawRect(rect().adjusted(2, 2, -2, -2));
+  const QString words = tr("auto-key: every change writes an event");
+  const QRect box(rect().right() - fontMetrics().horizontalAdvance(words) - 16,
+                  rect().bottom() - fontMetrics().height() - 12, fontMetrics().horizontalAdvance(words) + 12,
+                  fontMetrics().height() + 8);
+  p.fillRect(box, colors().error);
+  p.setPen(Qt::white);
+  p.drawText(box, Qt::AlignCenter, words);
 }
 
 QImage Viewport::layer() const {
