@@ -135,6 +135,7 @@ struct Session::State {
   Answer rewrite_word(const Words&) { return rewrite(std::string_view()); }
   Result<TextEdit> rewriting(std::string_view line) const;
   Status take(Point after, Step);
+  std::optional<TextEdits> place_each(const Point& after, const Step&) const;
   Status go_back();
   Status go_again();
   void read_text_again();

@@ -30,6 +30,34 @@ void Session::State::read_text_again() {
   (void)editor.read(placed().text, of_text);
 }
 
+// Places the lines of a step one by one, as if they had been entered one after the other. Returns nullopt if that is
+// too much work or does not make the same film.
+std::optional<TextEdits> Session::State::place_each(const Point& then, const Step& step) const {
+  constexpr std::size_t most_lines = 32, most_text = 200'000;
+  std::string text = placed().text;
+  if (step.rows || !step.sheet.empty() || step.lines.size() > most_lines || text.size() > most_text ||
+      std::ranges::any_of(step.lines, indented))
+    return std::nullopt;
+  TextEdits all;
+  Point at = editor.now();
+  at.script.left.reset();
+  Diagnostics said;
+  for (const std::string& line : step.lines) {
+    CommandResult result = editor.carry_out(at, line);
+    if (!result.done || result.opens) return std::nullopt;
+    const auto makes = [&](const std::string& edited, const TextEdits&) {
+      return editor.read(edited, said).document == result.after.document;
+    };
+    TextEdits edits = place(text, {{result.line}, {}}, at.document, result.after.document, makes);
+    put_into(text, edits);
+    all.insert(all.end(), std::make_move_iterator(edits.begin()), std::make_move_iterator(edits.end()));
+    at = std::move(result.after);
+  }
+  said.clear();
+  const bool same = at.document == then.document && editor.read(text, said).document == then.document;
+  return same && !has_errors(said) ? std::optional(std::move(all)) : std::nullopt;
+}
+
 Status Session::State::take(Point then, Step step) {
   if (!in_place) return editor.take(std::move(then), std::move(step));
   Diagnostics said;
@@ -40,6 +68,9 @@ Status Session::State::take(Point then, Step step) {
     return made.document == then.document;
   };
   TextEdits edits = place(placed().text, step, document(), then.document, makes);
+  const bool at_end = edits.size() == 1 && edits[0].at == placed().text.size() && edits[0].removed.empty();
+  if (step.lines.size() > 1 && at_end)
+    if (auto each = place_each(then, step)) edits = *std::move(each);
   // An open bracket above would swallow the new line.
   if (has_errors(of_text)) {
     std::string text = placed().text;

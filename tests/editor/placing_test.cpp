@@ -417,5 +417,30 @@ TEST(Merge, TakesBothWhereTheyDoNotMeet) {
   EXPECT_EQ(merge(base, "ours\n", base), "ours\n");
 }
 
+// Lines that are said together find their places one by one.
+TEST(Placing, LinesOfOneStepAreEachInTheirPlace) {
+  Session s;
+  const std::string text =
+      "rate 24\nrange 1f 24f\ncreate ball sphere radius=1\ncreate cube box position=(1 2 3)\n"
+      "ball.position\n  1f (0 0 0)\n  12f (1 0 0)\n";
+  s.begin(text, "film.bx");
+  s.edit_in_place();
+  ASSERT_TRUE(s.enter_together({"set ball.radius 2", "move ball.position 12f..12f by 3f", "range 1f 48f",
+                                "set cube.position (3 2 1)", "create more sphere"})
+                  .done);
+  EXPECT_EQ(s.text(),
+            "rate 24\nrange 1f 48f\ncreate ball sphere radius=2\ncreate cube box position=(3 2 1)\n"
+            "ball.position\n  1f (0 0 0)\n  15f (1 0 0)\ncreate more sphere\n");
+  EXPECT_TRUE(load_text(s.text(), "film.bx").document == s.document());
+  ASSERT_TRUE(s.enter("undo").done);
+  EXPECT_EQ(s.text(), text);
+  ASSERT_TRUE(s.enter("redo").done);
+  EXPECT_NE(s.text(), text);
+  // Lines that build on each other.
+  ASSERT_TRUE(s.enter_together({"create hand box", "couple ball to hand", "set ball.radius 3"}).done);
+  EXPECT_TRUE(load_text(s.text(), "film.bx").document == s.document());
+  EXPECT_TRUE(s.text().find("radius=3") != std::string::npos) << s.text();
+}
+
 }  // namespace
 }  // namespace betwixt

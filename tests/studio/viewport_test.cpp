@@ -116,7 +116,7 @@ class ViewportTest : public QObject {
     f.workspace.go_to(f.workspace.document().rate().frame(25));
     f.drag(at(4, 1.2), at(4, 2.2));
     QCOMPARE(f.value("ball.position", "25f"), QString("4 1 0"));
-    QVERIFY(f.text().contains("at 25f ball.position (4 1 0) linear"));  // its twerper stays
+    QVERIFY(f.text().contains("  25f (4 1 0) linear\n"));  // its twerper stays
     f.workspace.go_to(f.workspace.document().rate().frame(13));
     f.view.take(Tool::move);
     f.keys("y2\r");
@@ -196,7 +196,7 @@ class ViewportTest : public QObject {
     Film f({"film flat", "create ball disc", "at 1f ball.position.x 0", "at 25f ball.position.x 0"});
     f.select("ball");
     f.drag(at(0, 0), at(2, 1));
-    QVERIFY(f.text().contains("at 1f ball.position.x 2\n"));
+    QVERIFY(f.text().contains("ball.position.x\n  1f 2\n"));
     QVERIFY(f.text().contains("set ball.position.y 1\n"));
     QCOMPARE(f.value("ball.position", "1f"), QString("2 1 0"));
     QCOMPARE(f.value("ball.position", "25f"), QString("0 1 0"));
@@ -330,7 +330,7 @@ class ViewportTest : public QObject {
     f.drag(at(4, 0), at(4, 1));
     QCOMPARE(f.value("ball.position", "25f"), QString("4 1 0"));
     QCOMPARE(f.value("ball.position", "1f"), QString("0 0 0"));
-    QVERIFY(f.text().contains("at 25f ball.position (4 1 0) linear\n"));
+    QVERIFY(f.text().contains("  25f (4 1 0) linear\n"));
   }
 
   void what_looks_at_something_says_so() {
@@ -372,7 +372,8 @@ class ViewportTest : public QObject {
     QVERIFY(!f.view.is_free());
     QCOMPARE(f.value("eye.position"), QString("9.6 0 0.8"));  // about the ball's nearest place, (0.6 0 0.8)
     QCOMPARE(f.text(),
-             before + "set eye.look-at none\nset eye.position (9.6 0 0.8)\nset eye.rotation euler(0 90deg 0)\n");
+             "create ball sphere\ncreate eye camera position=(9.6 0 0.8) look-at=none\n"
+             "set eye.rotation euler(0 90deg 0)\n");
     f.workspace.undo();
     QCOMPARE(f.text(), before);
   }

@@ -11,6 +11,7 @@
 #include "studio/panels/live_panel.h"
 #include "studio/panels/server_panel.h"
 #include "studio/shell/actions.h"
+#include "studio/shell/control_names.h"
 #include "studio/shell/export_dialog.h"
 #include "studio/shell/palette.h"
 #include "studio/shell/theme.h"
@@ -171,6 +172,49 @@ class DeskTest : public QObject {
         QVERIFY2(keys.emplace(sequence, row.name).second, qPrintable(k + " twice"));
       }
     }
+  }
+
+  // For people who cannot see the controls, or cannot use a mouse.
+  void everyControlHasANameAndCanBeReached() {
+    Workspace workspace;
+    Window window(workspace);
+    workspace.open(film_);
+    window.show();
+    for (const bool selected : {false, true}) {
+      if (selected) workspace.select({workspace.document().find("ball")});
+      for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+        dock->show(), dock->raise();
+        QCoreApplication::processEvents();
+        int controls = 0;
+        for (QWidget* w : QList{dock->widget()} + dock->widget()->findChildren<QWidget*>()) {
+          if (!w->isVisible() || !is_control(*w)) continue;
+          ++controls;
+          const QString who = dock->objectName() + ": " + w->metaObject()->className() + " " + w->objectName();
+          QVERIFY2(w->accessibleName().size() > 1, qPrintable(who));
+          const bool part = qobject_cast<QLineEdit*>(w) && qobject_cast<QComboBox*>(w->parentWidget());
+          if (qobject_cast<QAbstractButton*>(w) && w->isEnabled() && !part)
+            QVERIFY2(w->focusPolicy() & Qt::TabFocus, qPrintable(who + " cannot be reached by keys"));
+        }
+        QVERIFY2(controls > 0, qPrintable(dock->objectName()));
+      }
+    }
+  }
+
+  void textIsLargerOrSmaller() {
+    Workspace workspace;
+    Window window(workspace);
+    workspace.open(film_);
+    window.show();
+    const double before = QApplication::font().pointSizeF();
+    const auto* title = window.findChild<QLineEdit*>("name");  // with a font of its own
+    const double titled = title->font().pointSizeF();
+    window.set_text_size(1.5);
+    QVERIFY(std::abs(QApplication::font().pointSizeF() - 1.5 * before) < 0.1);
+    QVERIFY(std::abs(title->font().pointSizeF() - 1.5 * titled) < 0.1);
+    window.set_text_size(100);
+    QCOMPARE(window.text_size(), 2.5);
+    window.set_text_size(1);
+    QVERIFY(std::abs(QApplication::font().pointSizeF() - before) < 0.1);
   }
 
   // Every row of words belongs to an action, and words of other programs lead to it.

@@ -21,7 +21,7 @@ Curves::Curves(Workspace& workspace, QWidget* parent) : QWidget(parent) {
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
     auto* b = new QToolButton(this);
     b->setObjectName(name), b->setText(text), b->setToolTip(tip);
-    b->setAutoRaise(true), b->setFocusPolicy(Qt::NoFocus);
+    b->setAutoRaise(true), b->setFocusPolicy(Qt::TabFocus);
     bar->addWidget(b);
     return b;
   };

@@ -252,6 +252,8 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
   row->made->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->editor = make_editor(kind, f, workspace_, section);
   row->editor->setObjectName(name);
+  row->editor->setAccessibleName(name);
+  row->diamond->setAccessibleName(tr("event of %1").arg(name));
   grid->addWidget(row->diamond, at, 0);
   grid->addWidget(row->called, at, 1);
   grid->addWidget(row->editor, at, 2);

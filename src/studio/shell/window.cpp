@@ -18,7 +18,6 @@
 #include <QSettings>
 #include <QShortcut>
 #include <QStatusBar>
-#include <QTextBrowser>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -33,9 +32,9 @@
 #include "studio/shell/actions.h"
 #include "studio/shell/asking.h"
 #include "studio/shell/console.h"
+#include "studio/shell/control_names.h"
 #include "studio/shell/example.h"
 #include "studio/shell/export_dialog.h"
-#include "studio/shell/palette.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
@@ -59,6 +58,7 @@ Window::Window(Workspace& workspace, Manner manner)
       sound_(new Sound(workspace, this)),
       said_(new QLabel(this)) {
   setObjectName("studio");
+  qApp->installEventFilter(new ControlNames(this));
   setDockNestingEnabled(true);
   setAcceptDrops(true);
   resize(1280, 800);
@@ -337,7 +337,7 @@ void Window::closeEvent(QCloseEvent* e) {
 void Window::remember() {
   QSettings settings("betwixt", "studio");
   if (!manner_.bare) settings.setValue("geometry", saveGeometry()), settings.setValue("panels", saveState());
-  settings.setValue("light", light_);
+  settings.setValue("light", light_), settings.setValue("text-size", text_size_);
 }
 
 // The studio must start whatever the settings hold: if a start does not finish, the next one drops the geometry of the
@@ -345,6 +345,7 @@ void Window::remember() {
 void Window::recall() {
   QSettings settings("betwixt", "studio");
   set_light(settings.value("light").toBool());
+  set_text_size(settings.value("text-size", 1.0).toDouble());
   if (manner_.bare) return;
   if (settings.contains("starting")) settings.remove("geometry"), settings.remove("panels");
   settings.setValue("starting", true);
@@ -356,31 +357,6 @@ void Window::recall() {
     restoreState(QSettings("betwixt", "studio").value("panels").toByteArray());
     QTimer::singleShot(0, this, [] { QSettings("betwixt", "studio").remove("starting"); });
   });
-}
-
-// ---- finding commands
-
-void Window::find_command() {
-  Palette palette(*this);
-  palette.exec();
-}
-
-void Window::show_keys() {
-  auto* page = new QTextBrowser(this);
-  page->setWindowFlag(Qt::Window);  // closes with this window
-  connect(new QShortcut(Qt::Key_Escape, page), &QShortcut::activated, page, &QWidget::close);
-  page->setAttribute(Qt::WA_DeleteOnClose);
-  page->setWindowTitle(tr("Keys"));
-  QString html = "<table cellpadding='4'>";
-  std::string_view menu;
-  for (const ActionRow& row : action_rows()) {
-    if (row.menu != menu) html += "<tr><td colspan='3'><b>" + text_of(menu = row.menu) + "</b></td></tr>";
-    html += "<tr><td>" + text_of(row.keys).toHtmlEscaped() + "</td><td>" + text_of(row.name).toHtmlEscaped() +
-            "</td><td>" + text_of(row.sentence).toHtmlEscaped() + "</td></tr>";
-  }
-  page->setHtml(html + "</table>");
-  page->resize(60 * fontMetrics().height(), 40 * fontMetrics().height());
-  page->show();
 }
 
 }  // namespace betwixt::studio

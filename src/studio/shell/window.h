@@ -39,6 +39,11 @@ class Window : public QMainWindow {
   // Applies one of layouts(). Returns false if the name is unknown.
   bool set_layout(const QString& name);
   static QStringList layouts();
+  // Scales all text and what is measured by it; 1 is the size at the start.
+  void set_text_size(double);
+  double text_size() const { return text_size_; }
+  void insert_time();
+  void remove_time();
   void set_light(bool);
   bool is_light() const { return light_; }
 
@@ -82,6 +87,7 @@ class Window : public QMainWindow {
   QLabel* said_;
   std::string example_;
   QByteArray arranged_;  // the initial panel layout
+  double text_size_ = 1;
   bool light_ = false, leaving_ = false;
 };
 

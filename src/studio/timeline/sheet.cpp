@@ -38,7 +38,7 @@ Sheet::Sheet(Workspace& workspace, QWidget* parent) : QWidget(parent) {
   const auto toggle = [&](const char* name, const QString& text, const QString& tip) {
     auto* b = new QToolButton(this);
     b->setObjectName(name), b->setText(text), b->setToolTip(tip);
-    b->setCheckable(true), b->setAutoRaise(true), b->setFocusPolicy(Qt::NoFocus);
+    b->setCheckable(true), b->setAutoRaise(true), b->setFocusPolicy(Qt::TabFocus);
     return b;
   };
   auto* only =

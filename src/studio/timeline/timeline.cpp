@@ -97,7 +97,7 @@ Timeline::Timeline(Workspace& workspace, QWidget* parent)
   seconds_ = new QToolButton(this);
   seconds_->setObjectName("seconds");
   seconds_->setText(tr("seconds"));
-  seconds_->setCheckable(true), seconds_->setAutoRaise(true), seconds_->setFocusPolicy(Qt::NoFocus);
+  seconds_->setCheckable(true), seconds_->setAutoRaise(true), seconds_->setFocusPolicy(Qt::TabFocus);
   seconds_->setToolTip(tr("Shows times in seconds instead of frames"));
   bar->addWidget(seconds_);
   draw_buttons();
@@ -114,7 +114,7 @@ Timeline::Timeline(Workspace& workspace, QWidget* parent)
 QToolButton* Timeline::button(const QString& name, const QString& tip, void (*does)(Workspace&)) {
   auto* b = new QToolButton(this);
   b->setObjectName(name), b->setToolTip(tip);
-  b->setAutoRaise(true), b->setFocusPolicy(Qt::NoFocus);
+  b->setAutoRaise(true), b->setFocusPolicy(Qt::TabFocus);
   connect(b, &QToolButton::clicked, this, [this, does] { does(workspace_), show_playing(); });
   buttons_.push_back(b);
   return b;

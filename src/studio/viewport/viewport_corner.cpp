@@ -43,7 +43,7 @@ QToolButton* button(QWidget* parent, const char* name, const char* sign, const c
   b->setToolTip(QString::fromUtf8(tip));
   b->setCheckable(true);
   b->setAutoRaise(true);
-  b->setFocusPolicy(Qt::NoFocus);
+  b->setFocusPolicy(Qt::TabFocus);
   parent->layout()->addWidget(b);
   return b;
 }
@@ -81,7 +81,7 @@ void Viewport::make_corner() {
   eye_corner_ = bar(this);
   styles_ = new QComboBox(eye_corner_);
   styles_->setObjectName("style");
-  styles_->setFocusPolicy(Qt::NoFocus);
+  styles_->setFocusPolicy(Qt::TabFocus);
   styles_->setToolTip(tr("The style of the picture"));
   for (const Style& s : betwixt::styles()) {
     styles_->addItem(text_of(s.name));
