@@ -63,6 +63,7 @@ class ObjectsTest : public QObject {
     s.expect("arm", Vec3{1, 1, 0});
     s.workspace.undo();
     s.undone_is(before);
+    s.select({"base2"});
     s.act.duplicate();
     QCOMPARE(s.selected(), "base3");
   }
@@ -161,6 +162,20 @@ class ObjectsTest : public QObject {
     QApplication::clipboard()->setText("this is no film");
     s.act.paste();
     QCOMPARE(s.text(), text);
+  }
+
+  void a_model_of_a_kind_is_pasted_as_a_thing() {
+    Shown s("create ball sphere radius=1\n");
+    s.select({"ball"});
+    s.act.instance();
+    s.select({"ball"});
+    s.act.copy();
+    s.act.paste();
+    QCOMPARE(s.selected(), "ball3");
+    QCOMPARE(s.text().count("define kind"), 1);
+    Shown other("create box box\n");
+    other.act.paste();
+    QVERIFY(other.id("ball") && other.text().contains("define kind ball-kind like ball"));
   }
 
   void what_hangs_on_it_goes_along() {

@@ -12,6 +12,7 @@
 #include "betwixt/language.h"
 #include "scene/document.h"
 #include "studio/film.h"
+#include "studio/objects/object_actions.h"
 #include "studio/shell/number_field.h"
 
 namespace betwixt::studio {
@@ -112,6 +113,36 @@ class PropertiesTest : public QObject {
     QVERIFY(box("sky").currentText().isEmpty());
     s.select("ball");
     QVERIFY(!box("rate").isVisible());
+  }
+
+  void frames_need_no_unit_in_the_range() {
+    Shown s("rate 24\ncreate ball sphere\n");
+    s.workspace.select({});
+    auto& range = *s.panel.findChild<QComboBox*>("film_range");
+    for (const auto& [typed, line] :
+         {std::pair("48", "range 1f 48f"), {"5 40", "range 5f 40f"}, {"60", "range 5f 60f"}}) {
+      s.type(*range.lineEdit(), typed);
+      QTest::keyClick(&range, Qt::Key_Return);
+      QVERIFY2(s.text().contains(line), qPrintable(s.text()));
+    }
+  }
+
+  // Auto-key is of all panels.
+  void auto_key_makes_events_here_too() {
+    Shown s("rate 24\nrange 1f 48f\ncreate ball sphere\n");
+    ObjectActions::of(s.workspace).set_makes_events(true);
+    s.type(s.at("position", "x"), "2");
+    QTest::keyClick(&s.at("position", "x"), Qt::Key_Return);
+    s.workspace.go_to(s.at_time("48f"));
+    s.type(s.at("position", "x"), "5");
+    QTest::keyClick(&s.at("position", "x"), Qt::Key_Return);
+    QCOMPARE(s.events_of("ball.position"), std::size_t{2});
+    s.workspace.go_to(s.at_time("14f"));
+    s.type(s.at("position", "y"), "1");
+    QTest::keyClick(&s.at("position", "y"), Qt::Key_Return);
+    const Vec3 p = std::get<Vec3>(s.value("ball.position"));
+    QVERIFY(std::abs(p.x * 1e6 - std::round(p.x * 1e6)) < 1e-6);  // no more digits than one can see
+    ObjectActions::of(s.workspace).set_makes_events(false);
   }
 
   void what_is_wrong_changes_nothing() {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/timeline/timeline.h"
 
+#include <QFile>
 #include <QLineEdit>
+#include <QTemporaryDir>
 #include <QToolButton>
 
 #include "betwixt/language.h"
@@ -33,6 +35,7 @@ class TimelineTest : public QObject {
   void the_keys_play_step_and_stop();
   void a_note_is_dragged();
   void the_ends_of_the_film_are_dragged();
+  void sounds_are_bars_with_their_loudness();
   void what_is_called_off_changes_nothing();
   void a_double_click_writes_a_note();
   void a_note_of_several_gets_other_words();
@@ -134,6 +137,47 @@ void TimelineTest::the_ends_of_the_film_are_dragged() {
   QCOMPARE(s.at.workspace.text(), film);
   drag(s.ruler, {s.x(50), y}, {s.x(60), y});  // not at an end
   QVERIFY(!s.at.said.back().starts_with("range"));
+}
+
+// A WAV file of a second: silence, then a tone of full volume.
+void TimelineTest::sounds_are_bars_with_their_loudness() {
+  constexpr int rate = 8000;
+  QTemporaryDir folder;
+  QByteArray wav("RIFF\0\0\0\0WAVEfmt \20\0\0\0\1\0\1\0\x40\x1f\0\0\x80\x3e\0\0\2\0\20\0data\x80\x3e\0\0", 44);
+  for (int i = 0; i < rate; ++i) {
+    const auto v = static_cast<std::int16_t>(i < rate / 2 ? 0 : 32000 * std::sin(i * 0.5));
+    wav.append(reinterpret_cast<const char*>(&v), 2);
+  }
+  const auto put = [&](const QString& name, const QByteArray& bytes) {
+    QFile f(folder.filePath(name));
+    QVERIFY(f.open(QIODevice::WriteOnly));
+    f.write(bytes);
+  };
+  put("a.wav", wav);
+  put("film.bx",
+      "rate 24\nrange 1f 96f\ncreate one sound file=\"a.wav\" at=25f\ncreate two sound file=\"a.wav\" at=31f\n");
+  Workspace workspace;
+  QVERIFY(workspace.open(folder.filePath("film.bx")));
+  Timeline panel(workspace);
+  show(panel, 1000, 200);
+  Ruler& ruler = *panel.findChild<Ruler*>("ruler");
+  QCOMPARE(ruler.sounds().size(), std::size_t{2});
+  const SoundBar& one = ruler.sounds()[0];
+  const auto frame = [&](double n) { return workspace.document().rate().frame(n); };
+  QCOMPARE(one.from, frame(25));
+  QVERIFY(std::abs((one.to - frame(49)).seconds()) < 0.01);
+  QCOMPARE(one.row, 0);
+  QCOMPARE(ruler.sounds()[1].row, 1);  // they overlap
+  QVERIFY(one.loudness(frame(26), frame(35)) < 0.01);
+  const double loud = one.loudness(frame(40), frame(44));
+  // A sine's root mean square, 3 dB lower because one channel goes to two.
+  QVERIFY2(std::abs(loud - 32000 / 32768.0 / 2) < 0.02, std::to_string(loud).c_str());
+  const QPoint at = ruler.sound_box(one).center().toPoint();
+  drag(ruler, at, at + QPoint(static_cast<int>(std::lround(ruler.x_of(frame(37)) - ruler.x_of(frame(25)))), 0));
+  QCOMPARE(workspace.selected(), std::vector{workspace.document().find("one")});
+  QVERIFY2(workspace.text().find("create one sound file=\"a.wav\" at=1.5s\n") != std::string::npos,
+           workspace.text().c_str());
+  workspace.undo();
 }
 
 void TimelineTest::what_is_called_off_changes_nothing() {

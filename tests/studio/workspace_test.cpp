@@ -8,6 +8,7 @@
 #include <QtWidgets>
 
 #include "betwixt/language.h"
+#include "scene/functions.h"
 #include "studio/panels/live_panel.h"
 #include "studio/panels/server_panel.h"
 #include "studio/shell/actions.h"
@@ -198,6 +199,77 @@ class DeskTest : public QObject {
         QVERIFY2(controls > 0, qPrintable(dock->objectName()));
       }
     }
+  }
+
+  // All panels are shown, and a thing is selected that the next film does not have.
+  void anotherFilmFollowsWhateverIsSelected() {
+    Workspace workspace;
+    Window window(workspace);
+    window.open_example();
+    window.set_layout("all");
+    window.show();
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) dock->show(), dock->raise();
+    for (int k = 0; k < 3; ++k) {
+      for (const char* name : {"ball", "eye"}) {
+        window.open_example();
+        workspace.select({workspace.document().find(name)});
+        window.viewport().await_picture();
+        window.grab();
+        QCoreApplication::processEvents();
+        k == 1 ? window.open_example() : window.new_film();
+        QCoreApplication::processEvents();
+        window.grab();
+        QVERIFY(workspace.selected().empty());
+      }
+    }
+  }
+
+  void whatIsUndoneIsNotSelected() {
+    Workspace workspace;
+    workspace.open(film_);
+    workspace.say(std::string("create more box"));
+    workspace.select({workspace.document().find("more")});
+    workspace.undo();
+    QVERIFY(workspace.selected().empty());
+  }
+
+  // In a field in which nothing was typed, ctrl-Z is that of the film.
+  void undoWorksInFields() {
+    Workspace workspace;
+    Window window(workspace);
+    workspace.open(film_);
+    window.show();
+    window.activateWindow();
+    window.show_panel("properties");
+    workspace.select({workspace.document().find("ball")});
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    const std::string before = workspace.text();
+    workspace.say(std::string("set ball.radius 3"));
+    auto* name = window.findChild<QLineEdit*>("name");
+    name->setFocus();
+    QTest::keyClick(name, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(workspace.text(), before);
+    QTest::keyClicks(name, "x");  // now it is that of the field
+    QTest::keyClick(name, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(name->text(), QString("ball"));
+  }
+
+  void newCamerasLookFromTheView() {
+    Workspace workspace;
+    Window window(workspace);
+    workspace.open(film_);
+    window.viewport().set_free(true);
+    window.viewport().look_along({-1, 0, 0});
+    const Vec3 eye = translation_of(workspace.view()->world);
+    auto* menu = window.findChild<QToolButton*>("add")->menu();
+    for (QAction* a : menu->actions())
+      if (a->text() == "camera") a->trigger();
+    const ObjectId camera = workspace.selected().back();
+    const Value at = workspace.program().read(Target(camera, fn::position), workspace.time());
+    QVERIFY(length(std::get<Vec3>(at) - eye) < 0.02 * length(eye));
+    window.viewport().set_free(false);
+    QCOMPARE(window.viewport().film_camera(), camera);  // the first one of this film
+    QVERIFY(!workspace.view());
   }
 
   void textIsLargerOrSmaller() {

@@ -56,6 +56,7 @@ void CurvePane::lay_out() {
   };
   if (names(lines) != names(lines_) && !workspace_.looks_ahead()) fitted_ = false;
   if (lines.size() != lines_.size()) fitted_ = false;
+  laid_out_ = workspace_.document();
   lines_ = lines, base_.resize(lines_.size()), unit_.resize(lines_.size(), 1),
   picked_ = PickedTimes(workspace_.events_selected());
   swings_.clear();
@@ -66,6 +67,8 @@ void CurvePane::lay_out() {
 
 void CurvePane::sample() {
   if (!isVisible()) return;
+  // The axis follows another film before this pane does.
+  if (&laid_out_.scene() != &workspace_.document().scene()) return lay_out();
   std::vector<Time> columns;
   for (int x = axis_.gutter(); x < width(); ++x) columns.push_back(time_at(x));
   samples_.begin(workspace_.program(), lines_, std::move(columns));

@@ -80,6 +80,7 @@ class CurvePane : public TimePane {
   const LineSwing* swing_at(const QPointF&) const;
 
   std::vector<CurveLine> lines_;
+  Document laid_out_;  // the film that the lines are of
   std::vector<std::pair<std::size_t, LineSwing>> swings_;
   std::vector<ObjectId> shown_;  // the objects of the curves
   PickedTimes picked_;

@@ -326,6 +326,9 @@ Result<ObjectEdit> paste_lines(const Document& d, const std::string& film_text, 
   for (std::string& line : without_settings(write(other.document()))) {
     const std::string_view word = first_word(line);
     const bool named = word == "let" || word == "define";
+    constexpr std::string_view kind = "define kind ";
+    if (line.starts_with(kind) && d.scene().kinds->find(first_word(std::string_view(line).substr(kind.size()))))
+      continue;
     if (!(named && std::ranges::find(there, line) != there.end())) edit.lines.push_back(std::move(line));
   }
   return edit;

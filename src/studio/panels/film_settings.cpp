@@ -137,7 +137,19 @@ void FilmSettings::refresh() {
 // Carries out the command, unless the film has that setting.
 void FilmSettings::say(const Row& row) {
   QLineEdit* const edit = row.box->lineEdit();
-  const std::string now = edit->text().trimmed().toStdString();
+  QString words = edit->text().simplified();
+  if (row.verb == "range") {  // numbers alone are frames, one alone is the last
+    QStringList parts = words.split(' ', Qt::SkipEmptyParts);
+    for (QString& part : parts) {
+      bool number = false;
+      (void)part.toInt(&number);
+      if (number) part += "f";
+    }
+    if (parts.size() == 1)
+      parts.prepend(text_of(format_time(workspace_.document().range().first, workspace_.document())));
+    words = parts.join(' ');
+  }
+  const std::string now = words.toStdString();
   edit->setModified(false);
   if (!now.empty() && now != said(workspace_.document(), row.verb))
     workspace_.say(row.verb == "rate" ? line_of_rate(workspace_.text(), now) : row.verb + " " + now);

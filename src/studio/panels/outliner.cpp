@@ -20,6 +20,7 @@
 #include "language/values.h"
 #include "scene/own_kinds.h"
 #include "studio/objects/object_actions.h"
+#include "studio/shell/key_focus.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
 #include "studio/viewport/kind_icons.h"
@@ -49,6 +50,7 @@ OutlinerTree::OutlinerTree(Workspace& workspace, OutlinerModel& model, QWidget* 
   setHeaderHidden(true);
   setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
+  follow_pointer(*this);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   setExpandsOnDoubleClick(false);
@@ -290,12 +292,14 @@ void Outliner::add(const QString& kind) {
   const std::string name = free_name(workspace_.document(), kind.toStdString());
   std::string line = "create " + name + " " + kind.toStdString();
   if (kind == "text") line += " text=\"text\"";
-  if (kind == "camera") {  // at the current camera's place
-    const Mat4 eye = workspace_.program().frame(workspace_.time()).camera.world;
+  if (kind == "camera") {  // where one looks from
+    const Mat4 eye =
+        workspace_.view() ? workspace_.view()->world : workspace_.program().frame(workspace_.time()).camera.world;
     const Vec3 at = translation_of(eye), to = at - 10 * normalize(Vec3{eye(0, 2), eye(1, 2), eye(2, 2)});
     line += fmt::format(" position=({:.4g} {:.4g} {:.4g}) look-at=({:.4g} {:.4g} {:.4g})", at.x, at.y, at.z, to.x, to.y,
                         to.z);
   }
+  if (kind == "light") line += " position=(4 8 6)";  // above, to the right and in front of the middle
   if (kind == "mesh" || kind == "sound") {
     const QString file = QFileDialog::getOpenFileName(this, tr("The file of %1").arg(name.c_str()));
     if (file.isEmpty()) return;

@@ -13,8 +13,10 @@
 #include "editor/made_by.h"
 #include "editor/plain_values.h"
 #include "scene/document.h"
+#include "studio/objects/object_actions.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
+#include "studio/viewport/hand.h"
 #include "studio/viewport/kind_icons.h"
 
 namespace betwixt::studio {
@@ -317,13 +319,18 @@ std::vector<std::string> Properties::lines_for(const Row& row, int component, co
         const auto* vector = std::get_if<Vec3>(&now);
         if (!angles && !vector) continue;
         std::string all;
+        const bool here = made_by(d, t, workspace_.time()).event_here;
         for (int i = 0; i < static_cast<int>(f.components.size()); ++i) {
-          const Value part = angles ? angles->xyz[i] : (*vector)[i];
+          // A value between events is rounded to what one can see: a micrometre, a thousandth of a degree.
+          const double exact = angles ? angles->xyz[i] : (*vector)[i];
+          const Value part = here ? exact : angles ? rounded(exact * 180 / pi, 1e-3) * pi / 180 : rounded(exact, 1e-6);
           all += (i > 0 ? " " : "") + (i == component ? value : plain_value(part, Target(id, f.id, i), d));
         }
         value = (angles ? "euler(" : "(") + all + ")";
       }
-      lines.push_back(line_that_sets(d, t, workspace_.time(), value));
+      const bool makes = !spec_of(d.scene(), f.id).by_script && ObjectActions::of(workspace_).makes_events();
+      lines.push_back(makes ? line_of_event(d, t, workspace_.time(), value)
+                            : line_that_sets(d, t, workspace_.time(), value));
     }
   }
   return lines;

@@ -28,6 +28,20 @@ std::vector<ActionRow> object_rows() {
     rows.push_back({"Object", row.name, "", sentences.back(),
                     [run = row.run](Window& w) { (ObjectActions::of(w.workspace()).*run)(); }});
   }
+  const auto with_axis = [&]<Axis axis>(std::string_view mirror, std::string_view align, std::string_view distribute) {
+    const auto add = [&](std::string_view name, std::string_view sentence, auto run) {
+      rows.push_back({"Object", name, "", sentence, run});
+    };
+    add(mirror, "Makes a twin that mirrors the selection with all its motion.",
+        [](Window& w) { ObjectActions::of(w.workspace()).mirror(axis); });
+    add(align, "Moves the others to the place of the object that you selected last, along this axis.",
+        [](Window& w) { ObjectActions::of(w.workspace()).align(axis); });
+    add(distribute, "Spreads three or more objects evenly along this axis.",
+        [](Window& w) { ObjectActions::of(w.workspace()).distribute(axis); });
+  };
+  with_axis.operator()<Axis::x>("Mirror along x", "Align along x", "Distribute along x");
+  with_axis.operator()<Axis::y>("Mirror along y", "Align along y", "Distribute along y");
+  with_axis.operator()<Axis::z>("Mirror along z", "Align along z", "Distribute along z");
   return rows;
 }
 

@@ -35,6 +35,7 @@
 #include "studio/shell/control_names.h"
 #include "studio/shell/example.h"
 #include "studio/shell/export_dialog.h"
+#include "studio/shell/key_focus.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
@@ -59,6 +60,7 @@ Window::Window(Workspace& workspace, Manner manner)
       said_(new QLabel(this)) {
   setObjectName("studio");
   qApp->installEventFilter(new ControlNames(this));
+  qApp->installEventFilter(new KeyFocus(this));
   setDockNestingEnabled(true);
   setAcceptDrops(true);
   resize(1280, 800);

@@ -64,12 +64,12 @@ bool Workspace::open(const QString& file, Session::Earlier earlier) {
   const bool done = answer({}, a);
   if (!done) return false;
   selected_.clear(), events_.clear(), range_.reset(), script_line_ = 0, lines_.clear();
+  emit selection_changed();  // before the other film comes: its objects have the numbers of the old ones
   take_over();
   know_file();
   pause();
   go_to(document_.range().first);
   emit opened();
-  emit selection_changed();
   return true;
 }
 
@@ -217,7 +217,7 @@ void Workspace::show(Document next) {
   document_ = std::move(next), program_ = std::move(program);
   const auto part = range_.value_or(document_.range());
   playhead_.set(document_.rate(), part.first, part.second);
-  const auto gone = [&](ObjectId id) { return document_.name(id).empty(); };
+  const auto gone = [&](ObjectId id) { return find_object(document_.scene(), id) == nullptr; };
   const std::size_t selected = selected_.size(), events = events_.size();
   std::erase_if(selected_, gone);
   if (!ahead_)

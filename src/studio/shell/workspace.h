@@ -92,6 +92,10 @@ class Workspace : public QObject {
   double frames_shown() const { return shown_rate_; }  // pictures a second during playback
   void picture_shown();                                // the viewport calls this for each picture
 
+  // The free view of the picture; nullopt: it shows what the film's camera sees. New cameras look from there.
+  const std::optional<Camera>& view() const { return view_; }
+  void set_view(const std::optional<Camera>& view) { view_ = view; }
+
   // The selection: objects, of which the last one leads, and events.
   const std::vector<ObjectId>& selected() const { return selected_; }
   void select(std::vector<ObjectId>);
@@ -147,6 +151,7 @@ class Workspace : public QObject {
   Playhead playhead_;
   std::optional<std::pair<Time, Time>> range_;
   Time time_;
+  std::optional<Camera> view_;
   std::vector<ObjectId> selected_;
   std::vector<EventAt> events_;
   int script_line_ = 0;

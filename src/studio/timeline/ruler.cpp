@@ -15,6 +15,7 @@
 #include "language/values.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
+#include "studio/timeline/event_actions.h"
 #include "studio/timeline/time_words.h"
 
 namespace betwixt::studio {
@@ -22,11 +23,24 @@ namespace betwixt::studio {
 Ruler::Ruler(Workspace& workspace, QWidget* parent) : TimePane(workspace, parent) {
   setObjectName("ruler");
   setContextMenuPolicy(Qt::DefaultContextMenu);
-  connect(&workspace, &Workspace::document_changed, this, [this] { update(); });
+  connect(&workspace, &Workspace::document_changed, this, &Ruler::follow_sounds);
+  connect(&workspace, &Workspace::opened, this, &Ruler::follow_sounds);
+  follow_sounds();
 }
 
-// The frame numbers, the part to play, cuts and notes.
-QSize Ruler::sizeHint() const { return {20 * line_height(), ruler_height() + line_height() * 5 / 2}; }
+// The frame numbers, the part to play, cuts, notes and sounds.
+QSize Ruler::sizeHint() const {
+  int rows = 0;
+  for (const SoundBar& bar : sounds_) rows = std::max(rows, bar.row + 1);
+  return {20 * line_height(), ruler_height() + line_height() * 5 / 2 + rows * line_height() * 3 / 2};
+}
+
+void Ruler::follow_sounds() {
+  const int before = sizeHint().height();
+  sounds_ = sound_bars(workspace_.program());
+  if (sizeHint().height() != before) updateGeometry();
+  update();
+}
 
 QRect Ruler::part_box() const {
   const int top = ruler_height() + 2;
@@ -51,6 +65,17 @@ Ruler::Edge Ruler::edge_at(const QPointF& at) const {
   return std::min(a, b) > near ? Edge::none : b <= a ? Edge::last : Edge::first;
 }
 
+QRectF Ruler::sound_box(const SoundBar& bar) const {
+  const double a = x_of(bar.from), b = std::max(a + 3, x_of(bar.to));
+  return {a, ruler_height() + line_height() * (2.5 + 1.5 * bar.row), b - a, line_height() * 1.4};
+}
+
+std::optional<std::size_t> Ruler::sound_at(const QPointF& at) const {
+  for (std::size_t i = sounds_.size(); i-- > 0;)
+    if (sound_box(sounds_[i]).contains(at)) return i;
+  return std::nullopt;
+}
+
 std::optional<Time> Ruler::note_at(const QPointF& at) const {
   std::optional<Time> found;
   const auto all = workspace_.document().notes(time_at(at.x() - width()), time_at(at.x() + 3));
@@ -64,7 +89,7 @@ void Ruler::paint_content(QPainter& p) {
   paint_ruler(p);
   paint_lines(p, ruler_height() + 1, height());
   p.setClipRect(time_box());
-  paint_part(p), paint_cuts(p), paint_notes(p);
+  paint_part(p), paint_cuts(p), paint_notes(p), paint_sounds(p);
   p.setClipping(false);
   const QRect left(0, ruler_height(), axis_.gutter() - 6, height() - ruler_height());
   p.setPen(colors().dim);
@@ -74,6 +99,7 @@ void Ruler::paint_content(QPainter& p) {
   if (!workspace_.document().cuts().empty()) lane(ruler_height() + line_height() * 0.4, tr("cameras"));
   if (!workspace_.document().notes(earliest_time, latest_time).empty())
     lane(ruler_height() + line_height() * 1.4, tr("notes"));
+  if (!sounds_.empty()) lane(ruler_height() + line_height() * 2.6, tr("sounds"));
 }
 
 void Ruler::paint_part(QPainter& p) const {
@@ -131,10 +157,34 @@ void Ruler::paint_notes(QPainter& p) const {
   }
 }
 
+// Paints the loudness of each sound, pixel by pixel.
+void Ruler::paint_sounds(QPainter& p) const {
+  const Colors& c = colors();
+  for (const SoundBar& bar : sounds_) {
+    const QRectF box = sound_box(bar);
+    const bool selected = std::ranges::find(workspace_.selected(), bar.id) != workspace_.selected().end();
+    p.fillRect(box, faint(c.accent, selected ? 0.35F : 0.15F));
+    const double left = std::max<double>(box.left(), axis_.gutter()), right = std::min<double>(box.right(), width());
+    p.setPen(QPen(c.accent, 1));
+    for (double x = std::floor(left) + 0.5; x < right; ++x) {
+      const double loud = std::min(1.0, 1.4 * bar.loudness(time_at(x), time_at(x + 1))), h = loud * box.height() / 2;
+      p.drawLine(QPointF(x, box.center().y() - h), QPointF(x, box.center().y() + h));
+    }
+    p.setPen(selected ? c.selected : c.text);
+    p.drawText(QRectF(std::max<double>(left, box.left()) + 4, box.top(), box.width(), line_height()), Qt::AlignVCenter,
+               QString::fromStdString(bar.name));
+  }
+}
+
 void Ruler::press(QMouseEvent* e) {
   from_ = e->position();
   note_ = note_at(from_);
   edge_ = e->modifiers() & Qt::AltModifier ? Edge::none : edge_at(from_);
+  sound_.reset();
+  if (const auto i = sound_at(from_); i && !note_ && edge_ == Edge::none) {
+    sound_ = sounds_[*i].id, sound_from_ = sounds_[*i].from;
+    workspace_.select({*sound_});
+  }
   if (part_box().contains(from_.toPoint()) && e->modifiers() & Qt::AltModifier) note_.reset();
   update();
 }
@@ -152,6 +202,11 @@ std::string Ruler::moving(const QMouseEvent& e) const {
     const auto before = std::pair(from, to);
     edge_ == Edge::first ? from = edge_time(e) : to = edge_time(e);
     return std::pair(from, to) == before ? "" : fmt::format("range {} {}", workspace_.when(from), workspace_.when(to));
+  }
+  if (sound_) {
+    Time to = sound_from_ + (time_at(e.position().x()) - time_at(from_.x()));
+    if (!(e.modifiers() & Qt::ControlModifier)) to = nearest_frame(to);
+    return to == sound_from_ ? "" : fmt::format("set {}.at {}", workspace_.name(*sound_), workspace_.when(to));
   }
   if (!note_) return {};
   Time to = *note_ + (time_at(e.position().x()) - time_at(from_.x()));
@@ -175,14 +230,14 @@ void Ruler::release(QMouseEvent* e) {
   const bool moved = (e->position() - from_).manhattanLength() >= 3;
   const std::string line = moved ? moving(*e) : "";
   workspace_.look_back();
-  edge_ = Edge::none, edge_to_.reset();
+  edge_ = Edge::none, edge_to_.reset(), sound_.reset();
   if (line.empty()) return;
   if (workspace_.say(line)) note_.reset();
 }
 
 void Ruler::call_off() {
   workspace_.look_back();
-  note_.reset(), edge_ = Edge::none, edge_to_.reset();
+  note_.reset(), edge_ = Edge::none, edge_to_.reset(), sound_.reset();
 }
 
 void Ruler::hover(QMouseEvent* e) {
@@ -198,8 +253,9 @@ void Ruler::hover(QMouseEvent* e) {
   setToolTip(tip_of(words.trimmed()));
 }
 
-bool Ruler::key(int key, Qt::KeyboardModifiers, bool act) {
-  if (!note_ || (key != Qt::Key_Delete && key != Qt::Key_Backspace)) return false;
+bool Ruler::key(int key, Qt::KeyboardModifiers modifiers, bool act) {
+  if (!note_ || (key != Qt::Key_Delete && key != Qt::Key_Backspace))
+    return EventActions::of(workspace_).key(key, modifiers, act);
   if (act) workspace_.say(fmt::format("clear notes {}", workspace_.when(*std::exchange(note_, {}))));
   return true;
 }

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "studio/timeline/sound_bars.h"
 #include "studio/timeline/time_pane.h"
 
 class QLineEdit;
@@ -19,6 +20,8 @@ class Ruler : public TimePane {
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
   // Return the boxes for painting and for the mouse.
+  QRectF sound_box(const SoundBar&) const;
+  const std::vector<SoundBar>& sounds() const { return sounds_; }
   QRectF note_box(Time) const;
   QRect part_box() const;
 
@@ -37,6 +40,9 @@ class Ruler : public TimePane {
   void paint_part(QPainter&) const;
   void paint_cuts(QPainter&) const;
   void paint_notes(QPainter&) const;
+  void paint_sounds(QPainter&) const;
+  void follow_sounds();
+  std::optional<std::size_t> sound_at(const QPointF&) const;
   std::optional<Time> note_at(const QPointF&) const;
   enum class Edge : std::uint8_t { none, first, last };
   Edge edge_at(const QPointF&) const;  // of the film's range
@@ -45,9 +51,12 @@ class Ruler : public TimePane {
   Time edge_time(const QMouseEvent&) const;
   std::string moving(const QMouseEvent&) const;  // the line for the dragged note or edge; "" if it would not move
 
-  std::optional<Time> note_;     // the selected one
-  Edge edge_ = Edge::none;       // the dragged one
-  std::optional<Time> edge_to_;  // where it is dragged to
+  std::optional<Time> note_;  // the selected one
+  std::vector<SoundBar> sounds_;
+  std::optional<ObjectId> sound_;  // the dragged one
+  Time sound_from_;                // where it began
+  Edge edge_ = Edge::none;         // the dragged one
+  std::optional<Time> edge_to_;    // where it is dragged to
   QPointF from_;
   QLineEdit* words_ = nullptr;
 };

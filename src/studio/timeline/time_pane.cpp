@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/shell/key_focus.h"
 #include "studio/shell/theme.h"
 
 namespace betwixt::studio {
 
 TimePane::TimePane(Workspace& workspace, QWidget* parent)
     : QWidget(parent), workspace_(workspace), axis_(TimeAxis::of(workspace)) {
+  follow_pointer(*this);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   const auto repaint = [this] { update(); };

@@ -108,7 +108,10 @@ Timeline::Timeline(Workspace& workspace, QWidget* parent)
   connect(&workspace, &Workspace::document_changed, this, &Timeline::show_time);
   connect(&workspace, &Workspace::playing_changed, this, &Timeline::show_playing);
   show_time(), show_playing();
-  setMaximumHeight(sizeHint().height());  // the panels below get the rest of the height
+  // The panels below get the rest of the height. Sounds need more of it.
+  const auto fit = [this] { setMaximumHeight(sizeHint().height()); };
+  connect(&workspace, &Workspace::document_changed, this, fit);
+  fit();
 }
 
 QToolButton* Timeline::button(const QString& name, const QString& tip, void (*does)(Workspace&)) {

@@ -9,6 +9,7 @@
 
 #include "scene/kinds.h"
 #include "studio/objects/object_actions.h"
+#include "studio/shell/key_focus.h"
 #include "studio/shell/theme.h"
 
 namespace betwixt::studio {
@@ -23,13 +24,14 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
   setObjectName("viewport");
   setWindowTitle(tr("Picture"));
   setFocusPolicy(Qt::StrongFocus);
+  follow_pointer(*this);
   setMouseTracking(true);
   setAcceptDrops(true);
   make_corner();
   connect(&workspace, &Workspace::document_changed, this, [this] {
     forget();
     trails_.forget(), ghosts_.forget();
-    ask();
+    ask(), show_corner();
   });
   connect(&workspace, &Workspace::time_changed, this, [this] {
     if (pull_) end_pull(false);
@@ -43,6 +45,11 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
     update();
   });
   connect(&workspace, &Workspace::opened, this, [this] { set_free(false); });
+  // While the film plays, what is drawn over it belongs to the picture that is shown; then to the playhead's time.
+  connect(&workspace, &Workspace::playing_changed, this, [this] {
+    forget();
+    ask(), update();
+  });
   connect(&maker_, &PictureMaker::made, this, &Viewport::take_picture, Qt::QueuedConnection);
 }
 Viewport::~Viewport() = default;

@@ -57,6 +57,7 @@ class Viewport : public QWidget {
   void toggle_perspective();
   // Moves the film's camera to the free camera. Creates one if the film has none.
   void bring_camera();
+  ObjectId film_camera() const;  // the one in use now; empty if the film has none
   void select_all();
   // Starts a transform of the selection by the mouse, without a handle: G, R and S.
   void take(Tool);

@@ -7,6 +7,7 @@
 
 #include "betwixt/object.h"
 #include "language/values.h"
+#include "program/compiled.h"
 #include "studio/shell/marks.h"
 #include "studio/viewport/navigation.h"
 #include "studio/viewport/viewport.h"
@@ -29,6 +30,7 @@ void Viewport::set_free(bool free) {
     free_ = widened(frame().camera, part.width() / std::max(1, width()), part.height() / std::max(1, height()));
   else
     free_.reset();
+  workspace_.set_view(free_);
   outline_.reset();
   ask();
   show_corner();
@@ -37,6 +39,7 @@ void Viewport::set_free(bool free) {
 
 void Viewport::move_eye(const Camera& c) {
   free_ = c;
+  workspace_.set_view(free_);
   outline_.reset();
   ask();
   update();
@@ -133,16 +136,17 @@ void Viewport::look_from_behind() {
   move_eye(orbited(*free_, about, pi, 0));
 }
 
+ObjectId Viewport::film_camera() const {
+  const auto camera = workspace_.program().compiled().camera_at(shown_time());
+  return camera ? ObjectId{*camera} : ObjectId{};
+}
+
 void Viewport::bring_camera() {
   if (!is_free()) return;
   const Scope s = scope();
   const Vec3 eye = s.projection.eye();
   const double step = s.metres(std::max(1e-3, s.depth(pivot())));
-  // The current camera is the one at the eye's place.
-  ObjectId camera;
-  for (const Icon& i : icons())
-    if (i.kind == Kind::camera && length(i.place - translation_of(frame().camera.world)) < 1e-9) camera = i.id;
-  if (camera) {
+  if (const ObjectId camera = film_camera()) {
     const auto lines =
         lines_to_bring(workspace_.program(), camera, free_->world, workspace_.time(), step, switches_.auto_key);
     if (lines.empty() || !workspace_.say(lines)) return;
