@@ -206,6 +206,26 @@ class ObjectsTest : public QObject {
     s.expect("b", Vec3{5, 7, 1});
   }
 
+  void what_falls_bounces_on_the_floor() {
+    Shown s(
+        "rate 24\nrange 1f 96f\ncreate ball sphere radius=0.5 position=(0 4 0)\ncreate cube box size=(1 2 1) "
+        "position=(3 5 0)\n");
+    s.select({"ball", "cube"});
+    s.act.fall();
+    QVERIFY2(s.text().contains("at 1f fall ball ground=0.5 bounce=0.6\n") &&
+                 s.text().contains("at 1f fall cube ground=1 bounce=0.6\n"),
+             qPrintable(s.text()));
+    // It meets the floor after the time that a fall of 3.5 m takes, 20.3 frames, and comes up again.
+    double lowest = 9, later = 0;
+    for (int f = 1; f <= 40; ++f) {
+      const double y = s.place("ball", (std::to_string(f) + "f").c_str()).y;
+      lowest = std::min(lowest, y);
+      if (f > 24) later = std::max(later, y);
+    }
+    QVERIFY(lowest > 0.499 && lowest < 0.8);
+    QVERIFY(std::abs(later - (0.5 + 0.36 * 3.5)) < 0.05);  // the share of the energy is that of the speed, squared
+  }
+
   void hides_and_shows_all() {
     Shown s(arm);
     s.select({"arm", "far"});

@@ -35,6 +35,9 @@ const std::vector<ObjectActions::Row>& ObjectActions::rows() {
        QT_TR_NOOP("Puts the selection into a group: `couple ball to group1 keep-world`."), &ObjectActions::group, true},
       {QT_TR_NOOP("Ungroup"), "Ctrl+Shift+G", QT_TR_NOOP("Takes the parts out of the group and removes it."),
        &ObjectActions::ungroup},
+      {QT_TR_NOOP("Let fall"), "Shift+F",
+       QT_TR_NOOP("Lets the selection fall from the playhead on, and bounce: `at 1f fall ball bounce=0.6`."),
+       &ObjectActions::fall, true},
       {QT_TR_NOOP("Hide"), "H", QT_TR_NOOP("Hides the selection: `hide ball`."), &ObjectActions::hide, true},
       {QT_TR_NOOP("Show all"), "Alt+H", QT_TR_NOOP("Shows what is hidden for the whole film: `show ball`."),
        &ObjectActions::show_all},
@@ -103,6 +106,8 @@ void ObjectActions::duplicate() { say(duplicate_lines(workspace_.document(), wor
 void ObjectActions::instance() { say(instance_lines(workspace_.document(), workspace_.selected())); }
 void ObjectActions::mirror(Axis axis) { say(mirror_lines(workspace_.document(), workspace_.selected(), axis)); }
 void ObjectActions::group() { say(group_lines(workspace_.program(), workspace_.selected(), workspace_.time())); }
+
+void ObjectActions::fall() { say(fall_lines(workspace_.program(), workspace_.selected(), workspace_.time())); }
 
 void ObjectActions::align(Axis axis) {
   say(align_lines(workspace_.program(), workspace_.selected(), axis, workspace_.time(), makes_events_));

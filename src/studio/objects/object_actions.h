@@ -46,6 +46,7 @@ class ObjectActions : public QObject {
   void remove_all();
   void hide();
   void show_all();
+  void fall();
   void mirror(Axis);
   void align(Axis);
   void distribute(Axis);

@@ -10,6 +10,7 @@
 
 #include "betwixt/language.h"
 #include "betwixt/math.h"
+#include "betwixt/pick.h"
 #include "commands/verbs.h"
 #include "editor/made_by.h"
 #include "language/values.h"
@@ -255,6 +256,24 @@ Lines distribute_lines(const Program& program, const std::vector<ObjectId>& obje
   const double first = all.front().first, step = (all.back().first - first) / static_cast<double>(all.size() - 1);
   for (std::size_t i = 1; i + 1 < all.size(); ++i)
     add_move(program, all[i].second, axis, first + step * static_cast<double>(i) - all[i].first, t, make_events, lines);
+  return lines;
+}
+
+Lines fall_lines(const Program& program, const std::vector<ObjectId>& objects, Time t) {
+  const Document& d = program.document();
+  const Frame frame = program.frame(t);
+  Lines lines;
+  for (const ObjectId id : objects) {
+    if (!placed(kind(d, id))) continue;
+    // Its position stops where its lowest point is on the floor.
+    double lowest = place_of(program, id, t).y;
+    for (const Item& item : frame.items)
+      if (item.id == id)
+        for (const Vec3& corner : drawn(item).corners) lowest = std::min(lowest, corner.y);
+    const double above = rounded(place_of(program, id, t).y - lowest, millimetre);
+    lines.push_back(
+        fmt::format("at {} fall {} ground={} bounce=0.6", format_time(t, d), d.name(id), write_number(above)));
+  }
   return lines;
 }
 

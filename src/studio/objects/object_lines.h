@@ -49,6 +49,9 @@ Lines remove_lines(const Document&, const std::vector<ObjectId>&, bool all, Time
 Lines align_lines(const Program&, const std::vector<ObjectId>&, Axis, Time, bool make_events);
 Lines distribute_lines(const Program&, const std::vector<ObjectId>&, Axis, Time, bool make_events);
 
+// Makes objects fall from where they are and bounce on the floor at y = 0: `at 1f fall ball ground=1 bounce=0.6`.
+Lines fall_lines(const Program&, const std::vector<ObjectId>&, Time);
+
 // Returns the script of objects with all that hangs on them, for the clipboard; without the film's settings. `rest` is
 // the film without the other objects.
 Lines lines_to_leave(const Document&, const std::vector<ObjectId>&);

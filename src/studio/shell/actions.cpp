@@ -52,6 +52,7 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Duplicate", "clone copy"},
     {"Duplicate linked", "instance clone reference"},
     {"Group", "parent empty null join"},
+    {"Let fall", "gravity physics bounce rigid body drop"},
     {"Ungroup", "unparent"},
     {"Remove", "delete erase"},
     {"Remove with all below", "delete hierarchy children"},
