@@ -11,8 +11,10 @@
 #include <random>
 
 #include "betwixt/language.h"
+#include "studio/objects/object_actions.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
+#include "studio/timeline/ripple.h"
 #include "studio/viewport/viewport.h"
 
 using namespace betwixt;
@@ -38,7 +40,7 @@ class Hands {
   Hands(Workspace& workspace, Window& window, unsigned seed) : workspace_(workspace), window_(window), random_(seed) {}
 
   void do_something() {
-    switch (below(10)) {
+    switch (below(11)) {
       case 0:
       case 1:
       case 2:
@@ -53,8 +55,31 @@ class Hands {
         return press();
       case 8:
         return type();
+      case 9:
+        return act();
       default:
         return look();
+    }
+  }
+  // An action on objects, or one of the window that asks nothing.
+  void act() {
+    ObjectActions& objects = ObjectActions::of(workspace_);
+    const std::size_t which = static_cast<std::size_t>(below(static_cast<int>(ObjectActions::rows().size()) + 5));
+    const Axis axis = static_cast<Axis>(below(3));
+    last_ = fmt::format("action {}", which);
+    if (which < ObjectActions::rows().size()) return (objects.*ObjectActions::rows()[which].run)();
+    switch (which - ObjectActions::rows().size()) {
+      case 0:
+        return objects.mirror(axis);
+      case 1:
+        return objects.align(axis);
+      case 2:
+        return objects.distribute(axis);
+      case 3:
+        return window_.remove_time();
+      default:
+        workspace_.say(insert_time_lines(workspace_.document(), workspace_.time(),
+                                         workspace_.document().rate().span(1 + below(20))));
     }
   }
   const std::string& last() const { return last_; }

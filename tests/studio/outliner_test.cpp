@@ -141,6 +141,21 @@ class OutlinerTest : public QObject {
     QCOMPARE(s.told(), "hand(ball)");
   }
 
+  void new_things_stand_on_the_ground() {
+    Shown s("ground on\n");
+    const auto make = [&](const char* kind) {
+      for (QAction* a : s.panel.findChild<QToolButton*>("add")->menu()->actions())
+        if (a->text() == kind) a->trigger();
+    };
+    make("sphere");
+    QVERIFY2(s.text().endsWith("create sphere1 sphere position=(0 1 0)\n"), qPrintable(s.text()));
+    make("plane");
+    make("group");
+    QVERIFY2(s.text().endsWith("create group1 group\n"), qPrintable(s.text()));
+    make("light");
+    QVERIFY(s.text().endsWith("create light1 light position=(4 8 6)\n"));
+  }
+
   void escape_calls_a_drag_off() {
     Shown s("create hand box\ncreate ball sphere\n");
     QWidget* w = s.tree.viewport();

@@ -16,6 +16,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include "betwixt/pick.h"
 #include "editor/made_by.h"
 #include "language/values.h"
 #include "scene/own_kinds.h"
@@ -287,6 +288,19 @@ Outliner::Outliner(Workspace& workspace, QWidget* parent)
 
 QSize Outliner::sizeHint() const { return {22 * fontMetrics().horizontalAdvance('m'), 300}; }
 
+// If the film has a ground, returns the position in which a new object stands on it.
+std::string Outliner::above_ground(const std::string& line, const std::string& name) const {
+  if (!workspace_.document().scene().appearance.ground || line.find("position=") != line.npos) return {};
+  const auto then = workspace_.session().look_ahead({line});
+  if (!then) return {};
+  const Frame frame = Program::compile(*then).frame(workspace_.time());
+  double lowest = 0;
+  for (const Item& item : frame.items)
+    if (item.id == then->find(name))
+      for (const Vec3& corner : drawn(item).corners) lowest = std::min(lowest, corner.y);
+  return lowest < -1e-9 ? fmt::format(" position=(0 {:.4g} 0)", -lowest) : "";
+}
+
 // Asks for a file if the kind needs one.
 void Outliner::add(const QString& kind) {
   const std::string name = free_name(workspace_.document(), kind.toStdString());
@@ -305,6 +319,7 @@ void Outliner::add(const QString& kind) {
     if (file.isEmpty()) return;
     line += " file=" + write_text(file.toStdString());
   }
+  line += above_ground(line, name);
   if (workspace_.say(line)) workspace_.select({workspace_.document().find(name)});
 }
 

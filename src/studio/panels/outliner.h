@@ -50,6 +50,7 @@ class Outliner : public QWidget {
 
  private:
   void add(const QString& kind);
+  std::string above_ground(const std::string& line, const std::string& name) const;
 
   Workspace& workspace_;
   OutlinerModel* model_;
