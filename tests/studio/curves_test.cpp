@@ -53,6 +53,22 @@ struct Shown {
 class CurvesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void each_curve_has_its_own_colour() {
+    Shown s(
+        "rate 24\ncreate ball sphere\nball.position\n  1f (0 0 0)\n  9f (1 2 3)\nball.rotation\n  1f (0 0 0)\n"
+        "  9f (0 90deg 0)\nball.scale\n  1f (1 1 1)\n  9f (1 2 1)\nball.radius\n  1f 1\n  9f 2\n");
+    QCOMPARE(s.pane.lines().size(), std::size_t(10));
+    std::vector<QColor> seen;
+    for (const CurveLine& line : s.pane.lines()) {
+      const QColor c = s.pane.color(line);
+      for (const QColor& other : seen)
+        QVERIFY2(
+            std::abs(c.red() - other.red()) + std::abs(c.green() - other.green()) + std::abs(c.blue() - other.blue()) >
+                30,
+            line.name.c_str());
+      seen.push_back(c);
+    }
+  }
   void a_curve_is_what_the_program_says() {
     Shown s;
     QCOMPARE(s.pane.lines().size(), std::size_t(1));

@@ -37,9 +37,11 @@ Event changed(const Document& d, const EventAt& at) {
 
 std::vector<CurveLine> curve_lines(const Document& d, const std::vector<ObjectId>& objects) {
   std::vector<CurveLine> all;
+  int shade = 0;
   const auto add = [&](const Target& t, Type type, bool angles, const std::string& name, bool tracked, int numbers,
                        const std::vector<std::string_view>& components) {
-    CurveLine line{t, 0, 3, name, type, angles, type == Type::boolean, type == Type::color && t.component < 0, tracked};
+    CurveLine line{
+        t, 0, 3, shade, name, type, angles, type == Type::boolean, type == Type::color && t.component < 0, tracked};
     if (line.swatch || numbers == 1) {
       line.color = t.component >= 0 ? t.component : 3;
       all.push_back(line);
@@ -60,6 +62,7 @@ std::vector<CurveLine> curve_lines(const Document& d, const std::vector<ObjectId
       if (!f.animated || !drawn(f.type)) continue;
       const std::string before = objects.size() > 1 ? d.name(id) + "." : "";
       bool any = false;
+      const std::size_t before_it = all.size();
       for (const bool velocity : {false, true})
         for (const TrackView& t : tracks(d, id)) {
           if (t.target.function != f.id || t.target.velocity != velocity || t.event_count == 0) continue;
@@ -89,6 +92,7 @@ std::vector<CurveLine> curve_lines(const Document& d, const std::vector<ObjectId
       if (!any)
         add({id, f.id}, f.type, row_of(f.type).angles, before + std::string(f.name), false, number_count(f.type),
             f.components);
+      if (all.size() > before_it) ++shade;
     }
   return all;
 }

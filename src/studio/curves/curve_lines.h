@@ -19,6 +19,7 @@ struct CurveLine {
   Target target;     // the track; for a function without events, the whole function
   int part = 0;      // index of the number in the value
   int color = 0;     // 0 x, 1 y, 2 z, 3 other
+  int shade = 0;     // counts the functions with curves before its own
   std::string name;  // "position.x"
   Type type = Type::scalar;
   bool degrees = false, steps = false, swatch = false;

@@ -11,10 +11,23 @@
 #include "studio/shell/theme.h"
 
 namespace betwixt::studio {
+namespace {
+
+// Returns the colour for the curves of a further function: its hue goes round in steps that do not meet again soon, and
+// every second one is paler, which helps people who do not see all hues.
+QColor shaded(QColor c, int shade) {
+  if (shade == 0) return c;
+  constexpr int step = 47;
+  const int paler = shade % 2 == 1 ? 60 : 100;
+  return QColor::fromHsv((c.hsvHue() + step * shade) % 360, c.hsvSaturation() * paler / 100, c.value());
+}
+
+}  // namespace
+
 QColor CurvePane::color(const CurveLine& line) const {
   const Colors& c = colors();
   const QColor all[] = {c.x, c.y, c.z, c.event};
-  return all[line.color];
+  return shaded(all[line.color], line.shade);
 }
 
 // Draws lines at round values, with their numbers.

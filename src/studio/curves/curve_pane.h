@@ -19,6 +19,7 @@ class CurvePane : public TimePane {
  public:
   explicit CurvePane(Workspace&, QWidget* parent = nullptr);
 
+  QColor color(const CurveLine&) const;
   const std::vector<CurveLine>& lines() const { return lines_; }
   const CurveSamples& samples() const { return samples_; }
   void finish();  // computes all columns now, for tests and screenshots
@@ -60,7 +61,6 @@ class CurvePane : public TimePane {
   double reach() const { return line_height() * 0.3; }
   double strip(std::size_t line) const;  // the middle of a colour's band
   bool seen(std::size_t line) const { return !hidden_.contains(lines_[line].name); }
-  QColor color(const CurveLine&) const;
   void lay_out();
   void sample();  // starts again
   void go_on();
