@@ -113,8 +113,14 @@ bool plain_time(Cursor& c, Time& out) {
   const char* p = c.at;
   while (p < c.end && is_digit(*p) && p - c.at < 9) n = n * 10 + (*p++ - '0');
   if (p == c.at) return false;
-  if (p == c.end || *p != 'f' || p + 1 == c.end || p[1] != ' ' || c.rate.per_second() < 1)
-    return c.time(out) && c.peek() == ' ';
+  if (p == c.end || *p != 'f' || p + 1 == c.end || p[1] != ' ' || c.rate.per_second() < 1) {
+    // A formula may speak of the object's place, so it is not plain.
+    const auto of_time = [](char at) {
+      return is_digit(at) || std::string_view(".:fsmt").find(at) != std::string_view::npos;
+    };
+    const char* const behind = std::find_if_not(p, c.end, of_time);
+    return behind < c.end && *behind == ' ' && c.time(out) && c.at == behind;
+  }
   c.at = p + 1, c.frames_read = true;
   out = c.rate.frame(static_cast<double>(n));
   return true;
@@ -129,6 +135,10 @@ bool plain_row(Command& k, Event& e) {
   if (!behind) return false;
   c.at = behind;
   if (c.at == c.end || *c.at == '\n') return true;
+  // One word, as in linear. Arguments may be formulas.
+  const char* const word = behind_blanks(c.at, c.end);
+  const char* const rest = std::find_if_not(word, c.end, [](char at) { return is_letter(at) || at == '-'; });
+  if (behind_blanks(rest, c.end) != c.end && *behind_blanks(rest, c.end) != '\n') return false;
   return way(k, on, e) && c.at_line_end();
 }
 

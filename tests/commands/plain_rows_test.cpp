@@ -18,8 +18,9 @@ using Words = std::vector<std::string_view>;
 
 constexpr std::string_view film = "rate 24\ncreate {a,b,c} sphere\nlet two = 2\n";
 
-const Words times{"1f",       "7f",  "12f",      "12.5f", "0f", "-3f",    "0.25s", "500ms",     "00:01.5",
-                  "(2+3)*1f", "30t", "1000000f", "3",     "4q", "1f..8f", "x",     "999999999f"};
+const Words times{"1f",      "7f",       "12f",  "12.5f",        "0f",    "-3f", "0.25s",    "500ms",
+                  "00:01.5", "(2+3)*1f", "i*3f", "1f+24f/(2+i)", "i1*2f", "30t", "1000000f", "3",
+                  "4q",      "1f..8f",   "x",    "999999999f"};
 const Words vectors{
     "(1 2 3)",   "(1,2,3)",     "( 1  -2.5 3 )", "(1 2)",       "(1 2 3 4)",   "(1+1 2 3)",   "(1 -2 3)",
     "(1 - 2 3)", "(.5 -.5 +1)", "(1e3 2E-2 3)",  "(1m 20cm 3)", "(two 1 2)",   "(i 0 0)",     "(1 2 3",
@@ -61,6 +62,10 @@ const Words ends{"",
                  " cut (2 3 4)",
                  " cut 4",
                  " ease-in=3f",
+                 " ease-in=i*1f",
+                 " bezier(i/4 0 0.8 1)",
+                 " steps(i)",
+                 " linear # said",
                  " linear linear",
                  " nothing",
                  " linear(0 0.3 1)",
@@ -69,9 +74,10 @@ const Words ends{"",
                  " * 2",
                  " keep",
                  "\r"};
-const Words targets{"a.position",          "b.scale",   "a.position.y", "b.radius", "a.rotation.z", "{a,b,c}.position",
-                    "b.position.velocity", "c.color.r", "a.scale.x",    "*.radius", "a.rotation",   "b.rotation",
-                    "a.rotation"};
+const Words targets{"a.position",   "b.scale",          "a.position.y",        "b.radius",
+                    "a.rotation.z", "{a,b,c}.position", "b.position.velocity", "c.color.r",
+                    "a.scale.x",    "*.radius",         "{a,b,c}.radius",      "{a,b}.rotation.z",
+                    "*.scale",      "a.rotation",       "b.rotation",          "a.rotation"};
 
 std::vector<std::pair<ErrorCode, int>> failures(const Loaded& loaded) {
   std::vector<std::pair<ErrorCode, int>> all;

@@ -167,7 +167,8 @@ void Ruler::paint_sounds(QPainter& p) const {
     const double left = std::max<double>(box.left(), axis_.gutter()), right = std::min<double>(box.right(), width());
     p.setPen(QPen(c.accent, 1));
     for (double x = std::floor(left) + 0.5; x < right; ++x) {
-      const double loud = std::min(1.0, 1.4 * bar.loudness(time_at(x), time_at(x + 1))), h = loud * box.height() / 2;
+      const double loud = bar.peak > 0 ? std::min(1.0, bar.loudness(time_at(x), time_at(x + 1)) / bar.peak) : 0;
+      const double h = loud * box.height() / 2;
       p.drawLine(QPointF(x, box.center().y() - h), QPointF(x, box.center().y() + h));
     }
     p.setPen(selected ? c.selected : c.text);

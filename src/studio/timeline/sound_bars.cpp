@@ -33,7 +33,9 @@ std::vector<SoundBar> sound_bars(const Program& program) {
         known->second->seconds, [&](FunctionId f) { return std::get<double>(program.read(Target(id, f), Time{})); });
     const double from = part.at, to = part.at + (part.end() - part.from);
     if (!(to > from)) continue;
-    all.push_back({id, d.name(id), known->second, from_seconds(from), from_seconds(to), part.from, 0});
+    all.push_back({id, d.name(id), known->second, from_seconds(from), from_seconds(to), part.from});
+    for (double at = part.from; at < part.end(); at += 0.02)
+      all.back().peak = std::max(all.back().peak, known->second->loudness(at));
   }
   std::ranges::stable_sort(all, {}, &SoundBar::from);
   std::vector<Time> ends;  // of the last bar in each row

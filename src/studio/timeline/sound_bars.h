@@ -17,9 +17,10 @@ struct SoundBar {
   ObjectId id;
   std::string name;
   std::shared_ptr<const Sound> sound;
-  Time from, to;   // when it is heard
-  double own = 0;  // seconds of the sound at `from`
-  int row = 0;     // sounds that overlap are in different rows
+  Time from, to;    // when it is heard
+  double own = 0;   // seconds of the sound at `from`
+  double peak = 0;  // of the loudness while it is heard
+  int row = 0;      // sounds that overlap are in different rows
 
   // Returns the loudest moment between two times of the film: the root mean square, 0 to 1.
   double loudness(Time a, Time b) const;
