@@ -33,9 +33,9 @@ void Session::State::read_text_again() {
 // Places the lines of a step one by one, as if they had been entered one after the other. Returns nullopt if that is
 // too much work or does not make the same film.
 std::optional<TextEdits> Session::State::place_each(const Point& then, const Step& step) const {
-  constexpr std::size_t most_lines = 32, most_text = 200'000;
+  constexpr std::size_t most_read = 1'000'000;  // bytes: the text is read once for each line
   std::string text = placed().text;
-  if (step.rows || !step.sheet.empty() || step.lines.size() > most_lines || text.size() > most_text ||
+  if (step.rows || !step.sheet.empty() || step.lines.size() * text.size() > most_read ||
       std::ranges::any_of(step.lines, indented))
     return std::nullopt;
   TextEdits all;
