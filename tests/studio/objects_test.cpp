@@ -68,6 +68,13 @@ class ObjectsTest : public QObject {
     QCOMPARE(s.selected(), "base3");
   }
 
+  void copies_do_not_get_the_names_of_aliases() {
+    Shown s("create ball sphere\nalias ball2 = ball\n");
+    s.select({"ball"});
+    s.act.duplicate();
+    QCOMPARE(s.selected(), "ball3");
+  }
+
   void a_copied_child_keeps_its_parent() {
     Shown s(arm);
     s.select({"arm"});

@@ -12,7 +12,6 @@
 #include "betwixt/language.h"
 #include "scene/document.h"
 #include "studio/film.h"
-#include "studio/objects/object_actions.h"
 #include "studio/shell/number_field.h"
 
 namespace betwixt::studio {
@@ -130,7 +129,7 @@ class PropertiesTest : public QObject {
   // Auto-key is of all panels.
   void auto_key_makes_events_here_too() {
     Shown s("rate 24\nrange 1f 48f\ncreate ball sphere\n");
-    ObjectActions::of(s.workspace).set_makes_events(true);
+    s.workspace.set_makes_events(true);
     s.type(s.at("position", "x"), "2");
     QTest::keyClick(&s.at("position", "x"), Qt::Key_Return);
     s.workspace.go_to(s.at_time("48f"));
@@ -142,7 +141,7 @@ class PropertiesTest : public QObject {
     QTest::keyClick(&s.at("position", "y"), Qt::Key_Return);
     const Vec3 p = std::get<Vec3>(s.value("ball.position"));
     QVERIFY(std::abs(p.x * 1e6 - std::round(p.x * 1e6)) < 1e-6);  // no more digits than one can see
-    ObjectActions::of(s.workspace).set_makes_events(false);
+    s.workspace.set_makes_events(false);
   }
 
   void what_is_wrong_changes_nothing() {

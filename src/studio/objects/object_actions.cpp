@@ -95,11 +95,6 @@ void ObjectActions::say(const ObjectEdit& edit) {
   workspace_.select(std::move(made));
 }
 
-void ObjectActions::say(const Lines& lines) {
-  if (lines.size() == 1) workspace_.say(lines[0]);
-  if (lines.size() > 1) workspace_.say(lines);
-}
-
 void ObjectActions::tell(const QString& why) { emit workspace_.said({}, why, true); }
 
 void ObjectActions::duplicate() { say(duplicate_lines(workspace_.document(), workspace_.selected())); }
@@ -107,20 +102,24 @@ void ObjectActions::instance() { say(instance_lines(workspace_.document(), works
 void ObjectActions::mirror(Axis axis) { say(mirror_lines(workspace_.document(), workspace_.selected(), axis)); }
 void ObjectActions::group() { say(group_lines(workspace_.program(), workspace_.selected(), workspace_.time())); }
 
-void ObjectActions::fall() { say(fall_lines(workspace_.program(), workspace_.selected(), workspace_.time())); }
+void ObjectActions::fall() {
+  workspace_.say(fall_lines(workspace_.program(), workspace_.selected(), workspace_.time()));
+}
 
 void ObjectActions::align(Axis axis) {
-  say(align_lines(workspace_.program(), workspace_.selected(), axis, workspace_.time(), makes_events_));
+  workspace_.say(
+      align_lines(workspace_.program(), workspace_.selected(), axis, workspace_.time(), workspace_.makes_events()));
 }
 void ObjectActions::distribute(Axis axis) {
-  say(distribute_lines(workspace_.program(), workspace_.selected(), axis, workspace_.time(), makes_events_));
+  workspace_.say(distribute_lines(workspace_.program(), workspace_.selected(), axis, workspace_.time(),
+                                  workspace_.makes_events()));
 }
 
 void ObjectActions::remove() {
-  say(remove_lines(workspace_.document(), workspace_.selected(), false, workspace_.time()));
+  workspace_.say(remove_lines(workspace_.document(), workspace_.selected(), false, workspace_.time()));
 }
 void ObjectActions::remove_all() {
-  say(remove_lines(workspace_.document(), workspace_.selected(), true, workspace_.time()));
+  workspace_.say(remove_lines(workspace_.document(), workspace_.selected(), true, workspace_.time()));
 }
 
 void ObjectActions::copy() {
@@ -146,14 +145,7 @@ void ObjectActions::paste() {
 }
 
 void ObjectActions::hide() {
-  const Document& d = workspace_.document();
-  Lines lines;
-  for (const ObjectId id : workspace_.selected()) {
-    if (!placed(kind(d, id))) continue;
-    const bool timed = made_by(d, Target(id, fn::display), workspace_.time()).events;
-    lines.push_back((timed ? "at " + workspace_.when(workspace_.time()) + " hide " : "hide ") + d.name(id));
-  }
-  say(lines);
+  workspace_.say(display_lines(workspace_.document(), workspace_.selected(), false, workspace_.time()));
 }
 
 void ObjectActions::show_all() {

@@ -28,8 +28,6 @@ class ObjectActions : public QObject {
 
   bool key(const QKeyEvent&);  // carries out the action of a key; returns false if it has none
   void fill(QMenu&);           // with the actions on the selection
-  void set_makes_events(bool makes) { makes_events_ = makes; }  // of Auto-key
-  bool makes_events() const { return makes_events_; }
 
   // Returns the lines that give an object another parent, at a time or, if nothing has moved by then, for the whole
   // film. The object stays where it is, and then moves along with the parent.
@@ -54,12 +52,10 @@ class ObjectActions : public QObject {
  private:
   explicit ObjectActions(Workspace& workspace);
   void say(const ObjectEdit&);
-  void say(const Lines&);
   Value world(ObjectId, Time) const;
   void tell(const QString& why);
 
   Workspace& workspace_;
-  bool makes_events_ = false;
 };
 
 }  // namespace betwixt::studio

@@ -88,12 +88,24 @@ std::string hold_line(const Attachment& to, const std::string& child, const std:
                      child, hangs ? "on" : "to", parent, keep_world ? " keep-world" : "");
 }
 
+namespace {
+
+bool is_free(const Document& d, const std::string& name, const std::vector<std::string>& taken) {
+  return !d.find(name) && !d.aliases().contains(name) && std::ranges::find(taken, name) == taken.end();
+}
+
+}  // namespace
+
+std::string free_name(const Document& d, const std::string& wanted, const std::vector<std::string>& taken) {
+  return is_free(d, wanted, taken) ? wanted : unused_name(d, wanted, taken);
+}
+
 std::string unused_name(const Document& d, std::string_view like, const std::vector<std::string>& taken) {
   const std::size_t last = like.find_last_not_of("0123456789");
   const std::string_view stem = last == like.npos ? like : like.substr(0, last + 1);
   for (int n = 2;; ++n) {
     std::string name = fmt::format("{}{}", stem, n);
-    if (!d.find(name) && std::ranges::find(taken, name) == taken.end()) return name;
+    if (is_free(d, name, taken)) return name;
   }
 }
 
@@ -180,8 +192,7 @@ ObjectEdit mirror_lines(const Document& d, const std::vector<ObjectId>& objects,
     const auto held = fixed_attachment(d, tops[i]);
     std::string& mirror = mirrors[held ? held->parent.index : ObjectId::nothing];
     if (mirror.empty()) {
-      mirror = d.find("mirror") || std::ranges::find(taken, "mirror") != taken.end() ? unused_name(d, "mirror", taken)
-                                                                                     : "mirror";
+      mirror = free_name(d, "mirror", taken);
       taken.push_back(mirror);
       edit.lines.push_back(fmt::format("create {} group scale=({} {} {})", mirror, axis == Axis::x ? -1 : 1,
                                        axis == Axis::y ? -1 : 1, axis == Axis::z ? -1 : 1));
@@ -209,7 +220,7 @@ ObjectEdit group_lines(const Program& program, const std::vector<ObjectId>& obje
     if (const Value v = program.read(Target(first->parent, Query::world), t); const auto* m = std::get_if<Matrix>(&v))
       middle = transform_point(inverse(**m).value_or(Mat4{}), middle);
   const auto number = [](double v) { return write_number(rounded(v, millimetre) + 0); };
-  edit.names = {d.find("group1") ? unused_name(d, "group1") : "group1"};
+  edit.names = {free_name(d, "group1")};
   edit.lines.push_back(fmt::format("create {} group pivot=({} {} {})", edit.names[0], number(middle.x),
                                    number(middle.y), number(middle.z)));
   if (one) edit.lines.push_back(hold_line(*first, edit.names[0], d.name(first->parent), false));
@@ -218,6 +229,16 @@ ObjectEdit group_lines(const Program& program, const std::vector<ObjectId>& obje
     edit.lines.push_back(hold_line(couple_to({}), d.name(id), edit.names[0], held && (held->keep_world || !one)));
   }
   return edit;
+}
+
+Lines display_lines(const Document& d, const std::vector<ObjectId>& objects, bool shown, Time t) {
+  Lines lines;
+  for (const ObjectId id : objects) {
+    if (!placed(kind(d, id))) continue;
+    const bool timed = made_by(d, Target(id, fn::display), t).events;
+    lines.push_back((timed ? "at " + format_time(t, d) + " " : "") + (shown ? "show " : "hide ") + d.name(id));
+  }
+  return lines;
 }
 
 Lines remove_lines(const Document& d, const std::vector<ObjectId>& objects, bool all, Time t) {

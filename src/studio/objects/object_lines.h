@@ -24,7 +24,9 @@ enum class Axis : std::uint8_t { x, y, z };
 std::optional<Attachment> fixed_attachment(const Document&, ObjectId);
 // Returns the line that gives a child such a parent for the whole film.
 std::string hold_line(const Attachment&, const std::string& child, const std::string& parent, bool keep_world);
-// Returns a name that no object has: ball2 or ball3 for "ball" or "ball2", man/arm2 for "man/arm".
+// Returns the name, or a further one if it is taken: ball, ball2, ball3.
+std::string free_name(const Document&, const std::string& wanted, const std::vector<std::string>& taken = {});
+// Returns a name that nothing has: ball2 or ball3 for "ball" or "ball2", man/arm2 for "man/arm".
 std::string unused_name(const Document&, std::string_view like, const std::vector<std::string>& taken = {});
 // Returns the objects, and those that hang on them during the whole film; each once, in order of creation.
 std::vector<ObjectId> with_all_below(const Document&, const std::vector<ObjectId>&);
@@ -43,6 +45,8 @@ ObjectEdit mirror_lines(const Document&, const std::vector<ObjectId>&, Axis);
 // Makes a group that turns about the middle of the objects, and couples them to it for the whole film. They stay where
 // they are.
 ObjectEdit group_lines(const Program&, const std::vector<ObjectId>&, Time);
+// Shows or hides objects; from this time on, if their display has events.
+Lines display_lines(const Document&, const std::vector<ObjectId>&, bool shown, Time);
 // Returns the lines that remove objects, with what hangs on them at this time if `all`.
 Lines remove_lines(const Document&, const std::vector<ObjectId>&, bool all, Time);
 // Moves all objects along an axis to the place of the last one; or spreads them evenly between the outermost two.

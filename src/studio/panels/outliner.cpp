@@ -27,22 +27,6 @@
 #include "studio/viewport/kind_icons.h"
 
 namespace betwixt::studio {
-namespace {
-
-void say_all(Workspace& workspace, const std::vector<std::string>& lines) {
-  if (lines.size() == 1) workspace.say(lines[0]);
-  if (lines.size() > 1) workspace.say(lines);
-}
-
-// Returns an unused name: sphere1, sphere2 …
-std::string free_name(const Document& d, const std::string& kind) {
-  for (int n = 1;; ++n) {
-    const std::string name = kind + std::to_string(n);
-    if (!d.find(name)) return name;
-  }
-}
-
-}  // namespace
 
 OutlinerTree::OutlinerTree(Workspace& workspace, OutlinerModel& model, QWidget* parent)
     : QTreeView(parent), workspace_(workspace), model_(model) {
@@ -121,18 +105,9 @@ void OutlinerTree::take_selection() {
 // Hides or shows an object, or all selected objects if it is one of them. A display with events changes from the
 // current time on.
 void OutlinerTree::toggle(ObjectId id) {
-  const Document& d = workspace_.document();
   std::vector<ObjectId> all = workspace_.selected();
   if (std::ranges::find(all, id) == all.end()) all = {id};
-  const bool hides = model_.shown(id);
-  std::vector<std::string> lines;
-  for (const ObjectId o : all) {
-    if (!placed(kind(d, o))) continue;
-    const bool timed = made_by(d, Target(o, fn::display), workspace_.time()).events;
-    lines.push_back((timed ? "at " + workspace_.when(workspace_.time()) + " " : "") + (hides ? "hide " : "show ") +
-                    d.name(o));
-  }
-  say_all(workspace_, lines);
+  workspace_.say(display_lines(workspace_.document(), all, !model_.shown(id), workspace_.time()));
 }
 
 // Couples the dragged objects to the row below the pointer; with Alt attaches them, with Shift hangs them on it.
@@ -154,7 +129,7 @@ void OutlinerTree::drop(QPoint at, Qt::KeyboardModifiers held) {
                                   : Attachment{AttachmentKind::detach, {}, false};
     for (std::string& line : ObjectActions::of(workspace_).parent_lines(id, to)) lines.push_back(std::move(line));
   }
-  say_all(workspace_, lines);
+  workspace_.say(lines);
 }
 
 void OutlinerTree::mousePressEvent(QMouseEvent* e) {
@@ -303,7 +278,7 @@ std::string Outliner::above_ground(const std::string& line, const std::string& n
 
 // Asks for a file if the kind needs one.
 void Outliner::add(const QString& kind) {
-  const std::string name = free_name(workspace_.document(), kind.toStdString());
+  const std::string name = free_name(workspace_.document(), kind.toStdString() + "1");
   std::string line = "create " + name + " " + kind.toStdString();
   if (kind == "text") line += " text=\"text\"";
   if (kind == "camera") {  // where one looks from

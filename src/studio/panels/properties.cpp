@@ -13,7 +13,6 @@
 #include "editor/made_by.h"
 #include "editor/plain_values.h"
 #include "scene/document.h"
-#include "studio/objects/object_actions.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
 #include "studio/viewport/hand.h"
@@ -272,7 +271,7 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
     // An edit that changes nothing carries out no line.
     const auto then = workspace_.session().look_ahead(lines);
     const bool changes = !lines.empty() && !(then && *then == workspace_.session().document());
-    if (changes) lines.size() == 1 ? workspace_.say(lines[0]) : workspace_.say(lines);
+    if (changes) workspace_.say(lines);
     refresh();
   });
   rows_.push_back(std::move(row));
@@ -328,7 +327,7 @@ std::vector<std::string> Properties::lines_for(const Row& row, int component, co
         }
         value = (angles ? "euler(" : "(") + all + ")";
       }
-      const bool makes = !spec_of(d.scene(), f.id).by_script && ObjectActions::of(workspace_).makes_events();
+      const bool makes = !spec_of(d.scene(), f.id).by_script && workspace_.makes_events();
       lines.push_back(makes ? line_of_event(d, t, workspace_.time(), value)
                             : line_that_sets(d, t, workspace_.time(), value));
     }
@@ -355,7 +354,7 @@ void Properties::toggle_event(const Row& row) {
                                   plain_value(workspace_.program().read(t, workspace_.time()), t, d) +
                                   way_of_new_event(d, t, workspace_.time()));
     }
-  if (!lines.empty()) lines.size() == 1 ? workspace_.say(lines[0]) : workspace_.say(lines);
+  workspace_.say(lines);
   refresh();
 }
 

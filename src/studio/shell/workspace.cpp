@@ -102,6 +102,7 @@ bool Workspace::say(const std::string& line) {
 }
 
 bool Workspace::say(const std::vector<std::string>& lines) {
+  if (lines.size() < 2) return !lines.empty() && say(lines[0]);
   if (!jobs_.hears()) return false;
   settle_typing();
   std::string all;

@@ -59,8 +59,8 @@ class Workspace : public QObject {
   const Program& program() const { return program_; }
   bool looks_ahead() const { return ahead_; }
 
-  // Carries out lines; several make one undo step. Returns whether that succeeded. Errors appear in the console, and
-  // the last answer is in `last_said`.
+  // Carries out lines; several make one undo step, and without any nothing happens. Returns whether that succeeded.
+  // Errors appear in the console, and the last answer is in `last_said`.
   bool say(const std::string& line);
   bool say(const std::vector<std::string>& lines);
   // Shows a preview of lines during a drag. Returns false, and changes nothing, if the lines have errors.
@@ -95,6 +95,10 @@ class Workspace : public QObject {
   // The free view of the picture; nullopt: it shows what the film's camera sees. New cameras look from there.
   const std::optional<Camera>& view() const { return view_; }
   void set_view(const std::optional<Camera>& view) { view_ = view; }
+
+  // Auto-key: every edit of a value makes an event at the playhead, in all panels.
+  bool makes_events() const { return makes_events_; }
+  void set_makes_events(bool makes) { makes_events_ = makes; }
 
   // The selection: objects, of which the last one leads, and events.
   const std::vector<ObjectId>& selected() const { return selected_; }
@@ -152,6 +156,7 @@ class Workspace : public QObject {
   std::optional<std::pair<Time, Time>> range_;
   Time time_;
   std::optional<Camera> view_;
+  bool makes_events_ = false;
   std::vector<ObjectId> selected_;
   std::vector<EventAt> events_;
   int script_line_ = 0;

@@ -97,7 +97,7 @@ void Viewport::set_style(const std::string& style) {
 
 void Viewport::set_switches(const ViewportSwitches& s) {
   switches_ = s;
-  ObjectActions::of(workspace_).set_makes_events(s.auto_key);
+  workspace_.set_makes_events(s.auto_key);
   grip_.reset();
   show_corner();
   update();

@@ -9,6 +9,7 @@
 #include <QMimeData>
 
 #include "language/values.h"
+#include "studio/objects/object_lines.h"
 #include "studio/viewport/viewport.h"
 #include "syntax/tokens.h"
 
@@ -35,10 +36,7 @@ std::string name_for(const QString& file, const Document& d) {
     name += (c.unicode() < 128 && c.isLetterOrNumber()) || c == '_' ? static_cast<char>(c.toLatin1()) : '-';
   while (name.ends_with('-')) name.pop_back();
   if (name.empty() || !QChar(name[0]).isLetter()) name = "thing" + (name.empty() ? "" : "-" + name);
-  const auto taken = [&](const std::string& n) { return static_cast<bool>(d.find(n)) || d.aliases().contains(n); };
-  std::string out = name;
-  for (int i = 2; taken(out); ++i) out = name + std::to_string(i);
-  return out;
+  return free_name(d, name);
 }
 
 // Returns a path relative to the script's folder, or the absolute path of a file outside it.

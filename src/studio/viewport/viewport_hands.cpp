@@ -200,7 +200,7 @@ void Viewport::end_pull(bool carry_out) {
   if (!carry_out || lines.empty())
     workspace_.look_back();
   else
-    lines.size() == 1 ? workspace_.say(lines[0]) : workspace_.say(lines);
+    workspace_.say(lines);
   grip_.reset();
   update();
 }

@@ -8,6 +8,7 @@
 #include "betwixt/object.h"
 #include "language/values.h"
 #include "program/compiled.h"
+#include "studio/objects/object_lines.h"
 #include "studio/shell/marks.h"
 #include "studio/viewport/navigation.h"
 #include "studio/viewport/viewport.h"
@@ -151,8 +152,7 @@ void Viewport::bring_camera() {
         lines_to_bring(workspace_.program(), camera, free_->world, workspace_.time(), step, switches_.auto_key);
     if (lines.empty() || !workspace_.say(lines)) return;
   } else {
-    std::string name = "eye";
-    for (int i = 2; workspace_.document().find(name); ++i) name = "eye" + std::to_string(i);
+    const std::string name = free_name(workspace_.document(), "eye");
     constexpr double degree = pi / 180;
     Vec3 place = eye, angles = (1 / degree) * angles_near(from_matrix(free_->world), {});
     for (int i = 0; i < 3; ++i) place[i] = rounded(place[i], step), angles[i] = rounded(angles[i], 0.1);
