@@ -8,6 +8,7 @@
 
 #include "betwixt/language.h"
 #include "hands.h"
+#include "studio/timeline/key_lines.h"
 
 using namespace betwixt;
 using namespace betwixt::studio;

@@ -11,9 +11,10 @@
 #include <random>
 
 #include "betwixt/language.h"
-#include "studio/objects/object_actions.h"
+#include "studio/shell/actions.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
+#include "studio/timeline/event_actions.h"
 #include "studio/timeline/ripple.h"
 #include "studio/viewport/viewport.h"
 
@@ -61,26 +62,27 @@ class Hands {
         return look();
     }
   }
-  // An action on objects, or one of the window that asks nothing.
+  // Any action that asks nothing and keeps the film open; or what windows with a slider or a curve would do.
   void act() {
-    ObjectActions& objects = ObjectActions::of(workspace_);
-    const std::size_t which = static_cast<std::size_t>(below(static_cast<int>(ObjectActions::rows().size()) + 5));
-    const Axis axis = static_cast<Axis>(below(3));
-    last_ = fmt::format("action {}", which);
-    if (which < ObjectActions::rows().size()) return (objects.*ObjectActions::rows()[which].run)();
-    switch (which - ObjectActions::rows().size()) {
-      case 0:
-        return objects.mirror(axis);
-      case 1:
-        return objects.align(axis);
-      case 2:
-        return objects.distribute(axis);
-      case 3:
-        return window_.remove_time();
-      default:
-        workspace_.say(insert_time_lines(workspace_.document(), workspace_.time(),
-                                         workspace_.document().rate().span(1 + below(20))));
+    static const std::vector<const ActionRow*> rows = [] {
+      constexpr std::string_view not_these[] = {"New", "Save", "Save as…", "Quit", "Open an example", "All keys"};
+      std::vector<const ActionRow*> all;
+      for (const ActionRow& row : action_rows())
+        if (!row.name.ends_with("…") && std::ranges::find(not_these, row.name) == std::end(not_these))
+          all.push_back(&row);
+      return all;
+    }();
+    const std::size_t which = below(static_cast<unsigned>(rows.size()) + 3);
+    if (which < rows.size()) {
+      last_ = fmt::format("action {}", rows[which]->name);
+      return rows[which]->run(window_);
     }
+    last_ = fmt::format("dialog {}", which - rows.size());
+    EventActions& events = EventActions::of(workspace_);
+    if (which == rows.size()) return (void)workspace_.say(events.breakdown(0.1 * below(12)));
+    if (which == rows.size() + 1) return events.warp([](double u) { return u * u; });
+    workspace_.say(
+        insert_time_lines(workspace_.document(), workspace_.time(), workspace_.document().rate().span(1 + below(20))));
   }
   const std::string& last() const { return last_; }
 

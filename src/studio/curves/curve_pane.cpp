@@ -12,6 +12,7 @@
 #include "scene/document.h"
 #include "studio/shell/text_of.h"
 #include "studio/timeline/event_actions.h"
+#include "studio/timeline/key_lines.h"
 #include "studio/viewport/hand.h"
 
 namespace betwixt::studio {

@@ -24,12 +24,6 @@ namespace {
 
 constexpr double millimetre = 0.001;  // a step of numbers that are written
 
-ObjectId parent_at(const Document& d, ObjectId id, Time t) {
-  for (const AttachmentSpan& span : attachments(d, id))
-    if (span.from <= t && t < span.until && span.to.kind >= AttachmentKind::hang) return span.to.parent;
-  return {};
-}
-
 std::vector<ObjectId> in_order(const std::set<std::uint32_t>& numbers) {
   std::vector<ObjectId> all;
   for (const std::uint32_t i : numbers) all.push_back({i});
@@ -114,6 +108,16 @@ std::vector<ObjectId> with_all_below(const Document& d, const std::vector<Object
     const auto held = fixed_attachment(d, id);
     return held ? held->parent : ObjectId{};
   }));
+}
+
+ObjectId parent_at(const Document& d, ObjectId id, Time t) {
+  for (const AttachmentSpan& span : attachments(d, id))
+    if (span.from <= t && t < span.until && span.to.kind >= AttachmentKind::hang) return span.to.parent;
+  return {};
+}
+
+std::vector<ObjectId> all_below_at(const Document& d, const std::vector<ObjectId>& objects, Time t) {
+  return in_order(closure(d, objects, [&](ObjectId id) { return parent_at(d, id, t); }));
 }
 
 std::vector<ObjectId> topmost(const Document& d, const std::vector<ObjectId>& objects) {
@@ -243,7 +247,7 @@ Lines display_lines(const Document& d, const std::vector<ObjectId>& objects, boo
 
 Lines remove_lines(const Document& d, const std::vector<ObjectId>& objects, bool all, Time t) {
   std::vector<ObjectId> leaving = objects;
-  if (all) leaving = in_order(closure(d, objects, [&](ObjectId id) { return parent_at(d, id, t); }));
+  if (all) leaving = all_below_at(d, objects, t);
   Lines lines;
   for (const ObjectId id : leaving) {
     const std::string name = d.name(id);

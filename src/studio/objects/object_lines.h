@@ -30,6 +30,10 @@ std::string free_name(const Document&, const std::string& wanted, const std::vec
 std::string unused_name(const Document&, std::string_view like, const std::vector<std::string>& taken = {});
 // Returns the objects, and those that hang on them during the whole film; each once, in order of creation.
 std::vector<ObjectId> with_all_below(const Document&, const std::vector<ObjectId>&);
+// Returns the parent of an object at a time; none if it has none.
+ObjectId parent_at(const Document&, ObjectId, Time);
+// Returns the objects, and those that hang on them at this time; each once, in order of creation.
+std::vector<ObjectId> all_below_at(const Document&, const std::vector<ObjectId>&, Time);
 // Returns those of the objects that do not hang on another one of them.
 std::vector<ObjectId> topmost(const Document&, const std::vector<ObjectId>&);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "studio/objects/object_actions.h"
+#include "studio/poses/pose_actions.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/window.h"
 #include "studio/timeline/event_actions.h"
@@ -48,6 +49,13 @@ std::vector<ActionRow> object_rows() {
 // The words of other programs.
 constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Insert event at playhead", "keyframe key set record"},
+    {"Insert where it changed", "keyframe changed available"},
+    {"Insert for the whole character", "keyframe all bones rig"},
+    {"Hold until here", "keyframe freeze constant stepped pause"},
+    {"Breakdown…", "inbetween in-between tween push pull relax breakdowner"},
+    {"Retime by a curve…", "time warp remap easing graph speed"},
+    {"Paste pose mirrored", "flipped mirror left right"},
+    {"Go to poses", "pose library asset"},
     {"Auto-key", "automatic keyframe record"},
     {"Duplicate", "clone copy"},
     {"Duplicate linked", "instance clone reference"},
@@ -81,6 +89,42 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Light colours", "theme dark preferences"},
 };
 
+// The actions on events (keys) and poses.
+std::vector<ActionRow> key_rows() {
+  const auto events = [](Window& w) -> EventActions& { return EventActions::of(w.workspace()); };
+  const auto poses = [](Window& w) -> PoseActions& { return PoseActions::of(w.workspace()); };
+  return {
+      {"Keys", "Insert event at playhead", "K", "Inserts an event on each track of the selection: `at T TARGET VALUE`.",
+       [=](Window& w) { events(w).insert(); }},
+      {"Keys", "Insert where it changed", "Alt+K",
+       "Inserts an event only on those tracks of the selection that have changed since their last event.",
+       [=](Window& w) { events(w).insert_changed(); }},
+      {"Keys", "Insert for the whole character", "Shift+K",
+       "Inserts an event on each track of the selection, of its parents, and of all that hangs on them.",
+       [=](Window& w) { events(w).insert_character(); }},
+      {"Keys", "Hold until here", "Alt+E",
+       "The tracks of the selection keep the values of their last events up to the playhead: `hold`.",
+       [=](Window& w) { events(w).hold(); }},
+      {"Keys", "Breakdown…", "Shift+E",
+       "Inserts events at the playhead between the last and the next ones. A slider sets which they are nearer to.",
+       [](Window& w) { w.ask_breakdown(); }},
+      {"Keys", "Retime by a curve…", "",
+       "Moves the selected events in time, faster or slower by a curve; the first and the last one stay.",
+       [](Window& w) { w.ask_retiming(); }},
+      {"Keys", "Copy pose", "Ctrl+Shift+C",
+       "Copies the values of the selection, with all that hangs on it, at the playhead as `set` lines.",
+       [=](Window& w) { poses(w).copy(); }},
+      {"Keys", "Paste pose", "Ctrl+Shift+V",
+       "Gives the copied pose to the selection at the playhead: `at T TARGET VALUE`.",
+       [=](Window& w) { poses(w).paste(false); }},
+      {"Keys", "Paste pose mirrored", "Ctrl+Alt+V",
+       "Gives the copied pose to the selection with left and right exchanged.",
+       [=](Window& w) { poses(w).paste(true); }},
+      {"Keys", "Go to poses", "", "Shows the poses that are kept beside the film.",
+       [](Window& w) { w.show_panel("poses"); }},
+  };
+}
+
 std::vector<ActionRow> made_rows() {
   std::vector<ActionRow> all = {
       {"File", "New", "Ctrl+N", "Begins a new film; asks first if you have unsaved changes.",
@@ -101,8 +145,6 @@ std::vector<ActionRow> made_rows() {
        [](Window& w) { w.workspace().undo(); }},
       {"Edit", "Redo", "Ctrl+Shift+Z; Ctrl+Y", "Repeats the last undone change: `redo`.",
        [](Window& w) { w.workspace().redo(); }},
-      {"Edit", "Insert event at playhead", "K", "Inserts an event on each track of the selection: `at T TARGET VALUE`.",
-       [](Window& w) { EventActions::of(w.workspace()).insert(); }},
       {"Edit", "Insert time…", "",
        "Makes room at the playhead: later events and notes, and the end of the film, come later: `move …`, `range …`.",
        [](Window& w) { w.insert_time(); }},
@@ -215,6 +257,7 @@ std::vector<ActionRow> made_rows() {
       {"View", "All keys", "F1", "Lists all keys.", [](Window& w) { w.show_keys(); }},
   };
   std::vector<ActionRow> objects = object_rows();
+  for (ActionRow& row : key_rows()) objects.push_back(std::move(row));
   for (const auto& [name, words] : other_words)
     for (std::vector<ActionRow>* rows : {&all, &objects})
       for (ActionRow& row : *rows)

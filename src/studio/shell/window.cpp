@@ -28,6 +28,7 @@
 #include "studio/panels/outliner.h"
 #include "studio/panels/properties.h"
 #include "studio/panels/server_panel.h"
+#include "studio/poses/pose_panel.h"
 #include "studio/script/script_panel.h"
 #include "studio/shell/actions.h"
 #include "studio/shell/asking.h"
@@ -130,7 +131,8 @@ void Window::add_panels() {
   };
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  add(new Outliner(workspace_), Qt::LeftDockWidgetArea);
+  auto* outliner = add(new Outliner(workspace_), Qt::LeftDockWidgetArea);
+  tabifyDockWidget(outliner, add(new PosePanel(workspace_), Qt::LeftDockWidgetArea)), outliner->raise();
   auto* timeline = add(new Timeline(workspace_), Qt::BottomDockWidgetArea);
   auto* sheet = add(new Sheet(workspace_), Qt::BottomDockWidgetArea);
   auto* curves = add(new Curves(workspace_), Qt::BottomDockWidgetArea);
@@ -201,10 +203,11 @@ bool Window::set_layout(const QString& name) {
     restoreState(arranged_);
   for (QDockWidget* dock : docks_) {
     const QString panel = dock->widget()->objectName();
-    const bool shown = (name == "all" && panel != "live" && panel != "server") || panel == "timeline" ||
-                       (name == "live" && (panel == "live" || panel == "server")) ||
-                       (name == "animate" && (panel == "sheet" || panel == "curves" || panel == "outliner")) ||
-                       (name == "script" && (panel == "script_panel" || panel == "console"));
+    const bool shown =
+        (name == "all" && panel != "live" && panel != "server") || panel == "timeline" ||
+        (name == "live" && (panel == "live" || panel == "server")) ||
+        (name == "animate" && (panel == "sheet" || panel == "curves" || panel == "outliner" || panel == "poses")) ||
+        (name == "script" && (panel == "script_panel" || panel == "console"));
     dock->setVisible(shown);
   }
   // Sizes are parts of the window. All panels of one column get their sizes in one call.

@@ -44,6 +44,8 @@ class Window : public QMainWindow {
   double text_size() const { return text_size_; }
   void insert_time();
   void remove_time();
+  void ask_breakdown();
+  void ask_retiming();
   void set_light(bool);
   bool is_light() const { return light_; }
 

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "betwixt/language.h"
 #include "editor/placing.h"
+#include "scene/document.h"
 #include "syntax/texts.h"
 
 namespace betwixt::studio {

@@ -3,6 +3,7 @@
 #include "studio/timeline/event_actions.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <QMenu>
 #include <algorithm>
@@ -11,28 +12,14 @@
 #include "editor/made_by.h"
 #include "scene/document.h"
 #include "studio/shell/text_of.h"
+#include "studio/timeline/key_lines.h"
 #include "track/twerpers.h"
 
 namespace betwixt::studio {
 namespace {
 
-// Returns the tracks for a new event: those with events; the position if an object has none.
-std::vector<Target> animated(const Document& d, const std::vector<ObjectId>& objects) {
-  std::vector<Target> all;
-  for (const ObjectId id : objects) {
-    const std::size_t before = all.size();
-    for (const TrackView& t : tracks(d, id))
-      if (!t.target.velocity && t.event_count > 0) all.push_back(t.target);
-    if (all.size() > before) continue;
-    for (const FunctionView& f : functions(d, id))
-      if (f.name == "position") all.emplace_back(id, f.id);
-  }
-  std::erase_if(all, [&](const Target& t) {
-    const Type type = spec_of(d.scene(), t.function).type;
-    return type == Type::motion || type == Type::attachment;
-  });
-  return all;
-}
+// Says that code makes a value, so that an event has no effect there.
+void tell_of_code(Workspace& workspace, const QString& words) { emit workspace.said({}, words + "\n", true); }
 
 }  // namespace
 
@@ -100,25 +87,58 @@ void EventActions::duplicate() {
     select_copies(events, to, {});
 }
 
-void EventActions::insert() {
-  std::vector<Target> where = animated(workspace_.document(), workspace_.selected());
+std::vector<Target> EventActions::free_tracks(const std::vector<ObjectId>& objects, bool or_position) {
+  const Document& d = workspace_.document();
+  std::vector<Target> where = animated_tracks(d, objects, or_position);
   // An event would replace the code for the whole film.
-  for (const Target& t : where)
-    if (Target whole(t.object, t.function);
-        !t.layer && !made_by(workspace_.document(), whole, workspace_.time()).code.empty())
-      emit workspace_.said({},
-                           tr("code computes %1; an event would end that")
-                                   .arg(QString::fromStdString(workspace_.document().name(whole))) +
-                               "\n",
-                           true);
   std::erase_if(where, [&](const Target& t) {
-    return !t.layer && !made_by(workspace_.document(), Target(t.object, t.function), workspace_.time()).code.empty();
+    const Target whole(t.object, t.function);
+    if (t.layer || made_by(d, whole, workspace_.time()).code.empty()) return false;
+    tell_of_code(workspace_,
+                 tr("code computes %1; an event would end that").arg(QString::fromStdString(d.name(whole))));
+    return true;
   });
-  if (where.empty()) return;
-  if (!workspace_.say(insert_lines(workspace_.document(), workspace_.program(), where, workspace_.time()))) return;
+  return where;
+}
+
+void EventActions::insert_on(const std::vector<Target>& where) {
+  if (where.empty() ||
+      !workspace_.say(insert_lines(workspace_.document(), workspace_.program(), where, workspace_.time())))
+    return;
   std::vector<EventAt> come;
   for (const Target& t : where) come.push_back({t, workspace_.time()});
   workspace_.select_events(std::move(come));
+}
+
+void EventActions::insert() { insert_on(free_tracks(workspace_.selected(), true)); }
+
+void EventActions::insert_changed() {
+  insert_on(changed_tracks(workspace_.program(), free_tracks(workspace_.selected(), false), workspace_.time()));
+}
+
+void EventActions::insert_character() {
+  insert_on(free_tracks(whole_characters(workspace_.document(), workspace_.selected(), workspace_.time()), false));
+}
+
+void EventActions::hold() {
+  workspace_.say(hold_lines(workspace_.program(), free_tracks(workspace_.selected(), false), workspace_.time()));
+}
+
+Lines EventActions::breakdown(double share) {
+  return breakdown_lines(workspace_.program(), free_tracks(workspace_.selected(), false), workspace_.time(), share);
+}
+
+void EventActions::warp(const std::function<double(double)>& share) {
+  const Document d = workspace_.document();
+  const std::vector<EventAt> events = workspace_.events_selected();
+  const auto [first, last] = span(events);
+  if (!(last > first)) return;
+  const auto when = retiming(d, events, share);
+  if (!retime(retime_lines(d, events, when), when)) return;
+  if (const auto names = left_behind(d, events, workspace_.time()); !names.empty())
+    tell_of_code(workspace_, tr("%1 %2 code or filters with times of their own, which stay as they are")
+                                 .arg(QString::fromStdString(fmt::format("{}", fmt::join(names, ", "))),
+                                      names.size() == 1 ? tr("has") : tr("have")));
 }
 
 void EventActions::twerper(const std::string& name) {

@@ -27,7 +27,14 @@ class EventActions : public QObject {
   void copy();
   void paste();      // at the playhead
   void duplicate();  // from their end
-  void insert();     // at the playhead, on the tracks of the selected objects
+  // At the playhead, on the tracks of the selected objects:
+  void insert();                  // events with the values there
+  void insert_changed();          // only where the value has changed since the last event
+  void insert_character();        // on all tracks of the whole characters
+  void hold();                    // events with the values of the last ones, which hold until then
+  Lines breakdown(double share);  // the lines of events between those before and after
+  // Spreads the selected events between the first and the last one by a curve from 0 to 1, and says what stays behind.
+  void warp(const std::function<double(double)>& share);
   void move(Time by);
   void twerper(const std::string& name);
   void extend(const std::string& how, const std::string& side);
@@ -36,6 +43,8 @@ class EventActions : public QObject {
 
  private:
   explicit EventActions(Workspace& workspace);
+  std::vector<Target> free_tracks(const std::vector<ObjectId>&, bool or_position);  // those without code
+  void insert_on(const std::vector<Target>&);
   void select_copies(const std::vector<EventAt>&, Time to, ObjectId onto);
 
   Workspace& workspace_;

@@ -121,7 +121,7 @@ bool goes_along(const std::vector<Picked>& all, const Picked& velocity, Time at)
 }
 
 // Clears the events and writes them again at other times.
-Lines written_anew(const Document& d, const std::vector<Picked>& picked, const std::function<Time(Time)>& when) {
+Lines written_again(const Document& d, const std::vector<Picked>& picked, const std::function<Time(Time)>& when) {
   Lines gone, come;
   Together away(d);
   for (const Picked& p : picked) {
@@ -218,7 +218,7 @@ Lines stretch_lines(const Document& d, const std::vector<EventAt>& events, std::
   const double was = (from.second - from.first).seconds(), is = (to.second - to.first).seconds(), factor = is / was;
   const Time first = std::min(from.first, to.first), last = std::max(from.second, to.second);
   if (!std::ranges::all_of(picked, [&](const Picked& p) { return all_between(d, p, first, last); }))
-    return written_anew(d, picked, [&](Time t) {
+    return written_again(d, picked, [&](Time t) {
       return to.first + Time{std::llround(static_cast<double>((t - from.first).flicks) * factor)};
     });
   Together all(d);
@@ -234,6 +234,10 @@ Lines stretch_lines(const Document& d, const std::vector<EventAt>& events, std::
                                 write_number(factor)));
   });
   return lines;
+}
+
+Lines retime_lines(const Document& d, const std::vector<EventAt>& events, const std::function<Time(Time)>& when) {
+  return written_again(d, by_track(events), when);
 }
 
 Lines reverse_lines(const Document& d, const std::vector<EventAt>& events) {
@@ -320,40 +324,6 @@ Lines twerper_lines(const Document& d, const std::vector<EventAt>& events, std::
     if (changed.detail) changed.detail.edit().arguments = {};
     if (name == "steps") changed.detail.edit().arguments[0] = 4, changed.detail.edit().arguments[1] = 0;
     if (!(changed == *e)) lines.push_back(event_line(d, at.target, changed));
-  }
-  return lines;
-}
-
-namespace {
-
-// Rounds to 9 significant digits; no one can see a finer difference.
-Value plain(Value v) {
-  const auto plain = [](double x) { return rounded(x, std::max(1e-9 * std::abs(x), 1e-9)); };
-  if (auto* d = std::get_if<double>(&v)) *d = plain(*d);
-  if (auto* x = std::get_if<Vec3>(&v))
-    for (int i = 0; i < 3; ++i) (*x)[i] = plain((*x)[i]);
-  return v;
-}
-
-}  // namespace
-
-Lines insert_lines(const Document& d, const Program& before, const std::vector<Target>& targets, Time t) {
-  std::map<std::uint32_t, Program> layers;  // programs of the layers' bare tracks, by layer
-  std::vector<ObjectId> objects;
-  for (const Target& at : targets) objects.push_back(at.object);
-  Lines lines;
-  for (const Target& target : targets) {
-    auto known = layers.find(target.layer.index);
-    if (known == layers.end())
-      known = layers.emplace(target.layer.index, Program::compile(bare_tracks(d, objects, target.layer), before)).first;
-    Target bare = target;
-    bare.layer = {};
-    Event e;
-    e.time = t;
-    const Type type = spec_of(d.scene(), bare.function).type;
-    const Value there = known->second.read(bare, t);
-    e.value = type == Type::scalar || type == Type::vector ? plain(there) : there;  // angles are written in degrees
-    lines.push_back(event_line(d, target, e) + way_of_new_event(d, target, t));
   }
   return lines;
 }

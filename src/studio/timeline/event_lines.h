@@ -49,6 +49,8 @@ std::pair<Time, Time> span(const std::vector<EventAt>&);
 Lines move_lines(const Document&, const std::vector<EventAt>&, Time by);
 // `stretch`: maps the time span `from` to the span `to`.
 Lines stretch_lines(const Document&, const std::vector<EventAt>&, std::pair<Time, Time> from, std::pair<Time, Time> to);
+// Gives each event another time: clears the events and writes them again. Events of motions stay.
+Lines retime_lines(const Document&, const std::vector<EventAt>&, const std::function<Time(Time)>& when);
 Lines reverse_lines(const Document&, const std::vector<EventAt>&);
 Lines clear_lines(const Document&, const std::vector<EventAt>&);
 // `copy`: the first event comes at `to`. The source may be an earlier state of the document. `onto` gets the events if
@@ -56,8 +58,6 @@ Lines clear_lines(const Document&, const std::vector<EventAt>&);
 Lines copy_lines(const Document&, const Document& source, const std::vector<EventAt>&, Time to, ObjectId onto = {});
 // Sets the twerper after each event; "": the default.
 Lines twerper_lines(const Document&, const std::vector<EventAt>&, std::string_view twerper);
-// Inserts an event with the track's value on each target.
-Lines insert_lines(const Document&, const Program& before, const std::vector<Target>&, Time);
 
 // Returns an event as a line: "on sway at 24f ball.position (1 2 3) smooth".
 std::string event_line(const Document&, const Target&, const Event&);

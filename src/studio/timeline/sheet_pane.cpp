@@ -14,6 +14,7 @@
 #include "language/values.h"
 #include "studio/shell/text_of.h"
 #include "studio/timeline/event_actions.h"
+#include "studio/timeline/key_lines.h"
 
 namespace betwixt::studio {
 
