@@ -225,7 +225,7 @@ auto of_document(auto f) {
 
 std::vector<std::pair<double, std::string>> notes(const Document& document) {
   std::vector<std::pair<double, std::string>> all;
-  for (auto& [t, text] : document.notes(earliest_time, latest_time)) all.emplace_back(frame_of(t, document), text);
+  for (const Note& n : document.notes(earliest_time, latest_time)) all.emplace_back(frame_of(n.time, document), n.text);
   return all;
 }
 

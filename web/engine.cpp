@@ -157,9 +157,9 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_about(Film* film) {
   for (const std::string& file : film->missing_files) missing += (missing.empty() ? "" : ",") + json_text(file);
   const auto [first, last] = d.range();
   std::string notes;
-  for (const auto& [time, text] : d.notes(first, last))
-    notes += fmt::format(R"({}{{"seconds":{},"text":{}}})", notes.empty() ? "" : ",", json_number(time.seconds()),
-                         json_text(text));
+  for (const Note& n : d.notes(first, last))
+    notes += fmt::format(R"({}{{"seconds":{},"text":{}}})", notes.empty() ? "" : ",", json_number(n.time.seconds()),
+                         json_text(n.text));
   const auto [width, height] = d.size().value_or(std::pair{1280, 720});
   return returned(fmt::format(R"({{"ok":{},"diagnostics":[{}],"message":{},"wants":[{}],"fps":{},"start":{},"end":{},)"
                               R"("firstFrame":{},"lastFrame":{},"width":{},"height":{},"clear":{},"notes":[{}]}})",

@@ -58,6 +58,14 @@ struct Target {
   friend constexpr bool operator==(Target, Target) = default;
 };
 
+// A note: a text at a time. Other tools call it a marker.
+struct Note {
+  Time time;
+  std::string text;
+  std::optional<Color> color;  // in which the studio shows it; nullopt: its usual one
+  friend bool operator==(const Note&, const Note&) = default;
+};
+
 // The patterns and names that each alias stands for. They are looked up at each use.
 using Aliases = std::map<std::string, std::vector<std::string>, std::less<>>;
 
@@ -83,11 +91,11 @@ class Document {
   double aspect() const;                            // width / height; 16:9 if the script sets no size
   int frame_count() const;                          // frames in the range, ends included; at least 1
 
-  std::vector<std::string> names() const;                                     // of all objects, in order of creation
-  ObjectId find(std::string_view name) const;                                 // an empty id if no object has the name
-  std::string name(ObjectId) const;                                           // "none" if there is no such object
-  std::string name(const Target&) const;                                      // "ball.position.x"
-  std::vector<std::pair<Time, std::string>> notes(Time from, Time to) const;  // both ends included
+  std::vector<std::string> names() const;             // of all objects, in order of creation
+  ObjectId find(std::string_view name) const;         // an empty id if no object has the name
+  std::string name(ObjectId) const;                   // "none" if there is no such object
+  std::string name(const Target&) const;              // "ball.position.x"
+  std::vector<Note> notes(Time from, Time to) const;  // both ends included
   const Aliases& aliases() const;
   const std::map<Time, ObjectId>& cuts() const;  // the camera from each time on
 

@@ -287,8 +287,8 @@ void look_at_idle_environments(const Scene& s, Remarks& out) {
 std::optional<Event> state(const Scene& s, const Subject& about) {
   Event now;
   if (about.notes) {
-    for (const auto& [time, text] : *s.notes)
-      if (time == about.time) now.value = Text(text);
+    for (const auto& [time, note] : *s.notes)
+      if (time == about.time) now.value = Text(note.text);
     return now;
   }
   const Target& t = about.target;

@@ -17,17 +17,25 @@ constexpr std::size_t most_notes = 1'000'000;
 bool note(Command& k) {
   auto& [s, c, time, layer, script] = k;
   if (!time) return c.fail_here(ErrorCode::syntax, "a note needs a time", "as in at 24f note \"…\"");
-  std::string text;
-  if (!c.text(text) || !finish(c)) return false;
-  s.notes.edit().emplace(*time, std::move(text));
+  Note note{*time, {}, {}};
+  if (!c.text(note.text)) return false;
+  if (!c.at_line_end()) {
+    const std::string_view key = c.next_word();
+    if (key != "color") return no_choice(c, key, "after its text a note may have a color", "as in color=red");
+    if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing after color");
+    if (!values(k).color(note.color.emplace())) return false;
+  }
+  if (!finish(c)) return false;
+  s.notes.edit().emplace(*time, std::move(note));
   return true;
 }
 
 bool notes(Command& k) { return on_or_off(k.cursor, "notes must be on or off", k.scene.notes_shown); }
 
 constexpr Verb notes_rows[] = {
-    {"note", "at TIME note \"…\"", "A text at a time, a marker; it shows while the film plays.",
-     "at 24f note \"first bounce ends\"", Verb::timed | Verb::aside | Verb::quick, note, "NUMBER…"},
+    {"note", "at TIME note \"…\" [color=COLOR]", "A text at a time, a marker; it shows while the film plays.",
+     "at 24f note \"first bounce ends\"\nat 48f note \"check the shadow\" color=gold",
+     Verb::timed | Verb::aside | Verb::quick, note, "NUMBER…"},
     {"notes", "notes on or notes off", "Shows or hides notes while the film plays.", "notes off",
      Verb::once | Verb::aside, notes, "on off"},
 };
@@ -49,21 +57,22 @@ bool retime_notes(Command& k, std::string_view word, Segment of,
                   const std::function<void(Time, std::vector<Time>&)>& to) {
   Cursor& c = k.cursor;
   if (!finish(c)) return false;
-  std::multimap<Time, std::string> stay, go;
+  std::multimap<Time, Note> stay, go;
   for (const auto& n : *k.scene.notes) {
     auto& to_where = of.from <= n.first && n.first <= of.to ? go : stay;
     to_where.emplace_hint(to_where.end(), n);
   }
   if (go.empty()) k.script.note(Severity::notice, "there are no notes in this segment", word);
   std::vector<Time> times;
-  for (const auto& [time, text] : go) {
+  for (auto& [time, note] : go) {
     times.clear();
     to(time, times);
     for (const Time t : times) {
       if (!in_reach(t)) return c.fail(ErrorCode::range, "the notes would be more than 146 years away", word);
       if (stay.size() == most_notes)
         return c.fail(ErrorCode::range, fmt::format("a film can have at most {} notes", most_notes), word);
-      stay.emplace(t, text);
+      note.time = t;
+      stay.emplace(t, note);
     }
   }
   k.scene.notes.edit() = std::move(stay);

@@ -326,16 +326,17 @@ Result<std::string> describe(const Program& program, const std::string& word) {
 
 std::string list_notes(const Document& d) {
   std::string said;
-  for (const auto& [time, words] : d.notes(earliest_time, latest_time))
-    said += fmt::format("{:8} {}\n", format_time(time, d), write_text(words));
+  for (const Note& n : d.notes(earliest_time, latest_time))
+    said += fmt::format("{:8} {}{}\n", format_time(n.time, d), write_text(n.text),
+                        n.color ? " color=" + write_color(*n.color) : "");
   return said.empty() ? "there are no notes\n" : said;
 }
 
 std::string notes_shown(const Document& d, std::optional<Time> after, Time now) {
   std::string said;
   if (!d.scene().notes_shown) return said;
-  for (const auto& [time, words] : d.notes(after ? *after + Time{1} : now, now))
-    said += fmt::format("{}\"{}\"", said.empty() ? "" : " ", words);
+  for (const Note& n : d.notes(after ? *after + Time{1} : now, now))
+    said += fmt::format("{}\"{}\"", said.empty() ? "" : " ", n.text);
   return said;
 }
 

@@ -338,7 +338,9 @@ struct Writer {
       if (time != Time{INT64_MIN}) out += "at " + point(time) + " ";
       out += "look through " + name_of(camera) + "\n";
     }
-    for (const auto& [time, text] : *s.notes) out += "at " + point(time) + " note " + write_text(text) + "\n";
+    for (const auto& [time, note] : *s.notes)
+      out += "at " + point(time) + " note " + write_text(note.text) +
+             (note.color ? " color=" + write_color(*note.color) : "") + "\n";
     for (const Dial& d : *s.dials) {
       out += "dial " + d.address + " to " + document.name(d.target);
       if (d.mapped) {

@@ -52,7 +52,7 @@ Frame Whole::frame() const {
   f.camera = evaluator.camera();
   const Scene& scene = compiled.document.scene();
   f.background = background_of(scene), f.surroundings = surroundings_of(scene);
-  for (auto& [when, text] : compiled.document.notes(f.time, f.time)) f.notes.push_back(text);
+  for (const Note& n : compiled.document.notes(f.time, f.time)) f.notes.push_back(n.text);
   f.problems = problems;
   f.reports = reports;
   return f;

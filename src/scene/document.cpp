@@ -372,9 +372,11 @@ std::vector<std::string> Document::names() const {
 
 ObjectId Document::find(std::string_view name) const { return scene_->names.find(name); }
 
-std::vector<std::pair<Time, std::string>> Document::notes(Time from, Time to) const {
-  if (to < from) return {};
-  return {scene_->notes->lower_bound(from), scene_->notes->upper_bound(to)};
+std::vector<Note> Document::notes(Time from, Time to) const {
+  std::vector<Note> out;
+  if (to < from) return out;
+  for (auto n = scene_->notes->lower_bound(from); n != scene_->notes->upper_bound(to); ++n) out.push_back(n->second);
+  return out;
 }
 
 bool operator==(const Document& a, const Document& b) { return a.scene_ == b.scene_ || same(*a.scene_, *b.scene_); }

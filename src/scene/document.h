@@ -167,7 +167,7 @@ struct Scene {
   Objects kinds_saw;          // the objects when the instances of kinds were last updated; empty without kinds
   Cow<Aliases> aliases;
   Cow<Lets> lets;                               // the names in formulas
-  Cow<std::multimap<Time, std::string>> notes;  // those of one time in the order in which they came
+  Cow<std::multimap<Time, Note>> notes;         // those of one time in the order in which they came
   Cow<std::vector<NamedProcedure>> procedures;  // events refer to own twerpers by their index here
   Cow<std::vector<Dial>> dials;
   Cow<DisplayLists> lists;                // from the beginning

@@ -59,9 +59,9 @@ void Imaging::tell(const Shown& f) {
   tell_all(notes, [&] {
     std::string remarks;
     if (document().scene().notes_shown)
-      for (const auto& [time, words] : document().notes(after + Time{1}, f.time))
-        remarks += fmt::format("{{\"event\":\"note\",\"seconds\":{},\"note\":{}}}\n", json_number(time.seconds()),
-                               json_text(words));
+      for (const Note& n : document().notes(after + Time{1}, f.time))
+        remarks += fmt::format("{{\"event\":\"note\",\"seconds\":{},\"note\":{}}}\n", json_number(n.time.seconds()),
+                               json_text(n.text));
     return remarks;
   });
   tell_all(slow, [&] {

@@ -48,7 +48,7 @@ TEST(CommandParameters, ReachTheCodeWithTheirTypes) {
   EXPECT_FALSE(has_errors(film.diagnostics)) << said(film.diagnostics);
   const auto notes = film.document.notes(earliest_time, latest_time);
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_EQ(notes[0].second, "a2 a1+a2+a3 1 0.5 -1.5 1.570796 2 1 true it's here nil 2 1 37f 0.1428571429s");
+  EXPECT_EQ(notes[0].text, "a2 a1+a2+a3 1 0.5 -1.5 1.570796 2 1 true it's here nil 2 1 37f 0.1428571429s");
 }
 
 TEST(CommandParameters, CanBeDeclaredOverSeveralLines) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Tests notes and their track.
+#include "language/values.h"
 #include "scene/document.h"
 #include "support/loaded_film.h"
 
@@ -13,8 +14,11 @@ std::string after(const std::string& command, const std::string& more = {}) {
   const LoadedFilm film(more + "at 1f note \"a\"\nat 5f note \"b\"\nat 5f note \"c\"\nat 9f note \"d\"\n" + command +
                         "\n");
   std::string out;
-  for (const auto& [time, text] : *film.loaded.document.scene().notes)
-    out += fmt::format("{}{} ", text, film.loaded.document.rate().frame_number(time));
+  for (const auto& [time, note] : *film.loaded.document.scene().notes) {
+    EXPECT_EQ(note.time, time);
+    const std::string color = note.color ? write_color(*note.color) : "";
+    out += fmt::format("{}{}{} ", note.text, color, film.loaded.document.rate().frame_number(time));
+  }
   EXPECT_EQ(LoadedFilm(write(film.loaded.document)).loaded.document, film.loaded.document);
   return out;
 }
@@ -29,6 +33,17 @@ TEST(Notes, AreATrack) {
   EXPECT_EQ(after("reverse notes 1f..5f"), "b1 c1 a5 d9 ");
   EXPECT_EQ(after("copy notes 5f..9f to 21f"), "a1 b5 c5 d9 b21 c21 d25 ");
   EXPECT_EQ(after("copy notes 1f..5f to 21f times 2"), "a1 b5 c5 d9 a21 a25 b25 c25 b29 c29 ");
+}
+
+TEST(Notes, HaveColours) {
+  const std::string more = "at 7f note \"e\" color=#00ff00\nat 7f note \"f\"\n";
+  EXPECT_EQ(after("", more), "a1 b5 c5 elime7 f7 d9 ");
+  EXPECT_EQ(after("move notes 7f..7f by 4f", more), "a1 b5 c5 d9 elime11 f11 ");
+  EXPECT_EQ(after("copy notes 7f..7f to 21f times 2", more), "a1 b5 c5 elime7 f7 d9 elime21 elime21 f21 f21 ");
+  EXPECT_EQ(told("at 5f note \"b\" colour=red\n"), "type 1:16 colour");
+  EXPECT_EQ(told("at 5f note \"b\" color red\n"), "syntax 1:22 red");
+  EXPECT_EQ(told("at 5f note \"b\" color=redd\n"), "name 1:22 redd");
+  EXPECT_EQ(told("at 5f note \"b\" color=red 7\n"), "syntax 1:26 7");
 }
 
 TEST(Notes, ThingsOfThatNameAreTargetsAsBefore) {

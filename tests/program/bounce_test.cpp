@@ -58,8 +58,8 @@ TEST(Bounce, Values) {
   const Document& d = s.loaded.document;
   const auto notes = d.notes({}, {flicks_per_second * 3});
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_EQ(notes[0].second, "first bounce ends");
-  EXPECT_EQ(format_time(notes[0].first, d), "24f");
+  EXPECT_EQ(notes[0].text, "first bounce ends");
+  EXPECT_EQ(format_time(notes[0].time, d), "24f");
 }
 
 // shows: G95 G96

@@ -116,7 +116,7 @@ struct Lister {
       for (const ObjectId id : objects(d, word)) out << ' ' << d.name(id);
       out << " (" << meant.size() << " patterns)\n";
     }
-    for (const auto& [t, text] : d.notes(earliest_time, latest_time)) out << "note " << time(t) << ' ' << text << '\n';
+    for (const Note& n : d.notes(earliest_time, latest_time)) out << "note " << time(n.time) << ' ' << n.text << '\n';
     for (const auto& [t, eye] : d.cuts()) out << "cut " << time(t) << ' ' << d.name(eye) << '\n';
     for (const ProcedureView& p : procedures(d))
       if (p.language != "plug-in")  // those of other tests are in every document made after them

@@ -127,14 +127,27 @@ class ObjectsTest : public QObject {
     s.workspace.say(std::string("set group1.position.y 4"));
     const Vec3 moved = s.place("far");
     s.select({"group1"});
-    s.act.ungroup();  // `base` has events, and the group has moved
-    QVERIFY(s.id("group1"));
+    const QString grouped = s.text();
+    std::vector<Vec3> base;
+    for (const char* when : {"1f", "7f", "12f", "24f"}) base.push_back(s.place("base", when));
+    s.act.ungroup();  // `base` has events, and the group has moved: they move
+    QVERIFY2(!s.id("group1"), qPrintable(s.text()));
+    k = 0;
+    for (const char* when : {"1f", "7f", "12f", "24f"}) s.expect("base", base[k++], when);
+    s.expect("far", moved);
+    QVERIFY(moved.y > 1);
     s.workspace.undo();
+    QCOMPARE(s.text(), grouped);
+    // A turned group cannot leave events as they are.
+    s.workspace.say(std::string("set group1.rotation euler(0 0 90deg)"));
+    s.select({"group1"});
+    s.act.ungroup();
+    QVERIFY(s.id("group1"));
+    s.workspace.undo(), s.workspace.undo();
     s.select({"group1"});
     s.act.ungroup();
     QVERIFY(!s.id("group1"));
     s.expect("far", Vec3{0, 0, 5});
-    QVERIFY(moved.y > 1);
   }
 
   void ungrouped_parts_stay() {

@@ -25,7 +25,7 @@ class RippleTest : public QObject {
       for (const TrackView& t : tracks(d, id))
         for (const EventView& e : events(d, t.target))
           all[(t.target.layer ? d.name(t.target.layer) + ":" : "") + d.name(t.target)].push_back(e.time);
-    for (const auto& [t, words] : d.notes(earliest_time, latest_time)) all["note " + words].push_back(t);
+    for (const Note& n : d.notes(earliest_time, latest_time)) all["note " + n.text].push_back(n.time);
     return all;
   }
 

@@ -10,6 +10,7 @@
 #include <QKeySequence>
 #include <QMenu>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "betwixt/math.h"
@@ -227,11 +228,19 @@ void ObjectActions::ungroup() {
       for (int column = 0; column < 4; ++column)
         apart_by = std::max(apart_by, std::abs((**wanted)(row, column) - (**found)(row, column)));
     if (apart_by < 1e-9) continue;
-    if (made_by(*apart, Target(part, fn::position), t).events || made_by(*apart, Target(part, fn::rotation), t).events)
-      return tell(tr("%1 has events of its own, and its group has moved: move the group back first")
+    const bool moves =
+        made_by(*apart, Target(part, fn::position), t).events || made_by(*apart, Target(part, fn::rotation), t).events;
+    const ObjectId group = parent_at(d, part, t);
+    const bool still = std::ranges::all_of(std::array{fn::position, fn::rotation, fn::scale}, [&](auto f) {
+      const MadeBy made = made_by(d, Target(group, f), t);
+      return !made.events && made.code.empty();
+    });
+    const Lines own = moves ? (still ? lines_to_shift(program, part, **found, **wanted, t) : Lines())
+                            : lines_to_bring(program, part, **wanted, t, 1e-6, false);
+    if (own.empty())
+      return tell(tr("%1 has events of its own, and its group has turned or moves: put the group back first")
                       .arg(QString::fromStdString(d.name(part))));
-    for (std::string& line : lines_to_bring(program, part, **wanted, t, 1e-6, false))
-      edit.lines.push_back(std::move(line));
+    edit.lines.insert(edit.lines.end(), own.begin(), own.end());
   }
   edit.lines.insert(edit.lines.end(), removals.begin(), removals.end());
   say(edit);

@@ -22,8 +22,6 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr double millimetre = 0.001;  // a step of numbers that are written
-
 std::vector<ObjectId> in_order(const std::set<std::uint32_t>& numbers) {
   std::vector<ObjectId> all;
   for (const std::uint32_t i : numbers) all.push_back({i});
@@ -49,22 +47,13 @@ std::set<std::uint32_t> closure(const Document& d, const std::vector<ObjectId>& 
 
 Attachment couple_to(ObjectId parent) { return {AttachmentKind::couple, parent, false}; }
 
+}  // namespace
+
 Vec3 place_of(const Program& program, ObjectId id, Time t) {
   const Value v = program.read(Target(id, Query::world), t);
   const auto* m = std::get_if<Matrix>(&v);
   return m ? translation_of(**m) : Vec3{};
 }
-
-double& along(Vec3& v, Axis a) { return a == Axis::x ? v.x : a == Axis::y ? v.y : v.z; }
-
-// Returns the lines that move an object by so much along an axis of the world.
-void add_move(const Program& program, ObjectId id, Axis axis, double by, Time t, bool make_events, Lines& to) {
-  Vec3 way{};
-  along(way, axis) = by;
-  for (std::string& line : Hand(program, t, {id}, make_events).move(way, millimetre)) to.push_back(std::move(line));
-}
-
-}  // namespace
 
 std::optional<Attachment> fixed_attachment(const Document& d, ObjectId id) {
   const std::vector<AttachmentSpan> spans = attachments(d, id);
@@ -253,51 +242,6 @@ Lines remove_lines(const Document& d, const std::vector<ObjectId>& objects, bool
     const std::string name = d.name(id);
     const bool along = std::ranges::any_of(leaving, [&](ObjectId other) { return is_below(name, d.name(other)); });
     if (!along) lines.push_back("remove " + name);
-  }
-  return lines;
-}
-
-Lines align_lines(const Program& program, const std::vector<ObjectId>& objects, Axis axis, Time t, bool make_events) {
-  Lines lines;
-  if (objects.size() < 2) return lines;
-  Vec3 to = place_of(program, objects.back(), t);
-  for (const ObjectId id : objects) {
-    Vec3 at = place_of(program, id, t);
-    if (!(id == objects.back())) add_move(program, id, axis, along(to, axis) - along(at, axis), t, make_events, lines);
-  }
-  return lines;
-}
-
-Lines distribute_lines(const Program& program, const std::vector<ObjectId>& objects, Axis axis, Time t,
-                       bool make_events) {
-  Lines lines;
-  if (objects.size() < 3) return lines;
-  std::vector<std::pair<double, ObjectId>> all;
-  for (const ObjectId id : objects) {
-    Vec3 at = place_of(program, id, t);
-    all.emplace_back(along(at, axis), id);
-  }
-  std::ranges::stable_sort(all, {}, &std::pair<double, ObjectId>::first);
-  const double first = all.front().first, step = (all.back().first - first) / static_cast<double>(all.size() - 1);
-  for (std::size_t i = 1; i + 1 < all.size(); ++i)
-    add_move(program, all[i].second, axis, first + step * static_cast<double>(i) - all[i].first, t, make_events, lines);
-  return lines;
-}
-
-Lines fall_lines(const Program& program, const std::vector<ObjectId>& objects, Time t) {
-  const Document& d = program.document();
-  const Frame frame = program.frame(t);
-  Lines lines;
-  for (const ObjectId id : objects) {
-    if (!placed(kind(d, id))) continue;
-    // Its position stops where its lowest point is on the floor.
-    double lowest = place_of(program, id, t).y;
-    for (const Item& item : frame.items)
-      if (item.id == id)
-        for (const Vec3& corner : drawn(item).corners) lowest = std::min(lowest, corner.y);
-    const double above = rounded(place_of(program, id, t).y - lowest, millimetre);
-    lines.push_back(
-        fmt::format("at {} fall {} ground={} bounce=0.6", format_time(t, d), d.name(id), write_number(above)));
   }
   return lines;
 }

@@ -20,6 +20,10 @@ struct ObjectEdit {
 
 enum class Axis : std::uint8_t { x, y, z };
 
+constexpr double millimetre = 0.001;  // a step of numbers that are written
+
+// Returns the place of an object in the world.
+Vec3 place_of(const Program&, ObjectId, Time);
 // Returns the attachment that an object has during the whole film, if there is one.
 std::optional<Attachment> fixed_attachment(const Document&, ObjectId);
 // Returns the line that gives a child such a parent for the whole film.
@@ -56,6 +60,10 @@ Lines remove_lines(const Document&, const std::vector<ObjectId>&, bool all, Time
 // Moves all objects along an axis to the place of the last one; or spreads them evenly between the outermost two.
 Lines align_lines(const Program&, const std::vector<ObjectId>&, Axis, Time, bool make_events);
 Lines distribute_lines(const Program&, const std::vector<ObjectId>&, Axis, Time, bool make_events);
+
+// Moves an object with all its position events by what leads from one place in the world to another. Returns no lines
+// if that takes more than a shift in its parent's space.
+Lines lines_to_shift(const Program&, ObjectId, const Mat4& from, const Mat4& to, Time);
 
 // Makes objects fall from where they are and bounce on the floor at y = 0: `at 1f fall ball ground=1 bounce=0.6`.
 Lines fall_lines(const Program&, const std::vector<ObjectId>&, Time);

@@ -44,6 +44,7 @@ class Window : public QMainWindow {
   double text_size() const { return text_size_; }
   void insert_time();
   void remove_time();
+  void add_note();
   void ask_breakdown();
   void ask_retiming();
   void set_light(bool);

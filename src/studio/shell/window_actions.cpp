@@ -18,6 +18,7 @@
 #include "studio/timeline/event_actions.h"
 #include "studio/timeline/key_lines.h"
 #include "studio/timeline/ripple.h"
+#include "studio/timeline/ruler.h"
 #include "track/twerpers.h"
 
 namespace betwixt::studio {
@@ -52,6 +53,11 @@ void Window::remove_time() {
   if (std::pair(from, workspace_.playhead().last()) == d.range())
     return said_->setText(tr("set the part to remove first: I at its first frame, O at its last"));
   if (workspace_.say(remove_time_lines(d, from, to))) workspace_.set_range(std::nullopt);
+}
+
+void Window::add_note() {
+  show_panel("timeline");
+  if (auto* ruler = panel("timeline")->findChild<Ruler*>()) ruler->add_note();
 }
 
 void Window::ask_breakdown() {

@@ -141,6 +141,25 @@ void EventActions::warp(const std::function<double(double)>& share) {
                                       names.size() == 1 ? tr("has") : tr("have")));
 }
 
+void EventActions::go_to_event(int direction) {
+  const Document& d = workspace_.document();
+  const Time now = workspace_.time();
+  std::optional<Time> to;
+  for (const ObjectId id : workspace_.selected().empty() ? objects(d) : workspace_.selected())
+    for (const TrackView& t : tracks(d, id)) {
+      const auto at = direction > 0 ? next_event(d, t.target, now + Time{1}) : event_before(d, t.target, now);
+      if (at) to = !to ? *at : direction > 0 ? std::min(*to, *at) : std::max(*to, *at);
+    }
+  if (to) workspace_.go_to(*to);
+}
+
+void EventActions::go_to_note(int direction) {
+  const Document& d = workspace_.document();
+  const Time now = workspace_.time();
+  const auto notes = direction > 0 ? d.notes(now + Time{1}, latest_time) : d.notes(earliest_time, now - Time{1});
+  if (!notes.empty()) workspace_.go_to(direction > 0 ? notes.front().time : notes.back().time);
+}
+
 void EventActions::twerper(const std::string& name) {
   if (const Lines lines = twerper_lines(workspace_.document(), workspace_.events_selected(), name); !lines.empty())
     workspace_.say(lines);

@@ -36,6 +36,9 @@ class EventActions : public QObject {
   // Spreads the selected events between the first and the last one by a curve from 0 to 1, and says what stays behind.
   void warp(const std::function<double(double)>& share);
   void move(Time by);
+  // Moves the playhead to the next event of the selection, or of all objects; -1: to the previous one. Then to a note.
+  void go_to_event(int direction);
+  void go_to_note(int direction);
   void twerper(const std::string& name);
   void extend(const std::string& how, const std::string& side);
   // Carries out lines that move or retime the selected events, and selects them at their new times.

@@ -29,8 +29,8 @@ void add_moves(const Document& d, Time from, Time by, Lines& to) {
   for (std::string& line : move_lines(d, events_between(d, from, latest_time), by)) to.push_back(std::move(line));
   const auto length = fmt::format("by {}", length_words(d, by));
   if (const auto notes = d.notes(from, latest_time); !notes.empty())
-    to.push_back(fmt::format("move notes {}..{} {}", format_time(notes.front().first, d),
-                             format_time(notes.back().first, d), length));
+    to.push_back(fmt::format("move notes {}..{} {}", format_time(notes.front().time, d),
+                             format_time(notes.back().time, d), length));
   const auto [first, last] = d.range();
   if (last >= from)
     to.push_back(fmt::format("range {} {}", format_time(first, d), format_time(std::max(first, last + by), d)));
@@ -50,7 +50,7 @@ Lines remove_time_lines(const Document& d, Time from, Time to) {
   lines = clear_lines(d, events_between(d, from, to));
   if (const auto notes = d.notes(from, to - Time{1}); !notes.empty())
     lines.push_back(
-        fmt::format("clear notes {}..{}", format_time(notes.front().first, d), format_time(notes.back().first, d)));
+        fmt::format("clear notes {}..{}", format_time(notes.front().time, d), format_time(notes.back().time, d)));
   add_moves(d, to, from - to, lines);
   return lines;
 }

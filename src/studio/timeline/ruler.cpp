@@ -47,17 +47,6 @@ QRect Ruler::part_box() const {
   return {axis_.gutter(), top, width() - axis_.gutter(), line_height() / 3};
 }
 
-QRectF Ruler::note_box(Time t) const {
-  const double top = ruler_height() + line_height() * 1.45;
-  const auto there = workspace_.document().notes(t, t);
-  const double words = there.empty() ? 0 : fontMetrics().horizontalAdvance(QString::fromStdString(there[0].second));
-  // A note's box ends at the next note.
-  double w = words + line_height() * 0.6;
-  const auto next = workspace_.document().notes(t + Time{1}, time_at(x_of(t) + w));
-  if (!next.empty()) w = std::max(line_height() * 0.4, x_of(next[0].first) - x_of(t) - 2);
-  return {x_of(t), top, w, line_height() * 0.95};
-}
-
 Ruler::Edge Ruler::edge_at(const QPointF& at) const {
   if (!part_box().adjusted(0, -3, 0, 3).contains(at.toPoint())) return Edge::none;
   const auto [from, to] = workspace_.document().range();
@@ -74,14 +63,6 @@ std::optional<std::size_t> Ruler::sound_at(const QPointF& at) const {
   for (std::size_t i = sounds_.size(); i-- > 0;)
     if (sound_box(sounds_[i]).contains(at)) return i;
   return std::nullopt;
-}
-
-std::optional<Time> Ruler::note_at(const QPointF& at) const {
-  std::optional<Time> found;
-  const auto all = workspace_.document().notes(time_at(at.x() - width()), time_at(at.x() + 3));
-  for (const auto& [t, words] : all)
-    if (note_box(t).adjusted(-2, 0, 0, 0).contains(at)) found = t;
-  return found;
 }
 
 void Ruler::paint_content(QPainter& p) {
@@ -135,25 +116,6 @@ void Ruler::paint_cuts(QPainter& p) const {
     const QString camera = QString::fromStdString(workspace_.name(cut->second));
     p.drawText(QRectF(a + 6, top, b - a - 8, h), Qt::AlignVCenter,
                fontMetrics().elidedText(camera, Qt::ElideRight, static_cast<int>(std::max(0.0, b - a - 8))));
-  }
-}
-
-void Ruler::paint_notes(QPainter& p) const {
-  const Colors& c = colors();
-  double free = -1e9;  // of notes that overlap, paint the first
-  for (const auto& [t, words] : workspace_.document().notes(time_at(-width()), time_at(width()))) {
-    const double x = x_of(t);
-    if (x < free) continue;
-    const QRectF box = note_box(t);
-    QColor back = c.note;
-    back.setAlphaF(note_ == t ? 0.5F : 0.2F);
-    p.fillRect(box, back);
-    p.fillRect(QRectF(x - 1, box.y(), 2, box.height()), note_ == t ? c.selected : c.note);
-    p.setPen(c.text);
-    const QString text = fontMetrics().elidedText(QString::fromStdString(words).simplified(), Qt::ElideRight,
-                                                  static_cast<int>(box.width()) - 6);
-    p.drawText(box.adjusted(5, 0, 0, 0), Qt::AlignVCenter, text);
-    free = x + 3;
   }
 }
 
@@ -249,8 +211,8 @@ void Ruler::hover(QMouseEvent* e) {
   if (edge != Edge::none)
     words = edge == Edge::first ? tr("the film's first frame: drag it") : tr("the film's last frame: drag it");
   if (note)
-    for (const auto& [t, text] : workspace_.document().notes(*note, *note))
-      words += QString::fromStdString(fmt::format("at {} note {}\n", workspace_.when(t), write_text(text)));
+    for (const Note& n : workspace_.document().notes(*note, *note))
+      words += QString::fromStdString(note_line(n) + "\n");
   setToolTip(tip_of(words.trimmed()));
 }
 
@@ -268,36 +230,6 @@ void Ruler::mouseDoubleClickEvent(QMouseEvent* e) {
              note ? std::optional<std::size_t>(0) : std::nullopt);
 }
 
-void Ruler::write_note(Time t, std::optional<std::size_t> which) {
-  delete words_;
-  words_ = new QLineEdit(this);
-  words_->setObjectName("note_words");
-  const auto there = workspace_.document().notes(t, t);
-  if (which) words_->setText(QString::fromStdString(there[*which].second));
-  words_->setPlaceholderText(tr("a note at %1").arg(QString::fromStdString(workspace_.when(t))));
-  const QRect box = note_box(t).toRect();
-  words_->setGeometry(std::min(box.x(), std::max(0, width() - 12 * line_height())), box.y() - 2, 12 * line_height(),
-                      line_height() + 4);
-  words_->show(), words_->setFocus(), words_->selectAll();
-  connect(words_, &QLineEdit::editingFinished, this, [this, t, which, there] {
-    if (!words_) return;
-    const std::string said = words_->text().toStdString();
-    words_->deleteLater(), words_ = nullptr;
-    std::vector<std::string> lines;
-    const auto line = [&](const std::string& text) {
-      if (!text.empty()) lines.push_back(fmt::format("at {} note {}", workspace_.when(t), write_text(text)));
-    };
-    if (!which) {
-      line(said);
-    } else if (there[*which].second != said) {
-      lines.push_back(fmt::format("clear notes {}", workspace_.when(t)));
-      for (std::size_t i = 0; i < there.size(); ++i) line(i == *which ? said : there[i].second);
-    }
-    if (!lines.empty()) workspace_.say(lines);
-    setFocus();
-  });
-}
-
 void Ruler::contextMenuEvent(QContextMenuEvent* e) {
   const Time t = nearest_frame(time_at(e->pos().x()));
   const auto note = note_at(e->pos());
@@ -309,6 +241,7 @@ void Ruler::contextMenuEvent(QContextMenuEvent* e) {
     connect(a, &QAction::triggered, this, [this, line] { workspace_.say(line); });
   };
   if (note) row(tr("Delete note"), fmt::format("clear notes {}", workspace_.when(*note)));
+  if (note) add_colors(*menu.addMenu(tr("Colour of the note")), *note);
   connect(menu.addAction(tr("Add note here…")), &QAction::triggered, this, [this, t] { write_note(t, std::nullopt); });
   QMenu* cameras = menu.addMenu(tr("Look through, from %1 on").arg(QString::fromStdString(workspace_.when(t))));
   for (const ObjectId id : objects(workspace_.document()))

@@ -10,6 +10,7 @@
 #include "studio/timeline/time_pane.h"
 
 class QLineEdit;
+class QMenu;
 
 namespace betwixt::studio {
 
@@ -24,6 +25,7 @@ class Ruler : public TimePane {
   const std::vector<SoundBar>& sounds() const { return sounds_; }
   QRectF note_box(Time) const;
   QRect part_box() const;
+  void add_note();  // at the playhead: opens a field for its text
 
  protected:
   void paint_content(QPainter&) override;
@@ -46,6 +48,8 @@ class Ruler : public TimePane {
   std::optional<Time> note_at(const QPointF&) const;
   enum class Edge : std::uint8_t { none, first, last };
   Edge edge_at(const QPointF&) const;  // of the film's range
+  std::string note_line(const Note&) const;
+  void add_colors(QMenu&, Time);  // for the notes at a time
   // Edits the notes at a time. Without `which` it appends one.
   void write_note(Time, std::optional<std::size_t> which);
   Time edge_time(const QMouseEvent&) const;
