@@ -3,7 +3,8 @@
 //
 // Measures how quickly the studio answers: pictures a second during playback, and the time from a key in the script or
 // a mouse move over the ruler to the picture with the result. Prints the median, the 99th percentile and the maximum.
-//   bench_studio [--type] FILE… (of films without a file: 10000 moving things, a million events; --type: only keys)
+//   bench_studio [--type | --scrub] FILE… (of films without a file: 10000 moving things, a million events; --type: only
+//   keys; --scrub: only a hand on the ruler of the given files, in a window of 1920x1080)
 #include <fmt/format.h>
 
 #include <QTest>
@@ -100,6 +101,51 @@ class Trial {
     if (!all.empty()) print("mouse to picture, scrubbing", all);
   }
 
+  // The hand moves 125 times a second, whether there are pictures or not, and rests once a second.
+  void scrub_freely(int moves) {
+    window_.resize(1920, 1080);
+    window_.viewport().await_picture();
+    QWidget* ruler = window_.panel("timeline")->findChild<QWidget*>("ruler");
+    const auto middle = window_.viewport().size();
+    std::map<Time, Clock::time_point> moved;  // when the hand was there first since its picture came
+    std::vector<double> all, gaps;
+    std::optional<Clock::time_point> before;
+    const auto counting = QObject::connect(&window_.viewport(), &Viewport::picture_came, [&](const PictureMade& m) {
+      const auto now = Clock::now();
+      const auto at = moved.find(m.time);
+      if (at == moved.end()) return;  // a finer picture of the same time
+      all.push_back(milliseconds(now - at->second));
+      if (before) gaps.push_back(milliseconds(now - *before));
+      before = now;
+      moved.clear();
+    });
+    const int y = 8;
+    const auto wait = [](int ms) {
+      QEventLoop loop;
+      QTimer::singleShot(ms, Qt::PreciseTimer, &loop, &QEventLoop::quit);
+      loop.exec();
+    };
+    QTest::mousePress(ruler, Qt::LeftButton, {}, {ruler->width() / 4, y});
+    for (int i = 0; i < moves; ++i) {
+      const Time was = workspace_.time();
+      QTest::mouseMove(ruler, {ruler->width() / 4 + (i * 3) % (ruler->width() / 2), y});
+      if (workspace_.time() != was) moved.try_emplace(workspace_.time(), Clock::now());
+      wait(8);
+      if (i % 125 == 124) wait(1000), before.reset(), moved.clear();
+    }
+    QTest::mouseRelease(ruler, Qt::LeftButton, {}, {ruler->width() / 4, y});
+    QObject::disconnect(counting);
+    fmt::print("  picture of {}x{}\n", middle.width(), middle.height());
+    if (!all.empty()) print("hand to picture", all);
+    if (!gaps.empty()) print("picture to picture", gaps);
+    came_.reset();
+    workspace_.step(1);
+    const auto stopped = Clock::now();
+    const int wide = window_.viewport().frame_box().width();
+    until([&] { return came_ && came_->image.width() >= wide && !came_->draft; });
+    fmt::print("  {:28} {:.0f} ms after one step\n", "the whole picture", milliseconds(Clock::now() - stopped));
+  }
+
   void type(int keys) {
     auto* editor = window_.panel("script_panel")->findChild<QPlainTextEdit*>();
     window_.show_panel("script_panel");
@@ -185,14 +231,21 @@ int main(int argc, char** argv) {
     return file.fileName().toStdString();
   };
   std::vector<std::string> files(argv + 1, argv + argc);
-  const bool all = std::erase(files, "--type") == 0;
-  files.push_back(put("ten-thousand-things.bx", many_things()));
-  files.push_back(put("million-events.bx", many_events()));
+  const bool all = std::erase(files, "--type") == 0, scrubs = std::erase(files, "--scrub") > 0;
+  if (!scrubs) {
+    files.push_back(put("ten-thousand-things.bx", many_things()));
+    files.push_back(put("million-events.bx", many_events()));
+  }
   for (const std::string& file : files) {
     const auto begun = Clock::now();
     Trial trial(file);
     fmt::print("{}: opened in {:.0f} ms\n", QFileInfo(QString::fromStdString(file)).fileName().toStdString(),
                milliseconds(Clock::now() - begun));
+    if (scrubs) {
+      trial.scrub_freely(500);
+      std::fflush(stdout);
+      continue;
+    }
     if (all) trial.play(8), trial.scrub(120), trial.drag(60);
     trial.type(60);
     std::fflush(stdout);

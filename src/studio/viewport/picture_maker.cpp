@@ -11,25 +11,36 @@
 namespace betwixt::studio {
 namespace {
 
-// Pictures that follow each other within this time, as in playback or a drag, may be coarser.
-constexpr std::chrono::milliseconds flows{150};
-constexpr double slow = 0.040, quick = 0.012;  // seconds a picture: above, coarser; below, finer
+// Pictures that follow each other within this time, as in playback or a drag, may be drafts.
+constexpr std::chrono::milliseconds flows{100};
+constexpr double slow = 0.030, quick = 0.010;  // seconds a picture: above, coarser; below, finer
+constexpr double patient = 0.100;              // seconds that a picture may take if nothing moves
 
-// Levels of coarseness: as wanted; one sample a pixel; half the width and height.
-constexpr int coarsest = 2;
+// Levels of coarseness: as wanted; one sample a pixel; a half, a quarter, and an eighth of the width and height.
+constexpr int coarsest = 4;
 RenderOptions coarser(RenderOptions o, int by) {
   const auto is_style = [&](const Style& s) { return s.name == o.style; };
   const auto style = std::ranges::find_if(styles(), is_style);
   if (by > 0 && style != styles().end() && style->takes(1)) o.samples = 1;
-  if (by > 1) o.width = std::max(1, o.width / 2), o.height = std::max(1, o.height / 2);
+  const int part = by > 1 ? 1 << (by - 1) : 1;
+  o.width = std::max(1, o.width / part), o.height = std::max(1, o.height / part);
   return o;
 }
+// Returns the level to begin with if the whole picture takes this long.
+int level_for(double seconds) {
+  int level = 0;
+  for (; level < coarsest && seconds > slow; ++level) seconds /= 2.5;
+  return level;
+}
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
 class Maker {
  public:
   PictureMade make(const PictureWanted& w, int coarse = 0) {
     PictureMade m;
-    m.time = w.time, m.program = w.program;
+    m.time = w.time, m.program = w.program, m.draft = coarse > 0;
     const Evaluation& evaluation = film_.evaluate(w.program, w.time, w.eye);
     m.eye = evaluation.camera(), m.problems = evaluation.problems();
     Picture& p = picture_;
@@ -44,7 +55,7 @@ class Maker {
   }
 
  private:
-  FilmPlayer film_{coarsest + 1};
+  FilmPlayer film_{2};
   Picture picture_;
 };
 
@@ -52,7 +63,8 @@ class Maker {
 
 PictureMaker::PictureMaker() {
   qRegisterMetaType<PictureMade>();
-  worker_ = std::thread([this] { work(); });
+  first_ = std::thread([this] { make_first(); });
+  whole_ = std::thread([this] { make_whole(); });
 }
 
 PictureMaker::~PictureMaker() {
@@ -60,51 +72,65 @@ PictureMaker::~PictureMaker() {
     const std::lock_guard lock(mutex_);
     over_ = true;
   }
-  changed_.notify_one();
-  worker_.join();
+  changed_.notify_all();
+  first_.join(), whole_.join();
 }
 
 void PictureMaker::want(PictureWanted w) {
   {
     const std::lock_guard lock(mutex_);
     wanted_ = std::move(w);
+    rough_.reset();
+    ++asked_;
   }
-  changed_.notify_one();
+  changed_.notify_all();
 }
 
-void PictureMaker::work() {
-  using Clock = std::chrono::steady_clock;
+void PictureMaker::make_first() {
   Maker maker;
-  int coarse = 0;                      // level for pictures in quick succession
-  Clock::time_point before;            // time of the last request
-  std::optional<PictureWanted> rough;  // the picture last shown coarser than wanted
+  int coarse = -1;           // level of drafts; -1: not known yet
+  Clock::time_point before;  // when the last picture was ready
+  std::unique_lock lock(mutex_);
   while (true) {
-    std::optional<PictureWanted> next;
-    {
-      std::unique_lock lock(mutex_);
-      const auto due = [&] { return over_ || wanted_; };
-      if (rough)
-        changed_.wait_for(lock, flows, due);
-      else
-        changed_.wait(lock, due);
-      if (over_) return;
-      next = std::exchange(wanted_, std::nullopt);
-    }
-    const auto now = Clock::now();
-    if (!next) {  // no new request: render it as wanted
-      emit made(maker.make(*std::exchange(rough, std::nullopt)));
-      continue;
-    }
-    const bool follows = now - std::exchange(before, now) < flows;
-    const int by = follows ? coarse : 0;
-    PictureMade picture = maker.make(*next, by);
-    const double took = std::chrono::duration<double>(Clock::now() - now).count();
-    if (follows && took > slow) coarse = std::min(coarse + 1, coarsest);
-    if (follows && took < quick) coarse = std::max(coarse - 1, 0);
-    if (by > 0) rough = std::move(next);
-    if (by == 0) rough.reset();
-    before = Clock::now();  // rendering time is no pause
+    changed_.wait(lock, [&] { return over_ || wanted_; });
+    if (over_) return;
+    const PictureWanted next = *std::exchange(wanted_, std::nullopt);
+    const std::uint64_t number = asked_;
+    const bool moves = next.moves || Clock::now() - before < flows;
+    if (coarse < 0 || !moves) coarse = level_for(seconds_);
+    const int by = moves || seconds_ > patient ? coarse : 0;
+    lock.unlock();
+    const auto begun = Clock::now();
+    const PictureMade picture = maker.make(next, by);
+    const double took = seconds_since(begun);
     emit made(picture);
+    lock.lock();
+    if (by == 0) seconds_ = took, coarse = level_for(took);
+    if (by > 0 && took > slow) coarse = std::min(coarse + 1, coarsest);
+    if (by > 0 && took < quick) coarse = std::max(coarse - 1, seconds_ > slow ? 1 : 0);
+    before = Clock::now();  // rendering time is no pause
+    if (by == 0) continue;
+    // While requests follow each other, none of them is made whole.
+    if (moves) changed_.wait_for(lock, flows, [&] { return over_ || wanted_; });
+    if (number == asked_) rough_ = next, changed_.notify_all();
+  }
+}
+
+void PictureMaker::make_whole() {
+  Maker maker;
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [&] { return over_ || rough_; });
+    if (over_) return;
+    const PictureWanted next = *std::exchange(rough_, std::nullopt);
+    const std::uint64_t number = asked_;
+    lock.unlock();
+    const auto begun = Clock::now();
+    const PictureMade picture = maker.make(next);
+    const double took = seconds_since(begun);
+    lock.lock();
+    seconds_ = took;
+    if (number == asked_) emit made(picture);
   }
 }
 

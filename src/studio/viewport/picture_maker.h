@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Renders pictures for windows. A thread with a renderer of its own makes the latest picture wanted and drops earlier
-// ones. If requests follow each other quickly and pictures are slow, it lowers the quality; after the last request it
-// renders again at full quality.
+// Renders pictures for windows. A thread makes the latest picture wanted and drops earlier ones. If pictures are slow
+// and a hand moves something, it makes drafts: fewer samples, then smaller pictures. Another thread makes the whole
+// picture as soon as the hand rests; so a hand that moves on does not wait for it.
 #pragma once
 
 #include <QImage>
 #include <QObject>
 #include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -26,6 +27,7 @@ struct PictureWanted {
   Time time;
   RenderOptions options;
   std::optional<Camera> eye;  // the eye; nullopt: the film's camera
+  bool moves = false;         // more such requests are about to follow: a draft will do
 };
 struct PictureMade {
   QImage image;
@@ -33,6 +35,7 @@ struct PictureMade {
   std::optional<Program> program;     // of the picture
   Camera eye;                         // the camera used
   std::vector<std::string> problems;  // errors of code, and why there is no image
+  bool draft = false;
 };
 
 class PictureMaker : public QObject {
@@ -48,13 +51,16 @@ class PictureMaker : public QObject {
   void made(const betwixt::studio::PictureMade&);
 
  private:
-  void work();
+  void make_first();  // the latest request, as a draft if the whole picture takes long
+  void make_whole();  // what was a draft
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::optional<PictureWanted> wanted_;
+  std::optional<PictureWanted> wanted_, rough_;  // rough_: shown as a draft, and no newer request has come
+  std::uint64_t asked_ = 0;                      // the number of requests
+  double seconds_ = 0;                           // that the last whole picture took
   bool over_ = false;
-  std::thread worker_;
+  std::thread first_, whole_;
 };
 
 }  // namespace betwixt::studio

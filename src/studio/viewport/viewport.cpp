@@ -70,7 +70,9 @@ PictureWanted Viewport::wanted() const {
   o.width = std::clamp(size.width(), 1, 8192), o.height = std::clamp(size.height(), 1, 8192);
   o.style = style_;
   o.linear = workspace_.document().transparent();  // otherwise the picture is opaque
-  return {workspace_.program(), workspace_.time(), o, free_};
+  // While a button is down anywhere, or while the film plays, other pictures are about to follow.
+  const bool moves = QGuiApplication::mouseButtons() != Qt::NoButton || pull_ || workspace_.playhead().playing();
+  return {workspace_.program(), workspace_.time(), o, free_, moves};
 }
 
 void Viewport::ask() {

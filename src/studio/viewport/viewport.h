@@ -65,6 +65,8 @@ class Viewport : public QWidget {
   const QString& refusal() const { return refusal_; }  // why some object cannot be transformed; or ""
 
   // Return where objects are in the widget, and the object at a point. Public for tests too.
+  QRect frame_box() const;    // the film's picture in the widget
+  QRect picture_box() const;  // the rendered picture
   Scope scope() const;
   std::optional<Hit> hit(QPointF) const;
   const Frame& frame() const;
@@ -100,8 +102,6 @@ class Viewport : public QWidget {
   };
 
   PictureWanted wanted() const;
-  QRect frame_box() const;    // the film's picture in the widget
-  QRect picture_box() const;  // the rendered picture
   void ask();
   void take_picture(const PictureMade&);
   void forget();  // drops all caches of the film and the time
