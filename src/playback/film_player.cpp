@@ -52,6 +52,11 @@ Status FilmPlayer::draw(const RenderOptions& options, Picture& out) {
   return renderer ? (*renderer)->render(*evaluation_, out) : renderer.error();
 }
 
+Status FilmPlayer::draw(const Frame& frame, const RenderOptions& options, Picture& out) {
+  const Result<Renderer*> renderer = renderers_.get(options);
+  return renderer ? (*renderer)->render(frame, out) : renderer.error();
+}
+
 Status FilmPlayer::show(const RenderOptions& options) {
   const Result<Renderer*> renderer = renderers_.get(options);
   return renderer ? (*renderer)->show(*evaluation_) : renderer.error();

@@ -49,6 +49,7 @@ class FilmPlayer {
   const Evaluation& evaluate(const Program&, Time, const std::optional<Camera>& eye = {});
   // Draws what was evaluated last. Errors: those of make_renderer and of Renderer::render.
   Status draw(const RenderOptions&, Picture& out);
+  Status draw(const Frame&, const RenderOptions&, Picture& out);  // draws this frame instead
   // The same, to the surface of the graphics system (Renderer::show).
   Status show(const RenderOptions&);
   // Frees the renderers until the next picture.

@@ -17,7 +17,7 @@ class PicturesTest : public QObject {
     const Document film = load_text("create ball sphere\nball.position.x\n  1f 0\n  24f 3\n", "a film").document;
     const Program program = Program::compile(film);
     RenderOptions options;
-    options.width = 960, options.height = 540, options.style = "traced", options.samples = 16;
+    options.width = 640, options.height = 360, options.style = "traced", options.samples = 16;
     std::vector<PictureMade> made;
     PictureMaker maker;
     connect(
@@ -27,13 +27,13 @@ class PicturesTest : public QObject {
       return QTest::qWaitFor([&] { return !made.empty() && !made.back().draft && made.back().time == at(frame); },
                              30'000);
     };
-    maker.want({program, at(1), options, {}, false});  // shows how long a picture takes
+    maker.want({program, at(1), options, {}, {}, false});  // shows how long a picture takes
     QVERIFY(whole_at(1));
     made.clear();
-    maker.want({program, at(9), options, {}, true});
+    maker.want({program, at(9), options, {}, {}, true});
     QVERIFY(QTest::qWaitFor([&] { return !made.empty(); }, 30'000));
     QVERIFY(made[0].draft);
-    QVERIFY(made[0].image.width() < 960);
+    QVERIFY(made[0].image.width() < 640);
     QVERIFY(whole_at(9));
     QCOMPARE(made.back().image, PictureMaker::make({program, at(9), options, {}}).image);
   }

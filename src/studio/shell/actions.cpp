@@ -277,6 +277,8 @@ std::vector<ActionRow> made_rows() {
     for (std::vector<ActionRow>* rows : {&all, &objects})
       for (ActionRow& row : *rows)
         if (row.name == name) row.also = words;
+  const std::vector<ActionRow> views = picture_rows();
+  all.insert(std::ranges::find(all, std::string_view("View"), &ActionRow::menu), views.begin(), views.end());
   all.insert(std::ranges::find(all, std::string_view("View"), &ActionRow::menu), objects.begin(), objects.end());
   return all;
 }

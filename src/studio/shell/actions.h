@@ -22,5 +22,6 @@ struct ActionRow {
   std::string_view also = {};              // words by which people look for it
 };
 const std::vector<ActionRow>& action_rows();
+std::vector<ActionRow> picture_rows();  // those of the view of the picture
 
 }  // namespace betwixt::studio

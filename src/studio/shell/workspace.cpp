@@ -66,6 +66,7 @@ bool Workspace::open(const QString& file, Session::Earlier earlier) {
   if (!done) return false;
   selected_.clear(), events_.clear(), range_.reset(), script_line_ = 0, lines_.clear();
   emit selection_changed();  // before the other film comes: its objects have the numbers of the old ones
+  leave_out(nullptr);
   take_over();
   know_file();
   pause();
@@ -299,6 +300,12 @@ void Workspace::select_events(std::vector<EventAt> events) {
   if (events == events_) return;
   events_ = std::move(events);
   emit selection_changed();
+}
+
+void Workspace::leave_out(std::shared_ptr<const Marks> objects) {
+  if (left_out_ == objects) return;
+  left_out_ = std::move(objects);
+  emit left_out_changed();
 }
 
 void Workspace::set_script_line(int line) {

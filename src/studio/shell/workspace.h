@@ -23,6 +23,7 @@
 #include "betwixt/track.h"
 #include "playback/playhead.h"
 #include "studio/shell/background_jobs.h"
+#include "studio/shell/marks.h"
 
 namespace betwixt::studio {
 
@@ -96,6 +97,10 @@ class Workspace : public QObject {
   const std::optional<Camera>& view() const { return view_; }
   void set_view(const std::optional<Camera>& view) { view_ = view; }
 
+  // Isolation: the objects that pictures leave out; null: none. It belongs to the view and changes no film.
+  const std::shared_ptr<const Marks>& left_out() const { return left_out_; }
+  void leave_out(std::shared_ptr<const Marks>);
+
   // Auto-key: every edit of a value makes an event at the playhead, in all panels.
   bool makes_events() const { return makes_events_; }
   void set_makes_events(bool makes) { makes_events_ = makes; }
@@ -124,6 +129,7 @@ class Workspace : public QObject {
   void jumped();  // the playhead moved other than by playback
   void selection_changed();
   void script_line_changed();
+  void left_out_changed();
   void said(const QString& line, const QString& answer, bool refused);
   void colors_changed();
   void wants_to_quit();  // after "quit", if it may happen
@@ -156,6 +162,7 @@ class Workspace : public QObject {
   std::optional<std::pair<Time, Time>> range_;
   Time time_;
   std::optional<Camera> view_;
+  std::shared_ptr<const Marks> left_out_;
   bool makes_events_ = false;
   std::vector<ObjectId> selected_;
   std::vector<EventAt> events_;

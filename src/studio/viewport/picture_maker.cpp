@@ -44,7 +44,15 @@ class Maker {
     const Evaluation& evaluation = film_.evaluate(w.program, w.time, w.eye);
     m.eye = evaluation.camera(), m.problems = evaluation.problems();
     Picture& p = picture_;
-    if (Status s = film_.draw(coarser(w.options, coarse), p); !s) {
+    Status s = Nothing{};
+    if (w.left_out) {
+      Frame some = evaluation.frame();
+      leave_out(w.left_out.get(), some);
+      s = film_.draw(some, coarser(w.options, coarse), p);
+    } else {
+      s = film_.draw(coarser(w.options, coarse), p);
+    }
+    if (!s) {
       m.problems.push_back(s.error().message);
       return m;
     }
@@ -60,6 +68,10 @@ class Maker {
 };
 
 }  // namespace
+
+void leave_out(const Marks* objects, Frame& frame) {
+  if (objects) std::erase_if(frame.items, [&](const Item& i) { return (*objects)(i.id); });
+}
 
 PictureMaker::PictureMaker() {
   qRegisterMetaType<PictureMade>();

@@ -19,6 +19,7 @@
 
 #include "betwixt/evaluation.h"
 #include "betwixt/render.h"
+#include "studio/shell/marks.h"
 
 namespace betwixt::studio {
 
@@ -26,8 +27,9 @@ struct PictureWanted {
   Program program;
   Time time;
   RenderOptions options;
-  std::optional<Camera> eye;  // the eye; nullopt: the film's camera
-  bool moves = false;         // more such requests are about to follow: a draft will do
+  std::optional<Camera> eye;                        // the eye; nullopt: the film's camera
+  std::shared_ptr<const Marks> left_out = nullptr;  // objects that the picture does not show; null: none
+  bool moves = false;                               // more such requests are about to follow: a draft will do
 };
 struct PictureMade {
   QImage image;
@@ -37,6 +39,9 @@ struct PictureMade {
   std::vector<std::string> problems;  // errors of code, and why there is no image
   bool draft = false;
 };
+
+// Removes objects from a frame.
+void leave_out(const Marks*, Frame&);
 
 class PictureMaker : public QObject {
   Q_OBJECT

@@ -31,6 +31,7 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
   connect(&workspace, &Workspace::document_changed, this, [this] {
     forget();
     trails_.forget(), ghosts_.forget();
+    if (through_ && workspace_.name(through_).empty()) through_ = {};
     ask(), show_corner();
   });
   connect(&workspace, &Workspace::time_changed, this, [this] {
@@ -44,7 +45,12 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
     trails_.forget(), ghosts_.forget();
     update();
   });
-  connect(&workspace, &Workspace::opened, this, [this] { set_free(false); });
+  connect(&workspace, &Workspace::opened, this, [this] { through_ = {}, set_free(false); });
+  connect(&workspace, &Workspace::left_out_changed, this, [this] {
+    forget();
+    trails_.forget(), ghosts_.forget();
+    ask();
+  });
   // While the film plays, what is drawn over it belongs to the picture that is shown; then to the playhead's time.
   connect(&workspace, &Workspace::playing_changed, this, [this] {
     forget();
@@ -62,7 +68,7 @@ QRect Viewport::frame_box() const {
   return {(width() - w) / 2, (height() - h) / 2, w, h};
 }
 
-QRect Viewport::picture_box() const { return free_ ? rect() : frame_box(); }
+QRect Viewport::picture_box() const { return is_free() ? rect() : frame_box(); }
 
 PictureWanted Viewport::wanted() const {
   const QSize size = picture_box().size() * devicePixelRatioF();
@@ -72,7 +78,7 @@ PictureWanted Viewport::wanted() const {
   o.linear = workspace_.document().transparent();  // otherwise the picture is opaque
   // While a button is down anywhere, or while the film plays, other pictures are about to follow.
   const bool moves = QGuiApplication::mouseButtons() != Qt::NoButton || pull_ || workspace_.playhead().playing();
-  return {workspace_.program(), workspace_.time(), o, free_, moves};
+  return {workspace_.program(), workspace_.time(), o, own_eye(workspace_.time()), workspace_.left_out(), moves};
 }
 
 void Viewport::ask() {
@@ -125,13 +131,14 @@ Time Viewport::shown_time() const {
 const Frame& Viewport::frame() const {
   if (frame_) return *frame_;
   frame_ = film_.evaluate(workspace_.program(), shown_time()).frame();
+  leave_out(workspace_.left_out().get(), *frame_);
   return *frame_;
 }
 
 // During playback the camera comes with the picture.
 Camera Viewport::eye() const {
-  if (free_) return *free_;
-  return workspace_.playhead().playing() && !shown_.image.isNull() ? shown_.eye : frame().camera;
+  if (workspace_.playhead().playing() && !shown_.image.isNull() && !free_) return shown_.eye;
+  return own_eye(shown_time()).value_or(frame().camera);
 }
 
 Scope Viewport::scope() const {

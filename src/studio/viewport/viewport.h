@@ -29,6 +29,7 @@ struct ViewportSwitches {
   bool own_axes = false;  // handles along the object's axes instead of the world's
   bool auto_key = false;  // each edit becomes an event
   bool trails = true, ghosts = false, grid = false, handles = true;
+  bool safe = false, thirds = false;  // guides in the frame of the film's camera
 };
 
 class Viewport : public QWidget {
@@ -49,14 +50,19 @@ class Viewport : public QWidget {
   void set_switches(const ViewportSwitches&);
   void flip(bool ViewportSwitches::*which);
   // The free camera; without it the view is the film camera's. It starts at the film camera.
-  bool is_free() const { return free_.has_value(); }
+  bool is_free() const { return free_ || through_; }
   void set_free(bool);
+  // Looks through the active object, a light for example, and goes with it. Once more looks as before.
+  void look_through();
+  ObjectId looks_through() const { return through_; }
+  void isolate();                   // shows only the selection and the lights; once more shows everything
   void look_along(Vec3 direction);  // "front" is (0 0 -1)
   void look_from_behind();          // turns the view by half a turn
   void frame_selected();            // all objects if none is selected
   void toggle_perspective();
   // Moves the film's camera to the free camera. Creates one if the film has none.
   void bring_camera();
+  void bring_selected();         // moves the active object to the free camera
   ObjectId film_camera() const;  // the one in use now; empty if the film has none
   void select_all();
   // Starts a transform of the selection by the mouse, without a handle: G, R and S.
@@ -109,6 +115,7 @@ class Viewport : public QWidget {
   Camera eye() const;
 
   // Navigation (viewport_navigation.cpp)
+  std::optional<Camera> own_eye(Time) const;  // nullopt: the film's camera
   void move_eye(const Camera&);
   Vec3 pivot() const;
   Box box_of(const std::vector<ObjectId>&) const;
@@ -151,6 +158,7 @@ class Viewport : public QWidget {
   void paint_words(QPainter&);
   void paint_auto_key(QPainter&);
   void paint_camera(QPainter&, const Scope&);
+  void paint_guides(QPainter&) const;
 
   void make_corner();  // viewport_corner.cpp
   void show_corner();
@@ -162,6 +170,7 @@ class Viewport : public QWidget {
   std::string style_ = "shaded";
   ViewportSwitches switches_;
   std::optional<Camera> free_;
+  ObjectId through_;        // the object that the view looks through
   double last_depth_ = 10;  // of the last point the user looked at
 
   // Caches for the film at the time, filled when needed.

@@ -99,8 +99,9 @@ void Viewport::show_corner() {
   for (int i = 0; i < 5; ++i) toggles_[i]->setChecked(switches_.*toggles[i].is);
   styles_->setCurrentText(QString::fromStdString(style_));
   eye_button_->setText(
-      is_free() ? tr("free view")
-                : tr("camera %1").arg(QString::fromStdString(film_camera() ? workspace_.name(film_camera()) : "")));
+      through_    ? tr("through %1").arg(QString::fromStdString(workspace_.name(through_)))
+      : is_free() ? tr("free view")
+                  : tr("camera %1").arg(QString::fromStdString(film_camera() ? workspace_.name(film_camera()) : "")));
   eye_button_->setChecked(is_free());
   place_corner();
 }

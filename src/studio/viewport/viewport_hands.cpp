@@ -32,7 +32,7 @@ const std::vector<Viewport::Icon>& Viewport::icons() const {
   for (const ObjectId id : objects(workspace_.document())) {
     const Kind k = kind(workspace_.document(), id);
     const bool selected = k == Kind::group && marked(id);
-    if (k != Kind::light && k != Kind::camera && !selected) continue;
+    if ((k != Kind::light && k != Kind::camera && !selected) || id == through_) continue;
     icons_->push_back({id, k, {}});
     places.emplace_back(id, Query::world);
   }

@@ -24,14 +24,18 @@ constexpr std::size_t many = 500;  // objects; a box around more of them holds o
 }  // namespace
 
 void Viewport::set_free(bool free) {
-  if (free == is_free()) return;
+  if (free == is_free() && !through_) return;
   if (pull_) end_pull(false);
   const QRectF part = frame_box();
-  if (free)
+  if (free && through_)
+    free_ = eye();
+  else if (free)
     free_ = widened(frame().camera, part.width() / std::max(1, width()), part.height() / std::max(1, height()));
   else
     free_.reset();
+  through_ = {};
   workspace_.set_view(free_);
+  icons_.reset();
   outline_.reset();
   ask();
   show_corner();
@@ -144,6 +148,7 @@ ObjectId Viewport::film_camera() const {
 
 void Viewport::bring_camera() {
   if (!is_free()) return;
+  set_free(true);
   const Scope s = scope();
   const Vec3 eye = s.projection.eye();
   const double step = s.metres(std::max(1e-3, s.depth(pivot())));
@@ -162,6 +167,17 @@ void Viewport::bring_camera() {
       return;
   }
   set_free(false);
+}
+
+void Viewport::bring_selected() {
+  if (!is_free() || workspace_.selected().empty()) {
+    refusal_ = tr("select an object, and look from where it should be (0 gives you a free view)");
+    return update();
+  }
+  set_free(true);
+  const double step = scope().metres(std::max(1e-3, scope().depth(pivot())));
+  workspace_.say(lines_to_bring(workspace_.program(), workspace_.selected().back(), free_->world, workspace_.time(),
+                                step, switches_.auto_key));
 }
 
 void Viewport::toggle_perspective() {

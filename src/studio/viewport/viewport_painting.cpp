@@ -40,10 +40,11 @@ void Viewport::paintEvent(QPaintEvent*) {
   if (!shown_.image.isNull() && workspace_.document().transparent()) p.fillRect(picture_box(), checkerboard());
   if (!shown_.image.isNull()) p.drawImage(picture_box(), shown_.image);
   if (plain_) return;
-  if (!free_) {
+  if (!is_free()) {
     p.setPen(QPen(colors().line, 1));
     p.drawRect(picture_box().adjusted(0, 0, -1, -1));
   }
+  if (!is_free()) paint_guides(p);
   const Scope s = scope();
   const bool stands = !workspace_.playhead().playing();
   if (switches_.grid) paint_grid(p, s);
@@ -318,6 +319,7 @@ void Viewport::paint_words(QPainter& p) {
     p.drawRect(QRectF(from_, at_).normalized());
   }
   QString words = pull_ ? QString::fromStdString(pull_->in_words()) : QString();
+  if (words.isEmpty() && workspace_.left_out()) words = tr("only a part of the film is shown: / shows everything");
   if (!refusal_.isEmpty()) words += (words.isEmpty() ? "" : " — ") + refusal_;
   if (words.isEmpty()) return;
   const QFontMetricsF metrics(font());

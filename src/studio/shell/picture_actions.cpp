@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Actions that change only what the picture shows, and how a hand moves things in it.
+#include "studio/shell/actions.h"
+#include "studio/shell/window.h"
+#include "studio/viewport/viewport.h"
+
+namespace betwixt::studio {
+namespace {
+
+template <bool ViewportSwitches::*which>
+ActionRow toggle(std::string_view name, std::string_view sentence, std::string_view also) {
+  return {"Picture",
+          name,
+          "",
+          sentence,
+          [](Window& w) { w.viewport().flip(which); },
+          [](const Window& w) { return w.viewport().switches().*which; },
+          also};
+}
+
+}  // namespace
+
+std::vector<ActionRow> picture_rows() {
+  return {
+      {"Picture", "Isolate selection", "/", "Shows only the selection and the lights; once more shows everything.",
+       [](Window& w) { w.viewport().isolate(); }, [](const Window& w) { return w.workspace().left_out() != nullptr; },
+       "local view solo hide others"},
+      {"Picture", "Look through selection", "",
+       "Looks through a light, a camera or another object, and goes with it; once more looks as before.",
+       [](Window& w) { w.viewport().look_through(); },
+       [](const Window& w) { return static_cast<bool>(w.viewport().looks_through()); },
+       "light view set active object as camera"},
+      {"Picture", "Move selected to view", "",
+       "Moves the object that you selected last to where the free view looks from: `set key.position (1 2 3)`.",
+       [](Window& w) { w.viewport().bring_selected(); }, nullptr, "align active object to view light"},
+      toggle<&ViewportSwitches::safe>("Safe frames", "Shows what is surely visible: 90 % for action, 80 % for titles.",
+                                      "action safe title safe areas margins overscan"),
+      toggle<&ViewportSwitches::thirds>("Thirds", "Divides the film's frame into nine equal parts.",
+                                        "rule of thirds composition guides"),
+  };
+}
+
+}  // namespace betwixt::studio

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the picture shows: parts of the film, through the eyes of its objects, with guides. None of it changes the film.
+#include "studio/viewport/looking.h"
+
+#include <QTest>
+
+#include "betwixt/pick.h"
+#include "studio/hands.h"
+#include "studio/viewport/viewport.h"
+
+namespace betwixt::studio {
+namespace {
+
+struct Shown : Film {
+  Viewport view{workspace};
+  QString before;
+  explicit Shown(const std::string& text) : Film(text), before(this->text()) {
+    view.resize(800, 450);
+    view.show();
+    view.await_picture();
+    view.setFocus();
+  }
+  QString text() const { return QString::fromStdString(workspace.text()); }
+  void select(const char* name) { workspace.select({find(name)}); }
+  QImage picture() {
+    view.await_picture();
+    return view.grab().toImage();
+  }
+  QPoint spot(Vec3 place) const { return view.scope().spot(place)->toPoint(); }
+};
+
+const char* const three = R"(film flat
+create ball disc radius=1 color=red
+create card rectangle size=(2 2) position=(4 0 0)
+create arm disc radius=0.3 position=(0 -3 0)
+couple arm to ball keep-world
+)";
+
+}  // namespace
+
+class LookingTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+
+  void what_is_isolated_is_seen_alone() {
+    Shown f(three);
+    QVERIFY(f.view.hit(f.spot({4, 0, 0})));
+    f.select("ball");
+    f.view.isolate();
+    QCOMPARE(f.view.frame().items.size(), std::size_t{2});  // with what hangs on it
+    QVERIFY(!f.view.hit(f.spot({4, 0, 0})));
+    QVERIFY(f.view.hit(f.spot({0, -3, 0})));
+    const QColor there = f.picture().pixelColor(f.spot({4.5, 0.5, 0}));
+    QCOMPARE(there, f.picture().pixelColor(f.spot({6, 3, 0})));  // nothing but the background
+    f.workspace.say(std::string("create new disc position=(4 0 0)"));
+    QVERIFY(f.view.hit(f.spot({4, 0, 0})));  // what is new is seen
+    f.workspace.undo();
+    f.view.isolate();
+    QCOMPARE(f.view.frame().items.size(), std::size_t{3});
+    QCOMPARE(f.text(), f.before);
+    f.workspace.select({});
+    f.view.isolate();
+    QVERIFY(!f.workspace.left_out());
+    QVERIFY(!f.view.refusal().isEmpty());
+  }
+
+  void one_looks_through_a_light_and_back() {
+    Shown f(R"(create ball sphere
+create key light shines=sun position=(0 9 0)
+create lamp light position=(5 2 1)
+lamp.rotation.y
+  1f 0deg linear
+  25f 90deg
+create eye camera position=(0 0 10)
+create other camera position=(0 3 8) fov=30deg
+)");
+    const Camera film = f.view.frame().camera;
+    f.select("key");
+    f.view.look_through();
+    const Projection sun = f.view.scope().projection;
+    QVERIFY(sun.orthographic());
+    QVERIFY(length(sun.forward() - Vec3{0, -1, 0}) < 1e-9);  // a sun shines to the middle of the world
+    QVERIFY(f.view.hit(f.view.rect().center()) && f.view.hit(f.view.rect().center())->id == f.find("ball"));
+    f.select("lamp");
+    f.view.look_through();
+    QVERIFY(length(f.view.scope().projection.forward() - Vec3{0, 0, -1}) < 1e-9);
+    f.workspace.go_to(f.frame(25));  // the view goes with it
+    QVERIFY(length(f.view.scope().projection.forward() - Vec3{-1, 0, 0}) < 1e-9);
+    QVERIFY(length(f.view.scope().projection.eye() - Vec3{5, 2, 1}) < 1e-9);
+    f.view.look_through();
+    QVERIFY(!f.view.is_free());
+    QCOMPARE(f.view.frame().camera, film);
+    f.select("other");
+    f.view.look_through();
+    const Camera c = eye_of(f.workspace.program(), f.find("other"), f.frame(1), f.view.frame());
+    QCOMPARE(c.fov, 30 * pi / 180);
+    f.workspace.say(std::string("look through other"));  // the film's own way gives the same camera
+    QCOMPARE(f.workspace.program().frame(f.frame(25)).camera, c);
+    f.workspace.undo();
+    f.view.look_along({0, 0, -1});  // moving on makes it a free view
+    QVERIFY(f.view.is_free() && !f.view.looks_through());
+    f.select("lamp");
+    f.workspace.go_to(f.frame(1));
+    f.view.bring_selected();
+    const Value w = f.workspace.program().read(Target(f.find("lamp"), Query::world), f.frame(1));
+    QVERIFY(length(translation_of(*std::get<Matrix>(w)) - f.view.scope().projection.eye()) < 0.1);
+    f.workspace.undo();
+    QCOMPARE(f.text(), f.before);
+  }
+
+  void guides_are_where_they_should_be() {
+    Shown f("film flat\nbackground black\nsize 800x450\n");
+    ViewportSwitches s = f.view.switches();
+    const auto lit = [&](const QImage& image, double x, double y) {
+      for (int i = -1; i <= 1; ++i)
+        for (int j = -1; j <= 1; ++j)
+          if (qGray(image.pixel(static_cast<int>(x) + i, static_cast<int>(y) + j)) > 100) return true;
+      return false;
+    };
+    QVERIFY(!lit(f.picture(), 40, 225));
+    s.safe = true;
+    f.view.set_switches(s);
+    QVERIFY(lit(f.picture(), 40, 225));  // a twentieth of the width
+    QVERIFY(lit(f.picture(), 80, 225));
+    QVERIFY(!lit(f.picture(), 267, 225));
+    s.thirds = true;
+    f.view.set_switches(s);
+    QVERIFY(lit(f.picture(), 266.7, 225));
+    QVERIFY(lit(f.picture(), 400, 300));
+    f.view.set_free(true);
+    QVERIFY(!lit(f.picture(), 40, 225));  // a free view has no frame
+  }
+};
+
+}  // namespace betwixt::studio
+
+QTEST_MAIN(betwixt::studio::LookingTest)
+#include "looking_test.moc"
