@@ -23,6 +23,7 @@ struct Shown : Film {
     view.setFocus();
   }
   QString text() const { return QString::fromStdString(workspace.text()); }
+  Target target_of(const char* words) const { return find_targets(words, workspace.document())->front(); }
   void select(const char* name) { workspace.select({find(name)}); }
   QImage picture() {
     view.await_picture();
@@ -131,6 +132,76 @@ create other camera position=(0 3 8) fov=30deg
     QVERIFY(lit(f.picture(), 400, 300));
     f.view.set_free(true);
     QVERIFY(!lit(f.picture(), 40, 225));  // a free view has no frame
+  }
+
+  void what_is_moved_snaps_to_points_and_surfaces() {
+    Shown f(three);
+    ViewportSwitches s = f.view.switches();
+    s.snaps = true;
+    f.view.set_switches(s);
+    const auto pull = [&](Vec3 from, Vec3 to, QPoint beside, Qt::KeyboardModifiers keys = {}) {
+      f.select("ball");
+      drag(f.view, f.spot(from), f.spot(to) + beside, keys);
+      return f.workspace.program().read(f.target_of("ball.position"), f.workspace.time());
+    };
+    QCOMPARE(std::get<Vec3>(pull({0.5, -0.5, 0}, {3, 1, 0}, {4, -3})), (Vec3{3, 1, 0}));  // a corner of the card
+    f.workspace.undo();
+    QCOMPARE(std::get<Vec3>(pull({0.5, -0.5, 0}, {4, 0, 0}, {-5, 2})), (Vec3{4, 0, 0}));  // its middle
+    f.workspace.undo();
+    const Vec3 on_it = std::get<Vec3>(pull({0.5, -0.5, 0}, {3.5, 0.5, 0}, {}));  // its surface
+    QVERIFY(length(on_it - Vec3{3.5, 0.5, 0}) < 0.03);
+    f.workspace.undo();
+    // Along an axis it goes as far as the point is.
+    f.select("ball");
+    drag(f.view, f.spot({1.2, 0, 0}), f.spot({3, 1, 0}) + QPoint(3, 3));
+    QCOMPARE(std::get<Vec3>(f.workspace.program().read(f.target_of("ball.position"), f.workspace.time())),
+             (Vec3{3, 0, 0}));
+    f.workspace.undo();
+    // What hangs on it is no target.
+    const Vec3 free = std::get<Vec3>(pull({0.5, -0.5, 0}, {0, -3, 0}, {2, 0}));
+    QVERIFY(length(free - Vec3{-0.46, -2.5, 0}) < 0.05);
+    f.workspace.undo();
+    QCOMPARE(f.text(), f.before);
+  }
+
+  void two_clicks_measure() {
+    Shown f(three);
+    ViewportSwitches s = f.view.switches();
+    s.measures = true;
+    f.view.set_switches(s);
+    QTest::mouseClick(&f.view, Qt::LeftButton, {}, f.spot({0, 0, 0}) + QPoint(2, 2));
+    QTest::mouseClick(&f.view, Qt::LeftButton, {}, f.spot({3, -1, 0}) + QPoint(-3, 1));
+    QCOMPARE(f.view.measure_words(), QString("3.16 m (3 -1 0)"));  // the root of 10
+    QVERIFY(f.workspace.selected().empty());
+    QTest::keyClick(&f.view, Qt::Key_Escape);
+    QVERIFY(!f.view.switches().measures);
+    QVERIFY(f.view.measure_words().isEmpty());
+    QCOMPARE(f.text(), f.before);
+  }
+
+  void events_have_ghosts() {
+    Shown f(R"(film flat
+background black
+create ball disc radius=0.5
+ball.position.x
+  1f -5
+  13f 0
+  49f 6
+)");
+    f.workspace.go_to(f.frame(25));
+    const auto around = Ghosts::events_around(f.workspace.document(), f.frame(25), {f.find("ball")});
+    QVERIFY(around.first == f.frame(13) && around.second == f.frame(49));
+    const auto at_event = Ghosts::events_around(f.workspace.document(), f.frame(13), {f.find("ball")});
+    QVERIFY(at_event.first == f.frame(1) && at_event.second == f.frame(49));
+    f.select("ball");
+    ViewportSwitches s = f.view.switches();
+    s.trails = s.handles = false;
+    f.view.set_switches(s);
+    const auto lit = [&](double x) { return qGray(f.picture().pixel(f.spot({x, 0.2, 0}))) > 20; };
+    QVERIFY(!lit(0) && !lit(6));
+    s.key_ghosts = true;
+    f.view.set_switches(s);
+    QVERIFY(lit(0) && lit(6) && !lit(-5));
   }
 };
 

@@ -37,6 +37,13 @@ std::vector<ActionRow> picture_rows() {
        [](Window& w) { w.viewport().bring_selected(); }, nullptr, "align active object to view light"},
       toggle<&ViewportSwitches::safe>("Safe frames", "Shows what is surely visible: 90 % for action, 80 % for titles.",
                                       "action safe title safe areas margins overscan"),
+      toggle<&ViewportSwitches::key_ghosts>("Ghosts of events", "Shows the selection at its event before and its next.",
+                                            "onion skin keyframes previous next pose"),
+      toggle<&ViewportSwitches::snaps>(
+          "Snapping", "What you move goes to points and surfaces of other objects; with Ctrl in steps of a grid.",
+          "magnet snap vertex face grid align"),
+      toggle<&ViewportSwitches::measures>("Measure", "Click two points: you see their distance. Escape ends it.",
+                                          "ruler distance length tape"),
       toggle<&ViewportSwitches::thirds>("Thirds", "Divides the film's frame into nine equal parts.",
                                         "rule of thirds composition guides"),
   };

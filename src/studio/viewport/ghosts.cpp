@@ -7,6 +7,7 @@
 #include "scene/kinds.h"
 #include "studio/shell/marks.h"
 #include "studio/shell/theme.h"
+#include "studio/viewport/picture_maker.h"
 
 namespace betwixt::studio {
 namespace {
@@ -42,11 +43,36 @@ void paint_silhouette(QPainter& p, const Scope& s, const Item& item, const QColo
     if (spots[e[k]] && spots[e[k + 1]]) p.drawLine(*spots[e[k]], *spots[e[k + 1]]);
 }
 
-void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& now,
+std::pair<std::optional<Time>, std::optional<Time>> Ghosts::events_around(const Document& d, Time now,
+                                                                          const std::vector<ObjectId>& ids) {
+  std::optional<Time> before, after;
+  for (const ObjectId id : ids)
+    for (const TrackView& t : tracks(d, id)) {
+      if (const auto e = event_before(d, t.target, now); e && (!before || *e > *before)) before = e;
+      if (const auto e = next_event(d, t.target, now + Time{1}); e && (!after || *e < *after)) after = e;
+    }
+  return {before, after};
+}
+
+std::vector<Ghosts::Moment> Ghosts::moments(Time now, Kinds kinds, const std::vector<ObjectId>& ids) const {
+  std::vector<Moment> all;
+  const auto range = workspace_.document().range();
+  if (kinds.frames)
+    for (const int offset : offsets) {
+      const Time t = now + workspace_.document().rate().span(offset);
+      if (t >= range.first && t <= range.second) all.push_back({t, 0.42 - 0.05 * std::abs(offset)});
+    }
+  if (!kinds.events) return all;
+  const auto [before, after] = events_around(workspace_.document(), now, ids);
+  if (before) all.push_back({*before, 0.5});
+  if (after) all.push_back({*after, 0.5});
+  return all;
+}
+
+void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& now, Kinds kinds,
                    const std::function<std::vector<ObjectId>()>& which) {
-  if (!image_ || image_->time != now.time || !(image_->eye == eye) || image_->box != s.box) {
-    const Rate rate = workspace_.document().rate();
-    const auto range = workspace_.document().range();
+  if (!image_ || image_->time != now.time || !(image_->eye == eye) || image_->box != s.box ||
+      !(image_->kinds == kinds)) {
     QImage all(s.box.size().toSize(), QImage::Format_ARGB32_Premultiplied);
     all.fill(Qt::transparent);
     QPainter over(&all);
@@ -58,13 +84,12 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
       return at != now.items.end() && at->id == id ? &*at : nullptr;
     };
     const Scope own{s.projection, QRectF(QPointF(0, 0), s.box.size())};
-    for (const int offset : offsets) {
-      const Time t = now.time + rate.span(offset);
-      if (t < range.first || t > range.second) continue;
+    for (const auto& [t, opacity] : moments(now.time, kinds, ids)) {
       QImage one(all.size(), QImage::Format_ARGB32_Premultiplied);
       one.fill(Qt::transparent);
       QPainter ghost(&one);
-      const Frame then = workspace_.program().frame(t);
+      Frame then = workspace_.program().frame(t);
+      leave_out(workspace_.left_out().get(), then);
       std::size_t count = 0, corners = 0;
       for (const Item& item : then.items) {
         if (!ids.empty() && !wanted(item.id)) continue;
@@ -72,10 +97,10 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
         if (i && i->world == item.world && i->shape == item.shape && i->blend == item.blend) continue;
         corners += item.shape->mesh ? item.shape->mesh->positions.size() : 100;
         if (++count > most || corners > most_corners) break;
-        paint_silhouette(ghost, own, item, offset < 0 ? picture_colors().playhead : picture_colors().note);
+        paint_silhouette(ghost, own, item, t < now.time ? picture_colors().playhead : picture_colors().note);
       }
       ghost.end();
-      over.setOpacity(0.42 - 0.05 * std::abs(offset));
+      over.setOpacity(opacity);
       over.drawImage(0, 0, one);
     }
     // Cut out the current objects, which are in front.
@@ -85,7 +110,7 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
     for (const Item& item : now.items)
       if ((ids.empty() || wanted(item.id)) && ++count <= most) paint_silhouette(over, own, item, Qt::black);
     over.end();
-    image_ = Kept{all, now.time, eye, s.box};
+    image_ = Kept{all, now.time, eye, s.box, kinds};
   }
   p.drawImage(s.box.topLeft(), image_->image);
 }

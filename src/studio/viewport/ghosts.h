@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Onion skin: tinted silhouettes of the objects some frames before and after the playhead.
+// Onion skin: tinted silhouettes of the objects some frames before and after the playhead, and at the events around it.
 #pragma once
 
 #include <QImage>
@@ -21,9 +21,17 @@ class Ghosts {
  public:
   explicit Ghosts(const Workspace& workspace) : workspace_(workspace) {}
   void forget() { image_.reset(); }
-  // Paints the objects of `which` where they differ from now, or all moving objects if it returns none.
-  void paint(QPainter&, const Scope&, const Camera& eye, const Frame& now,
+  struct Kinds {
+    bool frames = false, events = false;
+    friend bool operator==(const Kinds&, const Kinds&) = default;
+  };
+  // Paints the objects of `which` where they differ from now. If it returns none, paints all moving objects, but not
+  // those at events.
+  void paint(QPainter&, const Scope&, const Camera& eye, const Frame& now, Kinds,
              const std::function<std::vector<ObjectId>()>& which);
+  // Returns the nearest times before and after `now` at which one of the objects has an event.
+  static std::pair<std::optional<Time>, std::optional<Time>> events_around(const Document&, Time now,
+                                                                           const std::vector<ObjectId>&);
 
  private:
   struct Kept {
@@ -31,7 +39,14 @@ class Ghosts {
     Time time;
     Camera eye;
     QRectF box;
+    Kinds kinds;
   };
+  struct Moment {
+    Time time;
+    double opacity;
+  };
+  std::vector<Moment> moments(Time now, Kinds, const std::vector<ObjectId>&) const;
+
   const Workspace& workspace_;
   std::optional<Kept> image_;
 };

@@ -250,6 +250,12 @@ double Pull::along(Vec3 axis, QPointF p) const {
 }
 
 Vec3 Pull::way() const {
+  if (target_ && !typed()) {
+    const Vec3 by = *target_ - hand_.place();
+    if (!is_axis(part_) && !is_plane(part_)) return by;
+    const Vec3 a = axis(axis_of(part_)), along = dot(by, a) * a;
+    return is_axis(part_) ? along : by - along;
+  }
   const double depth = scope_.depth(hand_.place());
   const double grid = step_below(snap_pixels * step_ * 2.5);
   const auto snapped = [&](double v) { return snap_ ? std::round(v / grid) * grid : v; };
@@ -318,7 +324,7 @@ Vec3 Pull::factors() const {
 }
 
 std::vector<std::string> Pull::lines() const {
-  if (tool_ == Tool::move) return hand_.move(way(), typed() ? 1e-6 : step_);
+  if (tool_ == Tool::move) return hand_.move(way(), is_exact() ? 1e-6 : step_);
   if (tool_ == Tool::turn) return hand_.turn(turned_about(), angle() * pi / 180, step_);
   return hand_.scale(factors(), step_);
 }
@@ -334,7 +340,7 @@ std::string Pull::in_words() const {
     return "scale" + on + ": × " + number(f[shown], 0.001);
   }
   const Vec3 w = way();
-  const double step = typed() ? 1e-6 : step_;
+  const double step = is_exact() ? 1e-6 : step_;
   if (is_axis(part_)) return "move" + on + ": " + number(dot(w, axis(axis_of(part_))), step) + " m";
   return "move" + on + ": (" + number(w.x, step) + " " + number(w.y, step) + " " + number(w.z, step) + ") m";
 }

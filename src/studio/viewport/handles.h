@@ -62,6 +62,9 @@ class Pull {
   Pull(const Scope&, Tool, Part, Hand, QPointF from, bool own_axes);
 
   void move_to(QPointF, bool fine, bool snap);
+  // Moves the leading object to a place, as far as the part allows it; nullopt: follows the pointer.
+  void snap_to(std::optional<Vec3> place) { target_ = place; }
+  std::optional<Vec3> target() const { return tool_ == Tool::move ? target_ : std::nullopt; }
   // Constrains to x, y, z or a plane; the same one again lifts the constraint.
   void constrain(Part);
   void use(Tool);
@@ -80,6 +83,7 @@ class Pull {
 
  private:
   std::optional<double> typed() const;
+  bool is_exact() const { return typed() || target_; }
   Vec3 way() const;
   double along(Vec3 axis, QPointF) const;
   double angle() const;
@@ -93,6 +97,7 @@ class Pull {
   QPointF from_, last_, at_;
   double turned_ = 0;  // degrees about the middle, whole turns included
   bool own_axes_, snap_ = false;
+  std::optional<Vec3> target_;
   double step_;  // metres of a pixel
   QString typed_;
 };

@@ -107,6 +107,7 @@ void Viewport::set_switches(const ViewportSwitches& s) {
   switches_ = s;
   workspace_.set_makes_events(s.auto_key);
   grip_.reset();
+  if (!s.measures) measured_.clear();
   show_corner();
   update();
   emit switches_changed();
@@ -171,6 +172,8 @@ void Viewport::mousePressEvent(QMouseEvent* e) {
     gesture_ = shift || flat ? Gesture::pan : e->modifiers() & Qt::ControlModifier ? Gesture::zoom : Gesture::orbit;
     pivot_ = pivot();
     setCursor(gesture_ == Gesture::pan ? Qt::ClosedHandCursor : Qt::SizeAllCursor);
+  } else if (e->button() == Qt::LeftButton && switches_.measures) {
+    measure_to(from_);
   } else if (e->button() == Qt::LeftButton) {
     press_on(from_, e->modifiers());
   }
@@ -181,6 +184,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* e) {
   at_ = e->position();
   switch (gesture_) {
     case Gesture::none: {
+      if (switches_.measures) return update();
       const auto of_motion = motion_handles();
       const auto hot_motion = of_motion ? of_motion->part_at(scope(), at_) : std::nullopt;
       if (std::exchange(hot_motion_, hot_motion) != hot_motion) update();
@@ -267,7 +271,7 @@ bool Viewport::event(QEvent* e) {
     const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
     if ((pull_ && key->key() != Qt::Key_Space) ||
         (plain && key->key() < 128 && QString("013579FWETGRSA").contains(QChar(key->key()))) ||
-        (key->key() == Qt::Key_Escape && gesture_ != Gesture::none)) {
+        (key->key() == Qt::Key_Escape && (gesture_ != Gesture::none || switches_.measures))) {
       e->accept();
       return true;
     }
@@ -290,6 +294,7 @@ void Viewport::keyPressEvent(QKeyEvent* e) {
     unsetCursor(), update();
     return;
   }
+  if (e->key() == Qt::Key_Escape && switches_.measures) return flip(&ViewportSwitches::measures);
   if (ObjectActions::of(workspace_).key(*e)) return;
   if (!plain) return QWidget::keyPressEvent(e);
   switch (e->key()) {

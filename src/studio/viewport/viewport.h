@@ -30,6 +30,9 @@ struct ViewportSwitches {
   bool auto_key = false;  // each edit becomes an event
   bool trails = true, ghosts = false, grid = false, handles = true;
   bool safe = false, thirds = false;  // guides in the frame of the film's camera
+  bool key_ghosts = false;            // the selection at the events around the playhead
+  bool snaps = false;                 // what a hand moves goes to points and surfaces of other objects
+  bool measures = false;              // clicks measure distances
 };
 
 class Viewport : public QWidget {
@@ -70,6 +73,8 @@ class Viewport : public QWidget {
   bool pulls() const { return pull_.has_value(); }
   const QString& refusal() const { return refusal_; }  // why some object cannot be transformed; or ""
 
+  // Describes the measured distance: "3.6 m (2 3 0)"; "" before two points.
+  QString measure_words() const;
   // Return where objects are in the widget, and the object at a point. Public for tests too.
   QRect frame_box() const;    // the film's picture in the widget
   QRect picture_box() const;  // the rendered picture
@@ -139,6 +144,12 @@ class Viewport : public QWidget {
   void end_motion(bool carry_out);
   void add_motion_menu(QMenu&);
   void press_on(QPointF, Qt::KeyboardModifiers);
+
+  // Snapping and measuring (viewport_snapping.cpp)
+  std::optional<Vec3> snap_place(QPointF, const Marks& without) const;
+  void measure_to(QPointF);
+  std::vector<Vec3> measured(QPointF) const;
+  void paint_measure(QPainter&, const Scope&) const;
   Vec3 place_under(QPointF) const;
   void select_in_box(Qt::KeyboardModifiers);
   const std::vector<Icon>& icons() const;
@@ -202,13 +213,15 @@ class Viewport : public QWidget {
   };
   std::optional<MotionDrag> motion_drag_;
   std::optional<MotionHandles::Part> hot_motion_;
+  Marks held_;                                      // what is pulled, with all that hangs on it
+  std::vector<Vec3> measured_;                      // at most two points
   bool pull_by_keys_ = false, called_off_ = false;  // the latter by the button that otherwise opens a menu
   Part hot_ = Part::none;
   QString refusal_;
   bool plain_ = false;
 
   QWidget *corner_ = nullptr, *eye_corner_ = nullptr;
-  QToolButton *eye_button_ = nullptr, *tools_[3] = {}, *toggles_[5] = {};
+  QToolButton *eye_button_ = nullptr, *tools_[3] = {}, *toggles_[7] = {};
   QComboBox* styles_ = nullptr;
 };
 

@@ -24,6 +24,9 @@ const Toggle toggles[] = {
     {"trails", "⌇", "Motion paths of the selection, with larger dots at events", &ViewportSwitches::trails},
     {"ghosts", "◌", "Onion skin: the objects 2, 4 and 6 frames before and after", &ViewportSwitches::ghosts},
     {"grid", "▦", "A grid on the ground", &ViewportSwitches::grid},
+    {"snaps", "⌖", "Snapping: what you move goes to points and surfaces of other objects; with Ctrl to a grid",
+     &ViewportSwitches::snaps},
+    {"measures", "↔", "Measures the distance between two points that you click", &ViewportSwitches::measures},
 };
 struct ToolRow {
   Tool tool;
@@ -70,7 +73,7 @@ void Viewport::make_corner() {
       set_switches(s);
     });
   }
-  for (int i = 0; i < 5; ++i) {
+  for (std::ptrdiff_t i = 0; i < std::ssize(toggles); ++i) {
     toggles_[i] = button(corner_, toggles[i].name, toggles[i].sign, toggles[i].tip);
     connect(toggles_[i], &QToolButton::clicked, this, [this, i](bool on) {
       ViewportSwitches s = switches_;
@@ -96,7 +99,7 @@ void Viewport::make_corner() {
 
 void Viewport::show_corner() {
   for (int i = 0; i < 3; ++i) tools_[i]->setChecked(switches_.handles && switches_.tool == tools[i].tool);
-  for (int i = 0; i < 5; ++i) toggles_[i]->setChecked(switches_.*toggles[i].is);
+  for (std::ptrdiff_t i = 0; i < std::ssize(toggles); ++i) toggles_[i]->setChecked(switches_.*toggles[i].is);
   styles_->setCurrentText(QString::fromStdString(style_));
   eye_button_->setText(
       through_    ? tr("through %1").arg(QString::fromStdString(workspace_.name(through_)))

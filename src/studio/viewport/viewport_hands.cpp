@@ -163,6 +163,7 @@ void Viewport::begin_pull(Tool tool, Part part, QPointF from, std::optional<Even
   }
   pull_.emplace(scope(), tool, part, std::move(hand), from, switches_.own_axes);
   gesture_ = Gesture::pull, pull_by_keys_ = false;
+  held_ = Marks(with_what_hangs_on(event ? std::vector{event->target.object} : workspace_.selected()));
   say_refusal();
   update();
 }
@@ -182,7 +183,9 @@ void Viewport::take(Tool tool) {
 
 void Viewport::go_on_pulling(QPointF p, Qt::KeyboardModifiers modifiers) {
   if (!pull_) return;
-  pull_->move_to(p, modifiers & Qt::ShiftModifier, modifiers & Qt::ControlModifier);
+  const bool grid = modifiers & Qt::ControlModifier;
+  pull_->move_to(p, modifiers & Qt::ShiftModifier, grid);
+  pull_->snap_to(switches_.snaps && !grid ? snap_place(p, held_) : std::nullopt);
   show_pull();
 }
 

@@ -48,8 +48,9 @@ void Viewport::paintEvent(QPaintEvent*) {
   const Scope s = scope();
   const bool stands = !workspace_.playhead().playing();
   if (switches_.grid) paint_grid(p, s);
-  if (switches_.ghosts && stands && !workspace_.looks_ahead())
-    ghosts_.paint(p, s, eye(), frame(), [this] { return with_what_hangs_on(workspace_.selected()); });
+  const Ghosts::Kinds kinds{switches_.ghosts, switches_.key_ghosts};
+  if ((kinds.frames || kinds.events) && stands && !workspace_.looks_ahead())
+    ghosts_.paint(p, s, eye(), frame(), kinds, [this] { return with_what_hangs_on(workspace_.selected()); });
   if (switches_.trails && !workspace_.selected().empty() && !trails_.paint(p, s, shown_time()))
     QMetaObject::invokeMethod(this, qOverload<>(&QWidget::update), Qt::QueuedConnection);
   if (!workspace_.selected().empty()) paint_outlines(p, s);
@@ -60,6 +61,7 @@ void Viewport::paintEvent(QPaintEvent*) {
     paint_pull(p);
   else if (const auto h = handles())
     h->paint(p, hot_);
+  if (switches_.measures) paint_measure(p, s);
   if (switches_.auto_key) paint_auto_key(p);
   paint_words(p);
 }
@@ -307,6 +309,11 @@ void Viewport::paint_pull(QPainter& p) {
       before = spot;
     }
   }
+  if (const auto target = pull_->target())
+    if (const auto spot = s.spot(*target)) {
+      p.setPen(QPen(picture_colors().event, 2)), p.setBrush(Qt::NoBrush);
+      p.drawEllipse(*spot, 7, 7);
+    }
   p.restore();
 }
 
