@@ -8,7 +8,7 @@
 
 #include "betwixt/pick.h"
 #include "studio/hands.h"
-#include "studio/viewport/viewport.h"
+#include "studio/viewport/views.h"
 
 namespace betwixt::studio {
 namespace {
@@ -202,6 +202,48 @@ ball.position.x
     s.key_ghosts = true;
     f.view.set_switches(s);
     QVERIFY(lit(0) && lit(6) && !lit(-5));
+  }
+
+  void four_views_show_one_film() {
+    Film f("create ball sphere position=(1 2 3)\ncreate eye camera position=(0 0 20)\n");
+    const std::string before = f.workspace.text();
+    Views views(f.workspace);
+    views.resize(1000, 800);
+    views.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&views));
+    views.set_four(true);
+    QApplication::processEvents();
+    QCOMPARE(views.all().size(), std::size_t{4});
+    auto* top = views.findChild<Viewport*>("top_view");
+    auto* right = views.findChild<Viewport*>("right_view");
+    QVERIFY(top->width() > 450 && top->height() > 350);
+    QVERIFY(length(top->scope().projection.forward() - Vec3{0, -1, 0}) < 1e-9);
+    QVERIFY(top->scope().projection.orthographic() && right->scope().projection.orthographic());
+    QVERIFY(!views.first().is_free());
+    for (Viewport* view : views.all()) {  // the ball is seen and selected in each of them
+      f.workspace.select({});
+      QTest::mouseClick(view, Qt::LeftButton, {}, view->scope().spot({1, 2, 3})->toPoint());
+      QCOMPARE(f.workspace.selected(), std::vector{f.find("ball")});
+      QCOMPARE(&views.active(), view);
+    }
+    // From above, a move to the right and up is one along x and -z; the height stays.
+    const auto at = top->scope().spot({1, 2, 3})->toPoint();
+    const auto to = top->scope().spot({2, 2, 2})->toPoint();
+    ViewportSwitches s = top->switches();
+    s.handles = false;
+    top->set_switches(s);
+    QCOMPARE(right->switches(), s);  // one set of tools
+    drag(*top, at, to);
+    const Vec3 place = std::get<Vec3>(
+        f.workspace.program().read(find_targets("ball.position", f.workspace.document())->front(), f.workspace.time()));
+    QVERIFY(length(place - Vec3{2, 2, 2}) < 0.05);
+    QCOMPARE(place.y, 2.0);
+    f.workspace.undo();
+    QVERIFY(!f.workspace.view());  // new cameras do not look from a side
+    views.set_four(false);
+    QCOMPARE(&views.active(), &views.first());
+    QVERIFY(!top->isVisible());
+    QCOMPARE(f.workspace.text(), before);
   }
 };
 

@@ -4,7 +4,7 @@
 // Actions that change only what the picture shows, and how a hand moves things in it.
 #include "studio/shell/actions.h"
 #include "studio/shell/window.h"
-#include "studio/viewport/viewport.h"
+#include "studio/viewport/views.h"
 
 namespace betwixt::studio {
 namespace {
@@ -27,6 +27,10 @@ std::vector<ActionRow> picture_rows() {
       {"Picture", "Isolate selection", "/", "Shows only the selection and the lights; once more shows everything.",
        [](Window& w) { w.viewport().isolate(); }, [](const Window& w) { return w.workspace().left_out() != nullptr; },
        "local view solo hide others"},
+      {"Picture", "Four views", "Ctrl+Alt+Q",
+       "Looks from above, from the front, from the right and through the camera.",
+       [](Window& w) { w.views().set_four(!w.views().are_four()); },
+       [](const Window& w) { return w.views().are_four(); }, "quad view split orthographic layout"},
       {"Picture", "Look through selection", "",
        "Looks through a light, a camera or another object, and goes with it; once more looks as before.",
        [](Window& w) { w.viewport().look_through(); },

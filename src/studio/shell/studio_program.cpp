@@ -15,7 +15,7 @@
 #include "studio/shell/sound.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
-#include "studio/viewport/viewport.h"
+#include "studio/viewport/views.h"
 
 namespace {
 
@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
   if (shows_only) {
     if (line.isSet("layout")) window.set_layout(line.value("layout"));  // its shares are relative to this size
     QApplication::processEvents();
-    window.viewport().await_picture();
+    for (Viewport* view : window.views().all()) view->await_picture();
     QApplication::processEvents();
     const QString out = line.value("screenshot"), panel = line.value("panel");
     const QPixmap picture = panel.isEmpty() ? window.grab() : picture_of(window, panel, size);

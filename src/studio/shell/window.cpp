@@ -42,7 +42,7 @@
 #include "studio/shell/theme.h"
 #include "studio/timeline/sheet.h"
 #include "studio/timeline/timeline.h"
-#include "studio/viewport/viewport.h"
+#include "studio/viewport/views.h"
 #include "syntax/tokens.h"
 
 namespace betwixt::studio {
@@ -56,7 +56,8 @@ const std::vector<std::string> saving{"save", "discard", "stay"};  // the choice
 Window::Window(Workspace& workspace, Manner manner)
     : workspace_(workspace),
       manner_(manner),
-      viewport_(new Viewport(workspace, this)),
+      views_(new Views(workspace, this)),
+      viewport_(&views_->first()),
       sound_(new Sound(workspace, this)),
       said_(new QLabel(this)) {
   setObjectName("studio");
@@ -66,7 +67,7 @@ Window::Window(Workspace& workspace, Manner manner)
   setAcceptDrops(true);
   resize(1280, 800);
   viewport_->set_plain(manner.bare);
-  setCentralWidget(viewport_);
+  setCentralWidget(views_);
   add_panels();
   add_menus();
   said_->setTextFormat(Qt::PlainText);
@@ -148,6 +149,9 @@ void Window::add_panels() {
   tabifyDockWidget(sheet, curves), sheet->raise();
   tabifyDockWidget(properties, script), script->raise();
 }
+
+Viewport& Window::viewport() { return views_->active(); }
+const Viewport& Window::viewport() const { return views_->active(); }
 
 QWidget* Window::panel(const QString& name) const {
   for (QDockWidget* dock : docks_)

@@ -18,6 +18,7 @@ namespace betwixt::studio {
 
 class Sound;
 class Viewport;
+class Views;
 
 class Window : public QMainWindow {
   Q_OBJECT
@@ -32,8 +33,11 @@ class Window : public QMainWindow {
 
   Workspace& workspace() { return workspace_; }
   const Workspace& workspace() const { return workspace_; }
-  Viewport& viewport() { return *viewport_; }
-  const Viewport& viewport() const { return *viewport_; }
+  // The view of the picture in which the user worked last.
+  Viewport& viewport();
+  const Viewport& viewport() const;
+  Views& views() { return *views_; }
+  const Views& views() const { return *views_; }
   QWidget* panel(const QString& name) const;  // by its object name; null if there is none
 
   // Applies one of layouts(). Returns false if the name is unknown.
@@ -83,7 +87,8 @@ class Window : public QMainWindow {
 
   Workspace& workspace_;
   const Manner manner_;
-  Viewport* viewport_;
+  Views* views_;
+  Viewport* viewport_;  // the first of them
   Sound* sound_;
   std::vector<QDockWidget*> docks_;
   QMenu* recent_ = nullptr;

@@ -45,7 +45,10 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
     trails_.forget(), ghosts_.forget();
     update();
   });
-  connect(&workspace, &Workspace::opened, this, [this] { through_ = {}, set_free(false); });
+  connect(&workspace, &Workspace::opened, this, [this] {
+    through_ = {};
+    side_ ? stay_at_side(*side_) : set_free(false);
+  });
   connect(&workspace, &Workspace::left_out_changed, this, [this] {
     forget();
     trails_.forget(), ghosts_.forget();
@@ -88,7 +91,7 @@ void Viewport::ask() {
 void Viewport::take_picture(const PictureMade& made) {
   shown_ = made;
   if (workspace_.playhead().playing()) forget();
-  workspace_.picture_shown();
+  if (!side_) workspace_.picture_shown();
   update();
   emit picture_came(made);
 }
@@ -169,7 +172,9 @@ void Viewport::mousePressEvent(QMouseEvent* e) {
   const bool shift = e->modifiers() & Qt::ShiftModifier, alt = e->modifiers() & Qt::AltModifier;
   const bool flat = frame().surroundings.flat;
   if (e->button() == Qt::MiddleButton || (alt && e->button() == Qt::LeftButton)) {
-    gesture_ = shift || flat ? Gesture::pan : e->modifiers() & Qt::ControlModifier ? Gesture::zoom : Gesture::orbit;
+    gesture_ = shift || flat || (side_ && !(e->modifiers() & Qt::ControlModifier)) ? Gesture::pan
+               : e->modifiers() & Qt::ControlModifier                              ? Gesture::zoom
+                                                                                   : Gesture::orbit;
     pivot_ = pivot();
     setCursor(gesture_ == Gesture::pan ? Qt::ClosedHandCursor : Qt::SizeAllCursor);
   } else if (e->button() == Qt::LeftButton && switches_.measures) {

@@ -33,6 +33,7 @@ struct ViewportSwitches {
   bool key_ghosts = false;            // the selection at the events around the playhead
   bool snaps = false;                 // what a hand moves goes to points and surfaces of other objects
   bool measures = false;              // clicks measure distances
+  friend bool operator==(const ViewportSwitches&, const ViewportSwitches&) = default;
 };
 
 class Viewport : public QWidget {
@@ -58,7 +59,9 @@ class Viewport : public QWidget {
   // Looks through the active object, a light for example, and goes with it. Once more looks as before.
   void look_through();
   ObjectId looks_through() const { return through_; }
-  void isolate();                   // shows only the selection and the lights; once more shows everything
+  void isolate();  // shows only the selection and the lights; once more shows everything
+  // Makes this one of several views, which looks along a direction without perspective at the whole film.
+  void stay_at_side(Vec3 direction);
   void look_along(Vec3 direction);  // "front" is (0 0 -1)
   void look_from_behind();          // turns the view by half a turn
   void frame_selected();            // all objects if none is selected
@@ -126,6 +129,7 @@ class Viewport : public QWidget {
   Box box_of(const std::vector<ObjectId>&) const;
   std::vector<ObjectId> with_what_hangs_on(const std::vector<ObjectId>&) const;
   void drag_eye(QPointF by);
+  QString side_words() const;  // "top" if the free view looks down without perspective
   bool looking_key(int key, Qt::KeyboardModifiers);
 
   // Edits (viewport_hands.cpp)
@@ -181,8 +185,9 @@ class Viewport : public QWidget {
   std::string style_ = "shaded";
   ViewportSwitches switches_;
   std::optional<Camera> free_;
-  ObjectId through_;        // the object that the view looks through
-  double last_depth_ = 10;  // of the last point the user looked at
+  std::optional<Vec3> side_;  // along which one of several views looks
+  ObjectId through_;          // the object that the view looks through
+  double last_depth_ = 10;    // of the last point the user looked at
 
   // Caches for the film at the time, filled when needed.
   mutable FilmPlayer film_;

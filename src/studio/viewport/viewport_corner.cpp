@@ -24,7 +24,7 @@ const Toggle toggles[] = {
     {"trails", "⌇", "Motion paths of the selection, with larger dots at events", &ViewportSwitches::trails},
     {"ghosts", "◌", "Onion skin: the objects 2, 4 and 6 frames before and after", &ViewportSwitches::ghosts},
     {"grid", "▦", "A grid on the ground", &ViewportSwitches::grid},
-    {"snaps", "⌖", "Snapping: what you move goes to points and surfaces of other objects; with Ctrl to a grid",
+    {"snaps", "∩", "Snapping: what you move goes to points and surfaces of other objects; with Ctrl to a grid",
      &ViewportSwitches::snaps},
     {"measures", "↔", "Measures the distance between two points that you click", &ViewportSwitches::measures},
 };
@@ -102,8 +102,9 @@ void Viewport::show_corner() {
   for (std::ptrdiff_t i = 0; i < std::ssize(toggles); ++i) toggles_[i]->setChecked(switches_.*toggles[i].is);
   styles_->setCurrentText(QString::fromStdString(style_));
   eye_button_->setText(
-      through_    ? tr("through %1").arg(QString::fromStdString(workspace_.name(through_)))
-      : is_free() ? tr("free view")
+      !side_words().isEmpty() ? side_words()
+      : through_              ? tr("through %1").arg(QString::fromStdString(workspace_.name(through_)))
+      : is_free()             ? tr("free view")
                   : tr("camera %1").arg(QString::fromStdString(film_camera() ? workspace_.name(film_camera()) : "")));
   eye_button_->setChecked(is_free());
   place_corner();
@@ -111,7 +112,7 @@ void Viewport::show_corner() {
 
 void Viewport::set_plain(bool plain) {
   plain_ = plain;
-  corner_->setHidden(plain), eye_corner_->setHidden(plain);
+  corner_->setHidden(plain || side_), eye_corner_->setHidden(plain);
   update();
 }
 

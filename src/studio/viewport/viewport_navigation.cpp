@@ -34,7 +34,7 @@ void Viewport::set_free(bool free) {
   else
     free_.reset();
   through_ = {};
-  workspace_.set_view(free_);
+  if (!side_) workspace_.set_view(free_);
   icons_.reset();
   outline_.reset();
   ask();
@@ -43,8 +43,10 @@ void Viewport::set_free(bool free) {
 }
 
 void Viewport::move_eye(const Camera& c) {
+  const QString words = side_words();
   free_ = c;
-  workspace_.set_view(free_);
+  if (side_words() != words) show_corner();
+  if (!side_) workspace_.set_view(free_);
   outline_.reset();
   ask();
   update();
@@ -126,6 +128,30 @@ void Viewport::wheelEvent(QWheelEvent* e) {
   last_depth_ = depth;
   move_eye(zoomed(*free_, s.projection.place(at.x(), at.y(), depth), std::pow(zoom_per_notch, notches)));
   e->accept();
+}
+
+void Viewport::stay_at_side(Vec3 direction) {
+  side_ = direction;
+  set_free(true);
+  Camera c = looking_along(*free_, direction, {}, last_depth_);
+  c.orthographic = true, c.shift_x = c.shift_y = 0;
+  const Box box = box_of({});
+  if (!box.empty()) c = framed(c, box, double(width()) / std::max(1, height()));
+  move_eye(c);
+  set_plain(plain_), show_corner();
+}
+
+QString Viewport::side_words() const {
+  if (!free_ || !free_->orthographic || through_) return {};
+  const Vec3 ahead = Projection(*free_, 1).forward();
+  for (const auto& [along, words] : {std::pair(Vec3{0, -1, 0}, tr("top")),
+                                     {Vec3{0, 1, 0}, tr("bottom")},
+                                     {Vec3{0, 0, -1}, tr("front")},
+                                     {Vec3{0, 0, 1}, tr("back")},
+                                     {Vec3{-1, 0, 0}, tr("right")},
+                                     {Vec3{1, 0, 0}, tr("left")}})
+    if (length(ahead - along) < 1e-6) return words;
+  return {};
 }
 
 void Viewport::look_along(Vec3 direction) {
