@@ -277,8 +277,10 @@ std::vector<ActionRow> made_rows() {
     for (std::vector<ActionRow>* rows : {&all, &objects})
       for (ActionRow& row : *rows)
         if (row.name == name) row.also = words;
-  const std::vector<ActionRow> views = picture_rows();
-  all.insert(std::ranges::find(all, std::string_view("View"), &ActionRow::menu), views.begin(), views.end());
+  for (const ActionRow& row : picture_rows()) {  // each at the end of its menu
+    const auto is_of_menu = [&](const ActionRow& r) { return r.menu == row.menu; };
+    all.insert(std::find_if(all.rbegin(), all.rend(), is_of_menu).base(), row);
+  }
   all.insert(std::ranges::find(all, std::string_view("View"), &ActionRow::menu), objects.begin(), objects.end());
   return all;
 }

@@ -24,6 +24,10 @@ ActionRow toggle(std::string_view name, std::string_view sentence, std::string_v
 
 std::vector<ActionRow> picture_rows() {
   return {
+      {"Play", "Preview", "P",
+       "Makes all pictures of the part that plays, keeps them in memory, and plays them at the film's rate.",
+       [](Window& w) { w.views().first().fill_memory(); },
+       [](const Window& w) { return w.views().first().fills_memory(); }, "ram preview cache render playback"},
       {"Picture", "Isolate selection", "/", "Shows only the selection and the lights; once more shows everything.",
        [](Window& w) { w.viewport().isolate(); }, [](const Window& w) { return w.workspace().left_out() != nullptr; },
        "local view solo hide others"},

@@ -308,6 +308,11 @@ void Workspace::leave_out(std::shared_ptr<const Marks> objects) {
   emit left_out_changed();
 }
 
+void Workspace::set_kept(std::vector<Time> times) {
+  kept_ = std::move(times);
+  emit kept_changed();
+}
+
 void Workspace::set_script_line(int line) {
   if (line == script_line_) return;
   script_line_ = line;

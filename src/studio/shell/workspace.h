@@ -101,6 +101,10 @@ class Workspace : public QObject {
   const std::shared_ptr<const Marks>& left_out() const { return left_out_; }
   void leave_out(std::shared_ptr<const Marks>);
 
+  // The times of the pictures that are kept in memory, in order.
+  const std::vector<Time>& kept() const { return kept_; }
+  void set_kept(std::vector<Time>);
+
   // Auto-key: every edit of a value makes an event at the playhead, in all panels.
   bool makes_events() const { return makes_events_; }
   void set_makes_events(bool makes) { makes_events_ = makes; }
@@ -130,6 +134,7 @@ class Workspace : public QObject {
   void selection_changed();
   void script_line_changed();
   void left_out_changed();
+  void kept_changed();
   void said(const QString& line, const QString& answer, bool refused);
   void colors_changed();
   void wants_to_quit();  // after "quit", if it may happen
@@ -163,6 +168,7 @@ class Workspace : public QObject {
   Time time_;
   std::optional<Camera> view_;
   std::shared_ptr<const Marks> left_out_;
+  std::vector<Time> kept_;
   bool makes_events_ = false;
   std::vector<ObjectId> selected_;
   std::vector<EventAt> events_;

@@ -25,6 +25,7 @@ Ruler::Ruler(Workspace& workspace, QWidget* parent) : TimePane(workspace, parent
   setContextMenuPolicy(Qt::DefaultContextMenu);
   connect(&workspace, &Workspace::document_changed, this, &Ruler::follow_sounds);
   connect(&workspace, &Workspace::opened, this, &Ruler::follow_sounds);
+  connect(&workspace, &Workspace::kept_changed, this, [this] { QWidget::update(); });
   follow_sounds();
 }
 
@@ -95,6 +96,20 @@ void Ruler::paint_part(QPainter& p) const {
   bar(from, to, edge_to_ ? c.accent : c.line);
   const Playhead& played = workspace_.playhead();
   if (played.first() != from || played.last() != to) bar(played.first(), played.last(), c.accent);
+}
+
+// Below the frame numbers: the frames whose pictures are in memory.
+void Ruler::paint_over(QPainter& p) const {
+  const std::vector<Time>& kept = workspace_.kept();
+  const Time frame = workspace_.document().rate().span(1);
+  p.setClipRect(time_box());
+  for (std::size_t i = 0, from = 0; i < kept.size(); ++i) {
+    if (i + 1 < kept.size() && kept[i + 1] <= kept[i] + frame) continue;
+    p.fillRect(QRectF(x_of(kept[from]), ruler_height() - 3, x_of(kept[i] + frame) - x_of(kept[from]), 3),
+               colors().note);
+    from = i + 1;
+  }
+  p.setClipping(false);
 }
 
 void Ruler::paint_cuts(QPainter& p) const {

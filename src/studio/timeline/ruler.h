@@ -29,6 +29,7 @@ class Ruler : public TimePane {
 
  protected:
   void paint_content(QPainter&) override;
+  void paint_over(QPainter&) const override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
   void contextMenuEvent(QContextMenuEvent*) override;
   void press(QMouseEvent*) override;

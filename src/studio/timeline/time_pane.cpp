@@ -63,6 +63,7 @@ void TimePane::paintEvent(QPaintEvent*) {
   }
   QPainter p(this);
   p.drawPixmap(0, 0, content_);
+  paint_over(p);
   paint_playhead(p);
 }
 

@@ -31,6 +31,7 @@ class TimePane : public QWidget {
  protected:
   // Paints all but the playhead, which moves alone during playback.
   virtual void paint_content(QPainter&) = 0;
+  virtual void paint_over(QPainter&) const {}  // what changes often, too
   // Called for presses that are no gesture of time; moves and a release follow.
   virtual void press(QMouseEvent*) {}
   virtual void drag(QMouseEvent*) {}

@@ -40,7 +40,7 @@ class Maker {
  public:
   PictureMade make(const PictureWanted& w, int coarse = 0) {
     PictureMade m;
-    m.time = w.time, m.program = w.program, m.draft = coarse > 0;
+    m.time = w.time, m.program = w.program, m.draft = coarse > 0, m.number = w.number;
     const Evaluation& evaluation = film_.evaluate(w.program, w.time, w.eye);
     m.eye = evaluation.camera(), m.problems = evaluation.problems();
     Picture& p = picture_;
@@ -96,6 +96,12 @@ void PictureMaker::want(PictureWanted w) {
     ++asked_;
   }
   changed_.notify_all();
+}
+
+void PictureMaker::want_nothing() {
+  const std::lock_guard lock(mutex_);
+  wanted_.reset(), rough_.reset();
+  ++asked_;
 }
 
 void PictureMaker::make_first() {

@@ -29,6 +29,7 @@ struct PictureWanted {
   RenderOptions options;
   std::optional<Camera> eye;                        // the eye; nullopt: the film's camera
   std::shared_ptr<const Marks> left_out = nullptr;  // objects that the picture does not show; null: none
+  std::uint64_t number = 0;                         // given back with the picture
   bool moves = false;                               // more such requests are about to follow: a draft will do
 };
 struct PictureMade {
@@ -38,6 +39,7 @@ struct PictureMade {
   Camera eye;                         // the camera used
   std::vector<std::string> problems;  // errors of code, and why there is no image
   bool draft = false;
+  std::uint64_t number = 0;  // of the request
 };
 
 // Removes objects from a frame.
@@ -49,6 +51,7 @@ class PictureMaker : public QObject {
   PictureMaker();
   ~PictureMaker() override;
   void want(PictureWanted);
+  void want_nothing();  // drops requests
   // Renders a picture at once, in the calling thread.
   static PictureMade make(const PictureWanted&);
 

@@ -47,6 +47,7 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
   });
   connect(&workspace, &Workspace::opened, this, [this] {
     through_ = {};
+    fills_ = false;
     side_ ? stay_at_side(*side_) : set_free(false);
   });
   connect(&workspace, &Workspace::left_out_changed, this, [this] {
@@ -58,6 +59,9 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
   connect(&workspace, &Workspace::playing_changed, this, [this] {
     forget();
     ask(), update();
+  });
+  connect(&workspace, &Workspace::jumped, this, [this] {
+    if (!fills_by_itself_) fills_ = false;
   });
   connect(&maker_, &PictureMaker::made, this, &Viewport::take_picture, Qt::QueuedConnection);
 }
@@ -72,31 +76,6 @@ QRect Viewport::frame_box() const {
 }
 
 QRect Viewport::picture_box() const { return is_free() ? rect() : frame_box(); }
-
-PictureWanted Viewport::wanted() const {
-  const QSize size = picture_box().size() * devicePixelRatioF();
-  RenderOptions o;
-  o.width = std::clamp(size.width(), 1, 8192), o.height = std::clamp(size.height(), 1, 8192);
-  o.style = style_;
-  o.linear = workspace_.document().transparent();  // otherwise the picture is opaque
-  // While a button is down anywhere, or while the film plays, other pictures are about to follow.
-  const bool moves = QGuiApplication::mouseButtons() != Qt::NoButton || pull_ || workspace_.playhead().playing();
-  return {workspace_.program(), workspace_.time(), o, own_eye(workspace_.time()), workspace_.left_out(), moves};
-}
-
-void Viewport::ask() {
-  if (isVisible()) maker_.want(wanted());
-}
-
-void Viewport::take_picture(const PictureMade& made) {
-  shown_ = made;
-  if (workspace_.playhead().playing()) forget();
-  if (!side_) workspace_.picture_shown();
-  update();
-  emit picture_came(made);
-}
-
-void Viewport::await_picture() { take_picture(PictureMaker::make(wanted())); }
 
 void Viewport::set_style(const std::string& style) {
   if (style == style_) return;

@@ -13,6 +13,7 @@
 #include "studio/shell/workspace.h"
 #include "studio/viewport/ghosts.h"
 #include "studio/viewport/handles.h"
+#include "studio/viewport/kept_pictures.h"
 #include "studio/viewport/motion_handles.h"
 #include "studio/viewport/picture_maker.h"
 #include "studio/viewport/trails.h"
@@ -44,6 +45,9 @@ class Viewport : public QWidget {
 
   // Waits for the picture of the current time and film. For screenshots and tests.
   void await_picture();
+  // Makes all pictures of the part that plays, keeps them, and then plays it. Ends if somebody moves the playhead.
+  void fill_memory();
+  bool fills_memory() const { return fills_; }
   // Switches all overlays and tools off.
   void set_plain(bool);
   void set_style(const std::string& style);
@@ -115,9 +119,13 @@ class Viewport : public QWidget {
     Vec3 place;
   };
 
-  PictureWanted wanted() const;
+  // Pictures (viewport_pictures.cpp)
+  PictureWanted wanted();
   void ask();
   void take_picture(const PictureMade&);
+  void keep(const PictureMade&);
+  void show_kept();
+  void fill_next();
   void forget();  // drops all caches of the film and the time
   Time shown_time() const;
   Camera eye() const;
@@ -182,6 +190,9 @@ class Viewport : public QWidget {
   Workspace& workspace_;
   PictureMaker maker_;
   PictureMade shown_;
+  KeptPictures kept_;
+  std::uint64_t asked_ = 0, kept_since_ = 0;  // numbers of requests: the latest; the first of kept_
+  bool fills_ = false, fills_by_itself_ = false;
   std::string style_ = "shaded";
   ViewportSwitches switches_;
   std::optional<Camera> free_;

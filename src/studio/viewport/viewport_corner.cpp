@@ -120,9 +120,9 @@ void Viewport::place_corner() {
   const int margin = fontMetrics().height() / 3;
   corner_->adjustSize(), eye_corner_->adjustSize();
   corner_->move(margin, margin);
-  eye_corner_->move(
-      std::max(margin, width() - eye_corner_->width() - margin),
-      corner_->width() + eye_corner_->width() + 3 * margin > width() ? corner_->height() + 2 * margin : margin);
+  const bool below = !side_ && corner_->width() + eye_corner_->width() + 3 * margin > width();
+  eye_corner_->move(std::max(margin, width() - eye_corner_->width() - margin),
+                    below ? corner_->height() + 2 * margin : margin);
 }
 
 }  // namespace betwixt::studio

@@ -135,7 +135,13 @@ void Viewport::stay_at_side(Vec3 direction) {
   set_free(true);
   Camera c = looking_along(*free_, direction, {}, last_depth_);
   c.orthographic = true, c.shift_x = c.shift_y = 0;
-  const Box box = box_of({});
+  std::vector<ObjectId> things;  // without floors, beside which they would be small
+  for (const Item& i : frame().items) {
+    Box box;
+    for (const Vec3& corner : drawn(i).corners) box.add(corner);
+    if (box.half().y > 0.02 * std::max(box.half().x, box.half().z)) things.push_back(i.id);
+  }
+  const Box box = box_of(things);
   if (!box.empty()) c = framed(c, box, double(width()) / std::max(1, height()));
   move_eye(c);
   set_plain(plain_), show_corner();
