@@ -9,6 +9,7 @@
 
 #include "betwixt/language.h"
 #include "hands.h"
+#include "studio/shell/sound.h"
 #include "studio/timeline/ruler.h"
 
 using namespace betwixt;
@@ -178,6 +179,13 @@ void TimelineTest::sounds_are_bars_with_their_loudness() {
   QVERIFY2(workspace.text().find("create one sound file=\"a.wav\" at=1.5s\n") != std::string::npos,
            workspace.text().c_str());
   workspace.undo();
+  // A short piece is heard where the playhead is dragged.
+  studio::Sound sound(workspace);
+  workspace.go_to(frame(40));
+  QVERIFY(!sound.plays());
+  sound.play_piece();
+  QVERIFY(sound.plays());
+  QVERIFY(QTest::qWaitFor([&] { return !sound.plays(); }, 2000));
 }
 
 void TimelineTest::what_is_called_off_changes_nothing() {

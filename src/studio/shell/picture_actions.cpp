@@ -3,6 +3,7 @@
 //
 // Actions that change only what the picture shows, and how a hand moves things in it.
 #include "studio/shell/actions.h"
+#include "studio/shell/sound.h"
 #include "studio/shell/window.h"
 #include "studio/viewport/views.h"
 
@@ -28,6 +29,9 @@ std::vector<ActionRow> picture_rows() {
        "Makes all pictures of the part that plays, keeps them in memory, and plays them at the film's rate.",
        [](Window& w) { w.views().first().fill_memory(); },
        [](const Window& w) { return w.views().first().fills_memory(); }, "ram preview cache render playback"},
+      {"Play", "Sound while dragging", "", "You hear a short piece of the film's sound where you drag the playhead.",
+       [](Window& w) { w.sound().set_heard_in_drags(!w.sound().is_heard_in_drags()); },
+       [](const Window& w) { return w.sound().is_heard_in_drags(); }, "audio scrubbing scrub lip sync"},
       {"Picture", "Isolate selection", "/", "Shows only the selection and the lights; once more shows everything.",
        [](Window& w) { w.viewport().isolate(); }, [](const Window& w) { return w.workspace().left_out() != nullptr; },
        "local view solo hide others"},
@@ -46,7 +50,7 @@ std::vector<ActionRow> picture_rows() {
       toggle<&ViewportSwitches::safe>("Safe frames", "Shows what is surely visible: 90 % for action, 80 % for titles.",
                                       "action safe title safe areas margins overscan"),
       toggle<&ViewportSwitches::key_ghosts>("Ghosts of events", "Shows the selection at its event before and its next.",
-                                            "onion skin keyframes previous next pose"),
+                                            "onion skin previous next pose"),
       toggle<&ViewportSwitches::snaps>(
           "Snapping", "What you move goes to points and surfaces of other objects; with Ctrl in steps of a grid.",
           "magnet snap vertex face grid align"),
