@@ -12,7 +12,7 @@ set_target_properties(betwixt_studio_room PROPERTIES AUTOMOC ON UNITY_BUILD ${BE
 target_precompile_headers(betwixt_studio_room PRIVATE <QtWidgets> <fmt/format.h> <algorithm> <map> <optional> <string> <vector>)
 target_link_libraries(betwixt_studio_room PUBLIC betwixt_server Qt6::Widgets Qt6::Network PkgConfig::CONTROLS PkgConfig::ALSA)
 # Words such as slots are ours.
-target_compile_definitions(betwixt_studio_room PUBLIC QT_NO_SIGNALS_SLOTS_KEYWORDS)
+target_compile_definitions(betwixt_studio_room PUBLIC QT_NO_SIGNALS_SLOTS_KEYWORDS PRIVATE BETWIXT_VERSION="${PROJECT_VERSION}")
 # Nothing here is done often enough to be worth the building.
 target_compile_options(betwixt_studio_room PRIVATE $<$<CONFIG:Release>:-O1>)
 add_executable(betwixt_studio src/studio/shell/studio_program.cpp)

@@ -40,3 +40,4 @@ picture studio-controls grab --panel live --select ball --size 400x320 <<<'dial 
 dial /fader/2 to hand.scale.y'
 picture studio-server grab --panel server --size 400x460 </dev/null
 picture studio-export grab --panel export </dev/null
+picture studio-new grab --panel new </dev/null

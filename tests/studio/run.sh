@@ -14,7 +14,7 @@ passed=0 failed=0
 folder=$(mktemp -d)
 display=
 trap '[ -z "$display" ] || kill "$display"; rm -rf "$folder"' EXIT
-export XDG_CONFIG_HOME=$folder XDG_DATA_HOME=$folder XDG_RUNTIME_DIR=$folder BETWIXT_PARSER=$build/bin/betwixt-parser
+export XDG_CONFIG_HOME=$folder XDG_DATA_HOME=$folder XDG_CACHE_HOME=$folder XDG_RUNTIME_DIR=$folder BETWIXT_PARSER=$build/bin/betwixt-parser
 chmod 700 "$folder"
 [ $# -gt 0 ] || set -- "$build"/bin/studio_*_test window maximised pictures
 

@@ -70,6 +70,7 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Remove", "delete erase"},
     {"Remove with all below", "delete hierarchy children"},
     {"Render film…", "export video mp4 gif animation composition"},
+    {"New", "template preset project composition scene start"},
     {"Save session…", "macro"},
     {"Ways", "motion path trajectory trail"},
     {"Onion skin", "ghost"},
@@ -136,7 +137,7 @@ std::vector<ActionRow> key_rows() {
 
 std::vector<ActionRow> made_rows() {
   std::vector<ActionRow> all = {
-      {"File", "New", "Ctrl+N", "Begins a new film; asks first if you have unsaved changes.",
+      {"File", "New", "Ctrl+N", "Begins a new film, empty or from a template; asks first if you have unsaved changes.",
        [](Window& w) { w.new_film(); }},
       {"File", "Open…", "Ctrl+O", "Opens another script: `open FILE`.", [](Window& w) { w.open_asking(); }},
       {"File", "Save", "Ctrl+S", "Writes the script: `save`.", [](Window& w) { w.save(); }},

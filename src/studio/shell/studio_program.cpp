@@ -11,6 +11,7 @@
 
 #include "base/tell_user.h"
 #include "betwixt/language.h"
+#include "studio/course/film_chooser.h"
 #include "studio/shell/export_dialog.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/theme.h"
@@ -40,7 +41,7 @@ bool play_back(betwixt::studio::Workspace& workspace, const QString& name) {
 }
 
 // Returns the picture of one panel, of the given size if it is not empty. "columns" is the exposure sheet, "export" the
-// export dialog. Returns a null pixmap if there is no such panel.
+// export dialog, "new" the films to begin with. Returns a null pixmap if there is no such panel.
 QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize size) {
   using namespace betwixt::studio;
   if (name == "picture") return window.viewport().grab();
@@ -50,6 +51,13 @@ QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize s
     dialog.show();
     QApplication::processEvents();
     return dialog.grab();
+  }
+  if (name == "new") {
+    auto* chooser = new FilmChooser(&window);
+    if (!size.isEmpty()) chooser->resize(size);
+    chooser->show();
+    chooser->await_pictures();
+    return chooser->grab();
   }
   QWidget* panel = window.panel(name == "columns" ? "sheet" : name == "script" ? "script_panel" : name);
   if (!panel) return {};
@@ -126,7 +134,8 @@ int main(int argc, char** argv) {
     betwixt::tell_user(workspace.last_said());
     return 1;
   }
-  if (file.isEmpty() && workspace.session().unsaved() == 0) window.open_example();
+  const bool begins = file.isEmpty() && workspace.session().unsaved() == 0;
+  if (begins) window.open_example();
   if (line.isSet("style")) window.viewport().set_style(line.value("style").toStdString());
   QSize size;
   if (line.isSet("size")) {
@@ -167,5 +176,6 @@ int main(int argc, char** argv) {
   workspace.playhead().loop(line.isSet("loop") || !line.isSet("bare"));
   window.sound().mute(line.isSet("mute"));
   if (line.isSet("bare")) workspace.play(1);
+  if (begins && !line.isSet("bare") && !line.isSet("session")) window.choose_film();
   return QApplication::exec();
 }

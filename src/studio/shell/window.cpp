@@ -34,7 +34,6 @@
 #include "studio/shell/asking.h"
 #include "studio/shell/console.h"
 #include "studio/shell/control_names.h"
-#include "studio/shell/example.h"
 #include "studio/shell/export_dialog.h"
 #include "studio/shell/key_focus.h"
 #include "studio/shell/sound.h"
@@ -49,7 +48,6 @@ namespace betwixt::studio {
 namespace {
 
 constexpr int recent_files = 10;
-const std::vector<std::string> saving{"save", "discard", "stay"};  // the choices before a film is left
 
 }  // namespace
 
@@ -242,7 +240,7 @@ void Window::set_light(bool light) {
 void Window::name_film() {
   const QString file = QString::fromStdString(workspace_.session().file());
   setWindowTitle((file.isEmpty() ? tr("new film") : QFileInfo(file).fileName()) + "[*] — Betwixt");
-  setWindowModified(workspace_.session().unsaved() > 0 && workspace_.text() != example_);
+  setWindowModified(workspace_.session().unsaved() > 0 && workspace_.text() != first_text_);
 }
 
 // ---- files
@@ -250,24 +248,6 @@ void Window::name_film() {
 void Window::open_asking() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open a film"), {}, tr("Films (*.bx)"));
   if (!file.isEmpty()) workspace_.say("open " + as_one_word(file.toStdString()));
-}
-
-void Window::new_film() {
-  if (workspace_.session().unsaved() > 0 && workspace_.text() != example_) {
-    const auto said = answer({{}, "this film is not saved", saving});
-    if (!said || *said == "stay" || (*said == "save" && !save())) return;
-  }
-  workspace_.open("", Session::Earlier::discard);
-}
-
-void Window::open_example() {
-  workspace_.open("", Session::Earlier::discard);
-  example_ = example_film;
-  workspace_.begin_with(example_);
-  example_ = workspace_.text();
-  said_->clear();
-  workspace_.go_to(workspace_.document().range().first);
-  name_film();
 }
 
 bool Window::save() {
@@ -280,14 +260,6 @@ bool Window::save_as() {
                                                     QFileDialog::DontConfirmOverwrite);  // the session asks
   const QString name = QFileInfo(file).suffix().isEmpty() ? file + ".bx" : file;
   return !file.isEmpty() && workspace_.say("save " + as_one_word(name.toStdString()));
-}
-
-std::optional<std::string> Window::answer(const Session::Question& question) {
-  // The example needs no saving if the user has not changed it.
-  if (workspace_.text() == example_ && !example_.empty() && question.choices == saving) return "discard";
-  const auto said = ask_in_window(this, question);
-  if (said != "save" || !workspace_.session().file().empty()) return said;
-  return save_as() ? "discard" : "stay";  // an unnamed film: now it has been saved
 }
 
 void Window::note_file() {

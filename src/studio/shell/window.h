@@ -56,8 +56,9 @@ class Window : public QMainWindow {
 
   // Actions.
   void open_asking();
-  void new_film();
-  bool save();  // asks for a name if there is none
+  void new_film();     // lets the user choose a film to begin with
+  void choose_film();  // the same, without a question about the film that is open
+  bool save();         // asks for a name if there is none
   bool save_as();
   void make_film();
   void save_session();  // the lines of this session
@@ -68,6 +69,7 @@ class Window : public QMainWindow {
   void show_keys();
   // Opens the film for new users.
   void open_example();
+  void begin_film(const std::string& text);  // a new film that has this text; it needs no saving until it is changed
 
  protected:
   void closeEvent(QCloseEvent*) override;
@@ -93,8 +95,8 @@ class Window : public QMainWindow {
   std::vector<QDockWidget*> docks_;
   QMenu* recent_ = nullptr;
   QLabel* said_;
-  std::string example_;
-  QByteArray arranged_;  // the initial panel layout
+  std::string first_text_;  // of a film without a file
+  QByteArray arranged_;     // the initial panel layout
   double text_size_ = 1;
   bool light_ = false, leaving_ = false;
 };

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How films begin in the window, and the question before another film replaces them.
+#include <QLabel>
+
+#include "studio/course/film_chooser.h"
+#include "studio/shell/asking.h"
+#include "studio/shell/example.h"
+#include "studio/shell/window.h"
+
+namespace betwixt::studio {
+namespace {
+
+const std::vector<std::string> saving{"save", "discard", "stay"};  // the choices before a film is left
+
+}  // namespace
+
+void Window::new_film() {
+  if (workspace_.session().unsaved() > 0 && workspace_.text() != first_text_) {
+    const auto said = answer({{}, "this film is not saved", saving});
+    if (!said || *said == "stay" || (*said == "save" && !save())) return;
+  }
+  begin_film({});
+  choose_film();
+}
+
+void Window::choose_film() {
+  delete findChild<FilmChooser*>();
+  auto* chooser = new FilmChooser(this);
+  connect(chooser, &FilmChooser::chosen, this, &Window::begin_film);
+  chooser->open();
+}
+
+void Window::open_example() { begin_film(example_film); }
+
+void Window::begin_film(const std::string& text) {
+  workspace_.open("", Session::Earlier::discard);
+  if (!text.empty()) workspace_.begin_with(text);
+  first_text_ = workspace_.text();
+  said_->clear();
+  workspace_.go_to(workspace_.document().range().first);
+  name_film();
+}
+
+std::optional<std::string> Window::answer(const Session::Question& question) {
+  // A film needs no saving if the user has not changed it.
+  if (workspace_.text() == first_text_ && !first_text_.empty() && question.choices == saving) return "discard";
+  const auto said = ask_in_window(this, question);
+  if (said != "save" || !workspace_.session().file().empty()) return said;
+  return save_as() ? "discard" : "stay";  // an unnamed film: now it has been saved
+}
+
+}  // namespace betwixt::studio
