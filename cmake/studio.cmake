@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # The studio: a program of its own, so that nobody waits for it who makes films from the command line.
+embed_texts(studio/exercises_text.h src/studio/course/exercises.txt)
 find_package(Qt6 REQUIRED COMPONENTS Widgets Network Test)
 file(GLOB_RECURSE studio_sources CONFIGURE_DEPENDS src/studio/*.cpp src/studio/*.h)
 list(FILTER studio_sources EXCLUDE REGEX "_program.cpp$")

@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QTest>
 
+#include "betwixt/pick.h"
 #include "studio/film.h"
 #include "studio/objects/object_actions.h"
 #include "studio/viewport/viewport.h"
@@ -224,6 +225,41 @@ class ObjectsTest : public QObject {
     s.expect("a", Vec3{1, 7, 0}), s.expect("b", Vec3{2, 7, 1}), s.expect("c", Vec3{9, 7, 2});
     s.act.distribute(Axis::x);
     s.expect("b", Vec3{5, 7, 1});
+  }
+
+  // What is drawn stays where it is, also if it is turned and scaled; then it turns about its lowest point.
+  void pivots_go_to_the_bottom_and_to_the_middle() {
+    Shown s(
+        "create egg sphere radius=0.5 position=(1 2 0) scale=(1 3 1)\n"
+        "create rod box size=(0.2 2 0.2) position=(0 1 0) rotation=euler(0 0 90deg)\n"
+        "create eye camera\n");
+    const QString before = s.text();
+    const auto box = [&](const char* name) {
+      Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+      for (const Item& item : s.workspace.program().frame(s.workspace.time()).items)
+        if (item.id == s.id(name))
+          for (const Vec3& corner : drawn(item, 200).corners)
+            for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], corner[i]), high[i] = std::max(high[i], corner[i]);
+      return std::pair(low, high);
+    };
+    const auto same = [](std::pair<Vec3, Vec3> a, std::pair<Vec3, Vec3> b) {
+      return length(a.first - b.first) < 1e-3 && length(a.second - b.second) < 1e-3;
+    };
+    const auto egg = box("egg"), rod = box("rod");
+    s.select({"egg", "rod"});
+    s.act.pivot(true);
+    QCOMPARE(std::get<Vec3>(s.value("egg.pivot")), (Vec3{0, -0.5, 0}));
+    QCOMPARE(std::get<Vec3>(s.value("rod.pivot")), (Vec3{0, -1, 0}));
+    QVERIFY(same(box("egg"), egg) && same(box("rod"), rod));
+    s.undone_is(before);
+    s.workspace.say(std::string("set egg.scale (1 1 1)"));
+    QVERIFY(std::abs(box("egg").first.y - egg.first.y) < 1e-3);
+    s.act.pivot(false);
+    QCOMPARE(std::get<Vec3>(s.value("egg.pivot")), Vec3{});
+    s.select({"eye"});
+    const QString unchanged = s.text();
+    s.act.pivot(true);
+    QCOMPARE(s.text(), unchanged);
   }
 
   void what_falls_bounces_on_the_floor() {

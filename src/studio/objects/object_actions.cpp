@@ -86,6 +86,10 @@ void ObjectActions::fill(QMenu& menu) {
   with_axes(tr("Mirror"), 1, &ObjectActions::mirror);
   with_axes(tr("Align with the last selected"), 2, &ObjectActions::align);
   with_axes(tr("Distribute"), 3, &ObjectActions::distribute);
+  QMenu* const pivots = menu.addMenu(tr("Pivot"));
+  pivots->setEnabled(any);
+  pivots->addAction(tr("To the bottom"), this, [this] { pivot(true); });
+  pivots->addAction(tr("To the middle"), this, [this] { pivot(false); });
 }
 
 void ObjectActions::say(const ObjectEdit& edit) {
@@ -114,6 +118,19 @@ void ObjectActions::align(Axis axis) {
 void ObjectActions::distribute(Axis axis) {
   workspace_.say(distribute_lines(workspace_.program(), workspace_.selected(), axis, workspace_.time(),
                                   workspace_.makes_events()));
+}
+
+void ObjectActions::pivot(bool at_bottom) {
+  const Time t = workspace_.time();
+  Lines lines = pivot_lines(workspace_.program(), workspace_.selected(), t, at_bottom);
+  if (lines.empty()) return tell(tr("the selection has no shape"));
+  const Result<Document> then = workspace_.session().look_ahead(lines);
+  if (!then) return tell(QString::fromStdString(then.error().message));
+  const Program program = Program::compile(*then);
+  for (const ObjectId id : topmost(*then, workspace_.selected()))
+    if (const Value was = world(id, t); const auto* place = std::get_if<Matrix>(&was))
+      for (std::string& line : lines_to_bring(program, id, **place, t, 1e-6, false)) lines.push_back(std::move(line));
+  workspace_.say(lines);
 }
 
 void ObjectActions::remove() {

@@ -48,6 +48,7 @@ class ObjectActions : public QObject {
   void mirror(Axis);
   void align(Axis);
   void distribute(Axis);
+  void pivot(bool at_bottom);  // the objects stay where they are
 
  private:
   explicit ObjectActions(Workspace& workspace);

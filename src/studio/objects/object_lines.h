@@ -64,6 +64,8 @@ Lines distribute_lines(const Program&, const std::vector<ObjectId>&, Axis, Time,
 // Moves an object with all its position events by what leads from one place in the world to another. Returns no lines
 // if that takes more than a shift in its parent's space.
 Lines lines_to_shift(const Program&, ObjectId, const Mat4& from, const Mat4& to, Time);
+// Puts the pivots of objects with a shape to their lowest points, or into their middle: `set ball.pivot (0 -0.5 0)`.
+Lines pivot_lines(const Program&, const std::vector<ObjectId>&, Time, bool at_bottom);
 
 // Makes objects fall from where they are and bounce on the floor at y = 0: `at 1f fall ball ground=1 bounce=0.6`.
 Lines fall_lines(const Program&, const std::vector<ObjectId>&, Time);

@@ -281,7 +281,9 @@ void Outliner::add(const QString& kind) {
   const std::string name = free_name(workspace_.document(), kind.toStdString() + "1");
   std::string line = "create " + name + " " + kind.toStdString();
   if (kind == "text") line += " text=\"text\"";
-  if (kind == "camera") {  // where one looks from
+  if (kind == "camera" && !workspace_.view() && workspace_.program().frame(workspace_.time()).items.empty()) {
+    line += " position=(0 2 11) look-at=(0 1.7 0)";  // what stands around the middle is in the picture
+  } else if (kind == "camera") {                     // where one looks from
     const Mat4 eye =
         workspace_.view() ? workspace_.view()->world : workspace_.program().frame(workspace_.time()).camera.world;
     const Vec3 at = translation_of(eye), to = at - 10 * normalize(Vec3{eye(0, 2), eye(1, 2), eye(2, 2)});

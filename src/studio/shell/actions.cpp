@@ -43,6 +43,10 @@ std::vector<ActionRow> object_rows() {
   with_axis.operator()<Axis::x>("Mirror along x", "Align along x", "Distribute along x");
   with_axis.operator()<Axis::y>("Mirror along y", "Align along y", "Distribute along y");
   with_axis.operator()<Axis::z>("Mirror along z", "Align along z", "Distribute along z");
+  rows.push_back({"Object", "Pivot to the bottom", "", "Objects turn and scale about their pivot: `set ball.pivot …`.",
+                  [](Window& w) { ObjectActions::of(w.workspace()).pivot(true); }});
+  rows.push_back({"Object", "Pivot to the middle", "", "Objects turn and scale about their pivot: `set ball.pivot …`.",
+                  [](Window& w) { ObjectActions::of(w.workspace()).pivot(false); }});
   return rows;
 }
 
@@ -67,6 +71,8 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Group", "parent empty null join"},
     {"Let fall", "gravity physics bounce rigid body drop"},
     {"Ungroup", "unparent"},
+    {"Pivot to the bottom", "origin anchor point floor"},
+    {"Pivot to the middle", "origin anchor point center"},
     {"Remove", "delete erase"},
     {"Remove with all below", "delete hierarchy children"},
     {"Render film…", "export video mp4 gif animation composition"},
@@ -88,6 +94,7 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Rotate selection", "turn rotation"},
     {"Scale selection", "size resize"},
     {"Half speed", "slow motion"},
+    {"Course", "tutorial learn lesson exercise beginner start"},
     {"Insert time…", "ripple gap delay"},
     {"Remove time", "ripple delete cut trim"},
     {"Larger text", "font size scale zoom preferences"},
@@ -270,7 +277,9 @@ std::vector<ActionRow> made_rows() {
        [](Window& w) { w.show_panel("live"); }},
       {"View", "Go to server", "Ctrl+6", "Watches and controls a running imaging server.",
        [](Window& w) { w.show_panel("server"); }},
-      {"View", "All keys", "F1", "Lists all keys.", [](Window& w) { w.show_keys(); }},
+      {"Help", "Course", "", "Five exercises that show you how to animate, step by step.",
+       [](Window& w) { w.show_panel("course"); }},
+      {"Help", "All keys", "F1", "Lists all keys.", [](Window& w) { w.show_keys(); }},
   };
   std::vector<ActionRow> objects = object_rows();
   for (ActionRow& row : key_rows()) objects.push_back(std::move(row));

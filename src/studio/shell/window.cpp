@@ -22,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "studio/course/course_panel.h"
 #include "studio/curves/curves.h"
 #include "studio/panels/history_panel.h"
 #include "studio/panels/live_panel.h"
@@ -139,7 +140,8 @@ void Window::add_panels() {
   auto* properties = add(new Properties(workspace_), Qt::RightDockWidgetArea);
   auto* console = add(new Console(workspace_), Qt::RightDockWidgetArea);
   auto* history = add(new HistoryPanel(workspace_), Qt::RightDockWidgetArea);
-  tabifyDockWidget(history, console), console->raise();
+  auto* course = add(new CoursePanel(*this), Qt::RightDockWidgetArea);
+  tabifyDockWidget(history, console), tabifyDockWidget(console, course), console->raise();
   auto* live = add(new LivePanel(workspace_), Qt::LeftDockWidgetArea);
   auto* server = add(new ServerPanel, Qt::LeftDockWidgetArea);
   tabifyDockWidget(live, server), live->raise();
@@ -206,7 +208,7 @@ bool Window::set_layout(const QString& name) {
   for (QDockWidget* dock : docks_) {
     const QString panel = dock->widget()->objectName();
     const bool shown =
-        (name == "all" && panel != "live" && panel != "server") || panel == "timeline" ||
+        (name == "all" && panel != "live" && panel != "server" && panel != "course") || panel == "timeline" ||
         (name == "live" && (panel == "live" || panel == "server")) ||
         (name == "animate" && (panel == "sheet" || panel == "curves" || panel == "outliner" || panel == "poses")) ||
         (name == "script" && (panel == "script_panel" || panel == "console"));

@@ -56,6 +56,7 @@ class Window : public QMainWindow {
 
   // Actions.
   void open_asking();
+  bool may_leave();    // asks about unsaved changes before another film replaces this one
   void new_film();     // lets the user choose a film to begin with
   void choose_film();  // the same, without a question about the film that is open
   bool save();         // asks for a name if there is none

@@ -16,11 +16,14 @@ const std::vector<std::string> saving{"save", "discard", "stay"};  // the choice
 
 }  // namespace
 
+bool Window::may_leave() {
+  if (workspace_.session().unsaved() == 0 || workspace_.text() == first_text_) return true;
+  const auto said = answer({{}, "this film is not saved", saving});
+  return said && *said != "stay" && (*said != "save" || save());
+}
+
 void Window::new_film() {
-  if (workspace_.session().unsaved() > 0 && workspace_.text() != first_text_) {
-    const auto said = answer({{}, "this film is not saved", saving});
-    if (!said || *said == "stay" || (*said == "save" && !save())) return;
-  }
+  if (!may_leave()) return;
   begin_film({});
   choose_film();
 }

@@ -313,6 +313,10 @@ void Workspace::set_kept(std::vector<Time> times) {
   emit kept_changed();
 }
 
+void Workspace::set_makes_events(bool makes) {
+  if (std::exchange(makes_events_, makes) != makes) emit makes_events_changed();
+}
+
 void Workspace::set_script_line(int line) {
   if (line == script_line_) return;
   script_line_ = line;

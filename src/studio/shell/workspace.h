@@ -107,7 +107,7 @@ class Workspace : public QObject {
 
   // Auto-key: every edit of a value makes an event at the playhead, in all panels.
   bool makes_events() const { return makes_events_; }
-  void set_makes_events(bool makes) { makes_events_ = makes; }
+  void set_makes_events(bool);
 
   // The selection: objects, of which the last one leads, and events.
   const std::vector<ObjectId>& selected() const { return selected_; }
@@ -137,6 +137,7 @@ class Workspace : public QObject {
   void kept_changed();
   void said(const QString& line, const QString& answer, bool refused);
   void colors_changed();
+  void makes_events_changed();
   void wants_to_quit();  // after "quit", if it may happen
 
  private:

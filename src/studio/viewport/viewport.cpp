@@ -63,6 +63,9 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
   connect(&workspace, &Workspace::jumped, this, [this] {
     if (!fills_by_itself_) fills_ = false;
   });
+  connect(&workspace, &Workspace::makes_events_changed, this, [this] {
+    if (switches_.auto_key != workspace_.makes_events()) flip(&ViewportSwitches::auto_key);
+  });
   connect(&maker_, &PictureMaker::made, this, &Viewport::take_picture, Qt::QueuedConnection);
 }
 Viewport::~Viewport() = default;
