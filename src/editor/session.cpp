@@ -188,6 +188,17 @@ Session::Answer Session::State::together(const std::vector<std::string>& said) {
 }
 
 Result<Document> Session::State::ahead(const std::vector<std::string>& said) const {
+  if (said.size() == 1 && is_rewriting(trimmed(said[0]))) {
+    const Result<TextEdit> edit = rewriting(trimmed(said[0]));
+    if (!edit) return edit.error();
+    std::string edited = text();
+    put_into(edited, {*edit});
+    Diagnostics found;
+    Point then = after(edited, *edit, found);
+    const auto wrong = std::ranges::find(found, Severity::error, &Diagnostic::severity);
+    if (wrong != found.end()) return wrong->what;
+    return std::move(then.document);
+  }
   Point at = editor.now();
   for (const std::string& line : said) {
     CommandResult result = editor.carry_out(at, line);

@@ -11,6 +11,8 @@
 #include <random>
 
 #include "betwixt/language.h"
+#include "studio/panels/new_parts.h"
+#include "studio/panels/value_parts.h"
 #include "studio/shell/actions.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
@@ -72,7 +74,7 @@ class Hands {
           all.push_back(&row);
       return all;
     }();
-    const std::size_t which = below(static_cast<unsigned>(rows.size()) + 3);
+    const std::size_t which = below(static_cast<unsigned>(rows.size()) + 5);
     if (which < rows.size()) {
       last_ = fmt::format("action {}", rows[which]->name);
       return rows[which]->run(window_);
@@ -81,6 +83,8 @@ class Hands {
     EventActions& events = EventActions::of(workspace_);
     if (which == rows.size()) return (void)workspace_.say(events.breakdown(0.1 * below(12)));
     if (which == rows.size() + 1) return events.warp([](double u) { return u * u; });
+    if (which == rows.size() + 2) return add_part();
+    if (which == rows.size() + 3) return change_part_of_value();
     workspace_.say(
         insert_time_lines(workspace_.document(), workspace_.time(), workspace_.document().rate().span(1 + below(20))));
   }
@@ -88,6 +92,33 @@ class Hands {
 
  private:
   unsigned below(unsigned n) { return random_() % n; }
+  std::optional<Target> some_function() {
+    const Document& d = workspace_.document();
+    if (workspace_.selected().empty()) return std::nullopt;
+    const auto all = functions(d, workspace_.selected().back());
+    // Mostly the first ones, such as the position: only there is something to change.
+    return Target(workspace_.selected().back(), all[below(pick({3u, static_cast<unsigned>(all.size())}))].id);
+  }
+  void add_part() {
+    const auto on = some_function();
+    if (!on) return;
+    const auto all = new_parts(workspace_.document(), workspace_.program(), {*on}, workspace_.time());
+    if (!all.empty()) workspace_.say(all[below(static_cast<unsigned>(all.size()))].lines);
+  }
+  void change_part_of_value() {
+    const auto on = some_function();
+    if (!on) return;
+    const Document& d = workspace_.document();
+    const std::string text = workspace_.text();
+    const auto all = value_parts(d, workspace_.program(), text, *on, workspace_.time());
+    if (all.empty()) return;
+    const ValuePart &a = all[below(static_cast<unsigned>(all.size()))],
+                    &b = all[below(static_cast<unsigned>(all.size()))];
+    Lines lines = below(2) ? switch_part(text, a) : below(2) ? remove_part(d, text, a) : exchange_parts(d, text, a, b);
+    if (below(2) && !a.fields.empty())
+      lines = change_part(d, text, a, a.fields.back(), 0, std::to_string(1 + below(3)), workspace_.time());
+    if (!lines.empty()) workspace_.say(lines);
+  }
   template <class T>
   T pick(std::initializer_list<T> all) {
     return *(all.begin() + below(static_cast<unsigned>(all.size())));

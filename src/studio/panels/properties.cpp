@@ -218,6 +218,8 @@ void Properties::rebuild() {
     }
   }
   column->addStretch(1);
+  // An editor of the old rows may have caused this, so it lives on until it has finished.
+  if (QWidget* old = area_->takeWidget()) old->hide(), old->deleteLater();
   area_->setWidget(inside);
 }
 
@@ -230,7 +232,7 @@ QWidget* Properties::make_section(const QString& title) {
   grid->setVerticalSpacing(1);
   grid->setColumnStretch(2, 3);
   grid->setColumnStretch(3, 2);
-  grid->setColumnMinimumWidth(3, fontMetrics().horizontalAdvance("event here"));
+  grid->setColumnMinimumWidth(3, fontMetrics().horizontalAdvance("event"));
   grid->setColumnMinimumWidth(1, fontMetrics().horizontalAdvance("attach-position"));
   return section;
 }
@@ -239,7 +241,8 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
   auto* grid = static_cast<QGridLayout*>(section->layout());
   const int at = grid->rowCount();
   auto row = std::make_unique<Row>();
-  row->of = f, row->name = f.name, row->kind = kind;
+  grid->setRowMinimumHeight(at + 1, 0);  // for its parts
+  row->at = at, row->of = f, row->name = f.name, row->kind = kind;
   const QString name = text_of(f.name);
   row->diamond = new QToolButton(section);
   row->diamond->setObjectName("diamond_" + name);
@@ -274,6 +277,7 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
     if (changes) workspace_.say(lines);
     refresh();
   });
+  add_part_buttons(*row, section);
   rows_.push_back(std::move(row));
 }
 
@@ -293,6 +297,8 @@ void Properties::show_row(Row& row, const Value& now) {
   const QString words = text_of(made.words);
   if (row.made->text() != words) row.made->setText(words);
   row.made->setToolTip(tip_of(made.code.empty() ? words : text_of(made.code)));
+  row.unfold->setVisible(made.said || row.parts);
+  if (row.parts) row.parts->refresh(t);
 }
 
 // Returns a line for each selected object that has the function: it sets the whole value, or one component of it.

@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include "studio/panels/film_settings.h"
+#include "studio/panels/parts_view.h"
 #include "studio/panels/value_editors.h"
 
 namespace betwixt::studio {
@@ -32,6 +33,9 @@ class Properties : public QWidget {
     QToolButton* diamond;
     QLabel *called, *made;
     ValueEditor* editor;
+    QToolButton *unfold = nullptr, *add = nullptr;
+    PartsView* parts = nullptr;  // while it is unfolded
+    int at = 0;                  // its row in the grid
     bool said = true, shown_event = false, shown_events = false;
   };
   ObjectId leading() const;
@@ -40,6 +44,9 @@ class Properties : public QWidget {
   void show_row(Row&, const Value&);
   std::vector<std::string> lines_for(const Row&, int component, const QString& text) const;
   void toggle_event(const Row&);
+  void add_part_buttons(Row&, QWidget* section);
+  void unfold(Row&, bool open);
+  void fill_new_parts_of(QMenu&, const Row&) const;
   void rename();
   QWidget* make_section(const QString& title);
   void add_row(QWidget* section, const FunctionView&, EditorKind);
@@ -54,6 +61,7 @@ class Properties : public QWidget {
   std::vector<std::pair<std::string, EditorKind>> built_;  // the rows as built
   std::optional<Kind> built_of_;
   QStringList folded_;
+  QStringList unfolded_;  // functions whose parts are shown
   bool refreshing_ = false;
 };
 

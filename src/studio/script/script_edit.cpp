@@ -52,6 +52,10 @@ ScriptEdit::ScriptEdit(Workspace& workspace, QWidget* parent) : WordEdit(workspa
   connect(&workspace, &Workspace::colors_changed, this,
           [this] { colored_ = false, mark_lines(), viewport()->update(); });
   connect(&workspace, &Workspace::selection_changed, this, [this] { colored_ = false, viewport()->update(); });
+  connect(&workspace, &Workspace::script_line_changed, this, [this] {
+    const int line = workspace_.script_line();
+    if (line > 0 && !hasFocus()) show_line(line);
+  });
   take_text();
   take_diagnostics();
 }
@@ -100,12 +104,16 @@ void ScriptEdit::cursor_moved() {
 }
 
 void ScriptEdit::go_to_line(int line, int column) {
+  setFocus();
+  show_line(line, column);
+}
+
+void ScriptEdit::show_line(int line, int column) {
   if (line > blockCount()) fill_all();
   const QTextBlock b = document()->findBlockByNumber(line - 1);
   if (!b.isValid()) return;
   QTextCursor c(b);
   c.movePosition(QTextCursor::Right, QTextCursor::MoveAnchor, std::min(column - 1, b.length() - 1));
-  setFocus();
   setTextCursor(c);
   centerCursor();
 }

@@ -20,6 +20,7 @@ class ScriptEdit : public WordEdit {
  public:
   explicit ScriptEdit(Workspace&, QWidget* parent = nullptr);
   void go_to_line(int line, int column = 1);
+  void show_line(int line, int column = 1);  // the same, without the focus
   // A long text comes into the editor part by part.
   bool filling() const { return filled_.has_value(); }
   void fill_all();

@@ -16,7 +16,7 @@ constexpr double pixels_a_step = 2;
 
 // Returns the step of a drag: about a hundredth of the value.
 double step_of(double value, const QString& unit) {
-  if (unit == "deg") return 1;
+  if (unit == "deg" || unit == "f") return 1;
   return std::pow(10.0, std::max(-2.0, std::floor(std::log10(std::max(std::abs(value), 1e-9))) - 2));
 }
 
@@ -103,7 +103,7 @@ void NumberField::finish() {
   QString typed = text().trimmed();
   bool number = false;
   (void)typed.toDouble(&number);
-  if (number && unit_ == "deg") typed += unit_;
+  if (number) typed += unit_;
   shown_.clear();
   Q_EMIT said(typed);
 }

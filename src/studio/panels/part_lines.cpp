@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Edits of the parts of a value, as lines.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "betwixt/language.h"
+#include "betwixt/object.h"
+#include "betwixt/session.h"
+#include "commands/line_head.h"
+#include "editor/made_by.h"
+#include "language/values.h"
+#include "scene/document.h"
+#include "studio/panels/filter_lines.h"
+#include "studio/panels/value_parts.h"
+#include "syntax/texts.h"
+
+namespace betwixt::studio {
+namespace {
+
+using What = ValuePart::What;
+
+// "0.5", "(1 2 3)"
+std::string together(const std::vector<std::string>& numbers) {
+  return numbers.size() == 1 ? numbers[0] : fmt::format("({})", fmt::join(numbers, " "));
+}
+
+std::string part_of_text(const std::string& text, Span s) { return text.substr(s.at, s.size); }
+
+// A whole line with its line feed.
+Span whole_line(const std::string& text, Span line) {
+  const std::size_t before = line.at == 0 ? std::string::npos : text.rfind('\n', line.at - 1);
+  const std::size_t from = before == std::string::npos ? 0 : before + 1;
+  const std::size_t feed = text.find('\n', line.end() > from ? line.end() - 1 : from);
+  return {from, (feed == std::string::npos ? text.size() : feed + 1) - from};
+}
+
+// Writes all filters of a target anew, at the end of the script: `change` gets each line and its index.
+template <class F>
+Lines filters_anew(const Document& d, Target on, F&& change) {
+  on.component = -1;
+  Lines lines{fmt::format("{}filter {} none", layer_words(d, on), d.name(on))};
+  const std::vector<std::string> all = own_filter_lines(d, on);
+  for (std::size_t i = 0; i < all.size(); ++i) change(all[i], i, lines);
+  return lines;
+}
+
+std::string value_words(const Document& d, const Target& t, const std::vector<std::string>& numbers) {
+  const bool angles = spec_of(d.scene(), t.function).type == Type::rotation && numbers.size() == 3;
+  return (angles ? "euler" : "") + together(numbers);
+}
+
+// A layer whose tracks are all of one function of one object.
+bool only_here(const Document& d, const Target& on) {
+  for (const ObjectId id : objects(d))
+    for (const Slot& slot : d.scene().objects[id.index].slots)
+      if (slot.layer == on.layer && (id != on.object || slot.function != on.function)) return false;
+  return true;
+}
+
+Lines remove_layer(const Document& d, const ValuePart& part) {
+  if (only_here(d, part.target)) return {"remove " + d.name(part.target.layer)};
+  Lines lines;
+  for (const TrackView& t : tracks_on(d, part.target.layer))
+    if (t.target.object == part.target.object && t.target.function == part.target.function && t.event_count > 0)
+      lines.push_back(fmt::format("{}clear {} {}..{}", layer_words(d, t.target), d.name(t.target),
+                                  format_time(t.first, d), format_time(t.last, d)));
+  if (!filters(d, part.target).empty())
+    lines.push_back(fmt::format("{}filter {} none", layer_words(d, part.target), d.name(part.target)));
+  return lines;
+}
+
+}  // namespace
+
+int line_number(const std::string& text, std::size_t place) {
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
+}
+
+std::string rewriting_line(const std::string& text, Span span, std::string_view by) {
+  const Span lines = whole_line(text, span);
+  std::string others = text.substr(lines.at, span.at - lines.at);
+  others += by;
+  others += text.substr(span.end(), lines.end() - span.end());
+  // Between other lines, `rewrite` ends the last line itself.
+  if (lines.end() < text.size() && others.size() > 1) others.pop_back();
+  const int first = line_number(text, span.at);
+  return Session::rewrite_line(first, line_number(text, span.size > 0 ? span.end() - 1 : span.at), others);
+}
+
+Lines change_part(const Document& d, const std::string& text, const ValuePart& part, const PartField& field,
+                  std::size_t number, const std::string& typed, Time at) {
+  if (number >= field.numbers.size() || (typed.empty() && !field.text)) return {};
+  std::vector<std::string> numbers = field.numbers;
+  numbers[number] = typed;
+  const Target& t = part.target;
+  switch (part.what) {
+    case What::set:
+      return {"set " + d.name(t) + " " + value_words(d, t, numbers)};
+    case What::code:
+      if (part.own) return {rewriting_line(text, part.lines, "= " + write_text(typed))};
+      return {"set " + d.name(t) + " = " + write_text(typed)};
+    case What::events:
+      return {};
+    case What::velocity:
+      return {line_of_event(d, t, at, value_words(d, t, numbers))};
+    case What::layer: {
+      if (field.key.empty()) return {layer_words(d, t) + line_of_event(d, t, at, value_words(d, t, numbers))};
+      for (const LayerView& l : layers(d))
+        if (l.id == t.layer) return {line_that_sets(d, l.weight, at, typed)};
+      return {};
+    }
+    case What::filter: {
+      const std::string value = field.text ? write_text(typed) : together(numbers);
+      if (part.own)
+        return {rewriting_line(text, part.lines, with_parameter(part_of_text(text, part.lines), field.key, value))};
+      return filters_anew(d, t, [&](const std::string& line, std::size_t i, Lines& lines) {
+        lines.push_back(i == part.index ? with_parameter(line, field.key, value) : line);
+      });
+    }
+  }
+  return {};
+}
+
+Lines remove_part(const Document& d, const std::string& text, const ValuePart& part) {
+  const auto clear = [&]() -> Lines {
+    if (part.keys.empty()) return {};
+    return {fmt::format("clear {} {}..{}", d.name(part.target), format_time(part.keys.front().time, d),
+                        format_time(part.keys.back().time, d))};
+  };
+  switch (part.what) {
+    case What::set:
+    case What::code: {
+      if (!part.own) return {};
+      const Span line = whole_line(text, part.lines);
+      const bool alone = line_head(std::string_view(text).substr(line.at, line.size)).word == "set";
+      return alone ? Lines{rewriting_line(text, line, "")} : Lines();
+    }
+    case What::events:
+    case What::velocity:
+      return clear();
+    case What::layer:
+      return remove_layer(d, part);
+    case What::filter:
+      if (part.own) return {rewriting_line(text, whole_line(text, part.lines), "")};
+      return filters_anew(d, part.target, [&](const std::string& line, std::size_t i, Lines& lines) {
+        if (i != part.index) lines.push_back(line);
+      });
+  }
+  return {};
+}
+
+Lines switch_part(const std::string& text, const ValuePart& part) {
+  if (part.what != What::filter || !part.own) return {};
+  const std::string line = part_of_text(text, part.lines);
+  return {rewriting_line(text, part.lines, part.off ? line.substr(comment_sign(line)) : "# " + line)};
+}
+
+Lines exchange_parts(const Document& d, const std::string& text, const ValuePart& a, const ValuePart& b) {
+  if (a.what != What::filter || b.what != What::filter || a.target.layer != b.target.layer) return {};
+  if (!a.own || !b.own) {
+    if (a.off || b.off) return {};
+    const std::vector<std::string> all = own_filter_lines(d, a.target);
+    return filters_anew(d, a.target, [&](const std::string& line, std::size_t i, Lines& lines) {
+      lines.push_back(i == a.index ? all[b.index] : i == b.index ? all[a.index] : line);
+    });
+  }
+  const ValuePart &upper = a.lines.at < b.lines.at ? a : b, &lower = a.lines.at < b.lines.at ? b : a;
+  const std::size_t behind = upper.lines.end();
+  return {rewriting_line(text, {upper.lines.at, lower.lines.end() - upper.lines.at},
+                         part_of_text(text, lower.lines) + text.substr(behind, lower.lines.at - behind) +
+                             part_of_text(text, upper.lines))};
+}
+
+}  // namespace betwixt::studio

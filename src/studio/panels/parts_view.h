@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts of a value as rows below its function: each has a switch, its name, its parameters, and buttons to move and
+// to remove it.
+#pragma once
+
+#include <QToolButton>
+#include <QWidget>
+#include <memory>
+
+#include "studio/panels/value_parts.h"
+
+class QCheckBox;
+class QLineEdit;
+class QVBoxLayout;
+
+namespace betwixt::studio {
+
+class PartsView : public QWidget {
+  Q_OBJECT
+ public:
+  PartsView(Workspace&, const Target& whole, QWidget* parent);
+  void refresh(const Target& whole) { whole_ = whole, refresh(); }
+  const std::vector<ValuePart>& parts() const { return parts_; }
+
+ private:
+  struct PartRow {
+    QWidget* box = nullptr;
+    QCheckBox* on = nullptr;
+    QToolButton *title = nullptr, *key = nullptr, *up = nullptr, *down = nullptr, *remove = nullptr;
+    std::vector<std::vector<QLineEdit*>> fields;  // by field and number
+  };
+  void refresh();
+  void rebuild();
+  PartRow make_row(std::size_t part);
+  void add_fields(std::size_t part, PartRow&, QVBoxLayout& lines);
+  QLineEdit* make_field(std::size_t part, std::size_t field, std::size_t number, QWidget* parent);
+  void show_row(std::size_t part);
+  Lines changed(std::size_t part, std::size_t field, std::size_t number, const QString& text) const;
+  void say(const Lines&);
+  void go_to(std::size_t part);
+  void key_weight(std::size_t part);
+  std::optional<std::size_t> neighbour(std::size_t part, int by) const;
+
+  Workspace& workspace_;
+  Target whole_;
+  std::vector<ValuePart> parts_;
+  std::vector<PartRow> rows_;
+  std::vector<std::string> built_;  // the rows as built
+  QVBoxLayout* column_;
+};
+
+}  // namespace betwixt::studio
