@@ -17,7 +17,9 @@
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
 #include "studio/timeline/event_actions.h"
+#include "studio/timeline/key_types.h"
 #include "studio/timeline/ripple.h"
+#include "studio/timeline/simplified.h"
 #include "studio/viewport/viewport.h"
 
 using namespace betwixt;
@@ -74,7 +76,7 @@ class Hands {
           all.push_back(&row);
       return all;
     }();
-    const std::size_t which = below(static_cast<unsigned>(rows.size()) + 5);
+    const std::size_t which = below(static_cast<unsigned>(rows.size()) + 7);
     if (which < rows.size()) {
       last_ = fmt::format("action {}", rows[which]->name);
       return rows[which]->run(window_);
@@ -84,6 +86,8 @@ class Hands {
     if (which == rows.size()) return (void)workspace_.say(events.breakdown(0.1 * below(12)));
     if (which == rows.size() + 1) return events.warp([](double u) { return u * u; });
     if (which == rows.size() + 2) return add_part();
+    if (which == rows.size() + 4) return change_handles();
+    if (which == rows.size() + 5) return simplify();
     if (which == rows.size() + 3) return change_part_of_value();
     workspace_.say(
         insert_time_lines(workspace_.document(), workspace_.time(), workspace_.document().rate().span(1 + below(20))));
@@ -104,6 +108,14 @@ class Hands {
     if (!on) return;
     const auto all = new_parts(workspace_.document(), workspace_.program(), {*on}, workspace_.time());
     if (!all.empty()) workspace_.say(all[below(static_cast<unsigned>(all.size()))].lines);
+  }
+  void change_handles() {
+    const KeyType type = key_types()[below(static_cast<unsigned>(key_types().size()))].type;
+    workspace_.say(key_type_lines(workspace_.document(), workspace_.events_selected(), type));
+  }
+  void simplify() {
+    const Document& d = workspace_.document();
+    workspace_.say(clear_lines(d, simplified(d, workspace_.events_selected(), 0.02 * below(20)).gone));
   }
   void change_part_of_value() {
     const auto on = some_function();

@@ -33,7 +33,18 @@ Event changed(const Document& d, const EventAt& at) {
   return e ? *e : Event();
 }
 
+double fine(double v) { return rounded(v, std::max(1e-9, 1e-6 * std::abs(v))); }
+
 }  // namespace
+
+bool has_aligned_handles(const CurveLine& line, const Event& e) {
+  if (!e.detail || !e.detail->tangent_in || !e.detail->tangent_out || !e.detail->handle_in || !e.detail->handle_out ||
+      e.detail->before)
+    return false;
+  const double in = shown(line, *e.detail->tangent_in).value_or(0) / e.detail->handle_in->seconds();
+  const double out = shown(line, *e.detail->tangent_out).value_or(0) / e.detail->handle_out->seconds();
+  return std::abs(in + out) <= 1e-4 * std::max({1e-3, std::abs(in), std::abs(out)});
+}
 
 std::vector<CurveLine> curve_lines(const Document& d, const std::vector<ObjectId>& objects) {
   std::vector<CurveLine> all;
@@ -63,12 +74,14 @@ std::vector<CurveLine> curve_lines(const Document& d, const std::vector<ObjectId
       const std::string before = objects.size() > 1 ? d.name(id) + "." : "";
       bool any = false;
       const std::size_t before_it = all.size();
+      ObjectId layer;
       for (const bool velocity : {false, true})
         for (const TrackView& t : tracks(d, id)) {
           if (t.target.function != f.id || t.target.velocity != velocity || t.event_count == 0) continue;
           any = any || (!velocity && !t.target.layer);
           std::string name = before + d.name(t.target).substr(d.name(id).size() + 1);
           if (t.target.layer) name += " on " + d.name(t.target.layer);
+          if (std::exchange(layer, t.target.layer) != t.target.layer) ++shade;  // its curves lie near those below
           // A rotation has three angles, or four numbers if its events are turns.
           bool turns = false;
           if (t.target.component < 0)
@@ -195,14 +208,21 @@ Lines handle_lines(const Document& d, const CurveLine& line, const Handle& h, Ti
     return with_shown(line, was ? *was : with_numbers(e.value, none), number);
   };
   const Time out = std::max(Time{}, time - h.event.time), in = std::max(Time{}, h.event.time - time);
+  const bool aligned = both && has_aligned_handles(line, e);
   switch (h.what) {
     case What::point:
       return {};
     case What::handle_out:
       detail.tangent_out = way(detail.tangent_out, value - h.base), detail.handle_out = std::max(out, Time{1});
+      if (aligned && out > Time{})
+        detail.tangent_in =
+            way(detail.tangent_in, fine(-(value - h.base) * detail.handle_in->seconds() / out.seconds()));
       break;
     case What::handle_in:
       detail.tangent_in = way(detail.tangent_in, value - h.base), detail.handle_in = std::max(in, Time{1});
+      if (aligned && in > Time{})
+        detail.tangent_out =
+            way(detail.tangent_out, fine(-(value - h.base) * detail.handle_out->seconds() / in.seconds()));
       break;
     case What::tangent_out:
     case What::tangent_in: {

@@ -66,7 +66,10 @@ struct Handle {
   friend bool operator==(const Handle&, const Handle&) = default;
 };
 std::vector<Handle> handles(const Document&, const CurveLine&, Time event);
-// Returns the lines that move a handle. `both`: also changes the tangent on the other side.
+// Returns whether the two handles of an event (fcurve) make one line.
+bool has_aligned_handles(const CurveLine&, const Event&);
+// Returns the lines that move a handle. `both`: also changes the tangent on the other side, or turns the other handle
+// if the two make one line.
 Lines handle_lines(const Document&, const CurveLine&, const Handle&, Time, double value, bool both);
 // Returns the lines that move the selected points: all of them in time, those of this curve in value.
 Lines point_lines(const Document&, const CurveLine&, const std::vector<EventAt>&, Time by, double more);

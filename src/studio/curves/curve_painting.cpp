@@ -108,6 +108,18 @@ void CurvePane::paint_curves(QPainter& p) const {
   }
 }
 
+void CurvePane::paint_reference(QPainter& p) const {
+  p.setBrush(Qt::NoBrush);
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    for (const Reference& frozen : reference_) {
+      if (!seen(i) || frozen.target != lines_[i].target || frozen.part != lines_[i].part) continue;
+      QPolygonF way;
+      for (const auto& [time, value] : frozen.points) way << QPointF(x_of(time), std::clamp(y_of(i, value), -1e5, 1e5));
+      p.setPen(QPen(faint(colors().text, 0.35F), 3));
+      p.drawPolyline(way);
+    }
+}
+
 void CurvePane::paint_events(QPainter& p) const {
   using What = Handle::What;
   const Colors& c = colors();
@@ -194,7 +206,7 @@ void CurvePane::paint_content(QPainter& p) {
   p.setClipRect(time_box().adjusted(0, ruler_height(), 0, 0));
   paint_values(p);
   p.setRenderHint(QPainter::Antialiasing);
-  paint_curves(p), paint_swings(p), paint_events(p), paint_twerpers(p);
+  paint_reference(p), paint_curves(p), paint_swings(p), paint_events(p), paint_twerpers(p);
   if (hand_ == Hand::box && dragging()) {
     p.setPen(QPen(c.accent, 1, Qt::DashLine)), p.setBrush(faint(c.accent, 0.1F));
     p.drawRect(QRectF(from_, to_).normalized());

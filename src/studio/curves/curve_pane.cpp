@@ -88,46 +88,6 @@ void CurvePane::finish() {
   update();
 }
 
-void CurvePane::fit() {
-  std::vector<std::pair<double, double>> spans(lines_.size(), {1e300, -1e300});
-  const auto take = [&](std::size_t line, std::optional<double> v) {
-    if (!v || !std::isfinite(*v)) return;
-    spans[line] = {std::min(spans[line].first, *v), std::max(spans[line].second, *v)};
-  };
-  for (std::size_t i = 0; i < lines_.size(); ++i)
-    for (std::size_t c = 0; seen(i) && !lines_[i].swatch && c < samples_.columns(); ++c)
-      take(i, samples_.final(i, c)), take(i, samples_.has_bare(i) ? samples_.bare(i, c) : std::nullopt);
-  for (const auto& [line, h] : points()) take(line, h.value);
-  // All curves, or those of one function if each fills the height.
-  const auto alike = [&](std::size_t a, std::size_t b) {
-    const Target &s = lines_[a].target, &t = lines_[b].target;
-    return !each_fills_ || (s.object == t.object && s.function == t.function && s.velocity == t.velocity);
-  };
-  const auto together = [&](std::size_t line) {
-    std::pair<double, double> all{1e300, -1e300};
-    for (std::size_t i = 0; i < lines_.size(); ++i)
-      if (alike(line, i)) all = {std::min(all.first, spans[i].first), std::max(all.second, spans[i].second)};
-    if (all.first > all.second) all = {-1, 1};
-    const double least = std::max(1e-9, std::abs(all.first) * 1e-6);
-    if (all.second - all.first < least) all = {all.first - 1, all.second + 1};
-    return all;
-  };
-  const double room = std::max(10.0, (height() - ruler_height()) * 0.8);
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const auto [low, high] = together(i);
-    base_[i] = each_fills_ ? low : 0, unit_[i] = each_fills_ ? high - low : 1;
-    center_ = each_fills_ ? 0.5 : (low + high) / 2, scale_ = each_fills_ ? room : room / (high - low);
-  }
-  fit_ = {center_, scale_};
-  update();
-}
-
-void CurvePane::let_each_fill(bool on) {
-  each_fills_ = on;
-  finish(), fit();
-  emit fill_changed(on);
-}
-
 double CurvePane::strip(std::size_t line) const {
   int below = 0;
   for (std::size_t i = 0; i < line; ++i) below += seen(i) && lines_[i].swatch ? 1 : 0;
@@ -224,6 +184,7 @@ void CurvePane::press(QMouseEvent* e) {
   const bool adds = e->modifiers() & Qt::ShiftModifier;
   if (const auto point = point_at(from_)) {
     std::tie(line_, held_) = *point, hand_ = Hand::points;
+    active_ = {lines_[line_].target, lines_[line_].part};
     std::vector<EventAt> all = workspace_.events_selected();
     if (!is_selected(held_.event)) {
       if (!adds) all.clear();
@@ -325,8 +286,12 @@ void CurvePane::hover(QMouseEvent* e) {
 }
 
 bool CurvePane::key(int key, Qt::KeyboardModifiers with, bool act) {
-  if ((key == Qt::Key_F || key == Qt::Key_Home) && with == Qt::NoModifier) {
+  if (key == Qt::Key_F && with == Qt::NoModifier) {
     if (act) finish(), fit();
+    return true;
+  }
+  if ((key == Qt::Key_Home || key == Qt::Key_Period) && with == Qt::NoModifier) {
+    if (act) key == Qt::Key_Home ? frame_all() : frame_selection();
     return true;
   }
   if (key == Qt::Key_N && with == Qt::NoModifier) {
@@ -393,7 +358,7 @@ void CurvePane::contextMenuEvent(QContextMenuEvent* e) {
   QMenu menu;
   EventActions::of(workspace_).fill(menu);
   menu.addSeparator();
-  connect(menu.addAction(tr("Show all values") + "\tF"), &QAction::triggered, this, [this] { finish(), fit(); });
+  fill_curve_menu(menu);
   menu.exec(e->globalPos());
 }
 

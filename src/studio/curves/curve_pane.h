@@ -12,6 +12,8 @@
 #include "studio/curves/curve_samples.h"
 #include "studio/timeline/time_pane.h"
 
+class QMenu;
+
 namespace betwixt::studio {
 
 class CurvePane : public TimePane {
@@ -22,8 +24,15 @@ class CurvePane : public TimePane {
   QColor color(const CurveLine&) const;
   const std::vector<CurveLine>& lines() const { return lines_; }
   const CurveSamples& samples() const { return samples_; }
-  void finish();  // computes all columns now, for tests and screenshots
-  void fit();     // scales the view to all values of the visible curves
+  void finish();           // computes all columns now, for tests and screenshots
+  void fit();              // scales the view to all values of the visible curves
+  void frame_all();        // shows all times of the film, too
+  void frame_selection();  // shows the times of the selected events, and the values there
+  // Keeps the curves as they are, to compare with them; or forgets them.
+  void freeze(bool);
+  bool has_reference() const { return !reference_.empty(); }
+  // Returns the curve that was clicked last, if it has selected events; otherwise the first one that has.
+  std::optional<std::size_t> active() const;
   // Scales each curve to the full height, so that metres and degrees are readable together.
   void let_each_fill(bool);
   bool each_fills() const { return each_fills_; }
@@ -37,6 +46,7 @@ class CurvePane : public TimePane {
 
  Q_SIGNALS:
   void fill_changed(bool);
+  void reference_changed(bool);
 
  protected:
   void paint_content(QPainter&) override;
@@ -77,6 +87,8 @@ class CurvePane : public TimePane {
   void paint_events(QPainter&) const;
   void paint_twerpers(QPainter&) const;
   void paint_swings(QPainter&) const;
+  void paint_reference(QPainter&) const;
+  void fill_curve_menu(QMenu&);
   const LineSwing* swing_at(const QPointF&) const;
 
   std::vector<CurveLine> lines_;
@@ -91,6 +103,14 @@ class CurvePane : public TimePane {
   std::vector<double> base_, unit_;              // of each curve: 0 and 1, or its own fit
   bool fitted_ = false, each_fills_ = false;
   std::pair<double, double> fit_;  // center_ and scale_ after the last fit
+
+  struct Reference {
+    Target target;
+    int part = 0;
+    std::vector<std::pair<Time, double>> points;
+  };
+  std::vector<Reference> reference_;
+  std::pair<Target, int> active_;  // the track and the number of the curve that was clicked last
 
   Hand hand_ = Hand::none;
   QPointF from_, to_;

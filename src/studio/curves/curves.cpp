@@ -6,7 +6,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "studio/curves/curve_actions.h"
 #include "studio/curves/curve_pane.h"
+#include "studio/curves/key_fields.h"
 
 namespace betwixt::studio {
 
@@ -34,7 +36,17 @@ Curves::Curves(Workspace& workspace, QWidget* parent) : QWidget(parent) {
     if (on != pane->each_fills()) pane->let_each_fill(on);
   });
   connect(pane, &CurvePane::fill_changed, each, &QToolButton::setChecked);
+  auto* frozen = button("reference", tr("reference"),
+                        tr("Keeps the curves as they are, pale, to compare with them; once more, forgets them"));
+  frozen->setCheckable(true);
+  connect(frozen, &QToolButton::clicked, pane, &CurvePane::freeze);
+  connect(pane, &CurvePane::reference_changed, frozen, &QToolButton::setChecked);
+  connect(button("types", tr("handles"), tr("Handle types of the selected events: V")), &QToolButton::clicked, this,
+          [&workspace, this] { ask_key_type(workspace, this); });
+  connect(button("easings", tr("twerpers"), tr("Twerpers (easings) as pictures: T")), &QToolButton::clicked, this,
+          [&workspace, this] { ask_twerper(workspace, this); });
   bar->addStretch();
+  bar->addWidget(new KeyFields(workspace, *pane, this));
   all->addLayout(bar), all->addWidget(pane, 1);
   setFocusProxy(pane);
 }

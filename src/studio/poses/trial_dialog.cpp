@@ -5,7 +5,9 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QSlider>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -73,6 +75,26 @@ std::optional<double> ask_share(Workspace& workspace, QWidget* parent, const QSt
   QObject::connect(number, &QSpinBox::valueChanged, slider, &QSlider::setValue);
   QObject::connect(slider, &QSlider::valueChanged, &trial, &Trial::look);
   slider->setFocus();
+  if (!trial.accepted()) return std::nullopt;
+  return share();
+}
+
+std::optional<double> ask_tolerance(Workspace& workspace, QWidget* parent, const QString& title, double start,
+                                    const std::function<QString(double)>& words,
+                                    const std::function<Lines(double)>& lines) {
+  auto* number = new QDoubleSpinBox;
+  const auto share = [number] { return number->value() / 100; };
+  Trial trial(workspace, parent, title, [&] { return lines(share()); });
+  number->setObjectName("tolerance"), number->setAccessibleName(QObject::tr("Tolerance"));
+  number->setRange(0, 100), number->setDecimals(3), number->setSuffix(QObject::tr(" % of the range"));
+  number->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType), number->setValue(100 * start);
+  auto* label = new QLabel;
+  label->setObjectName("effect");
+  const auto tell = [&] { label->setText(words(share())); };
+  trial.rows().addWidget(number), trial.rows().addWidget(label);
+  tell();
+  QObject::connect(number, &QDoubleSpinBox::valueChanged, &trial, [&] { tell(), trial.look(); });
+  number->setFocus(), number->selectAll();
   if (!trial.accepted()) return std::nullopt;
   return share();
 }

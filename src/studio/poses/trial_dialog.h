@@ -21,4 +21,9 @@ std::optional<double> ask_share(Workspace&, QWidget* parent, const QString& titl
 std::optional<std::array<double, 4>> ask_curve(Workspace&, QWidget* parent, const QString& title,
                                                const std::function<Lines(const std::array<double, 4>&)>& lines);
 
+// Asks for a tolerance, a share. `words` describes what it does.
+std::optional<double> ask_tolerance(Workspace&, QWidget* parent, const QString& title, double start,
+                                    const std::function<QString(double share)>& words,
+                                    const std::function<Lines(double share)>& lines);
+
 }  // namespace betwixt::studio

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "studio/curves/curve_actions.h"
 #include "studio/objects/object_actions.h"
 #include "studio/poses/pose_actions.h"
 #include "studio/shell/sound.h"
@@ -57,6 +58,10 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Insert for the whole character", "keyframe all bones rig"},
     {"Hold until here", "keyframe freeze constant stepped pause"},
     {"Breakdown…", "inbetween in-between tween push pull relax breakdowner"},
+    {"Handle type…", "keyframe interpolation bezier tangent aligned free vector auto clamped"},
+    {"Twerper by its picture…", "keyframe interpolation easing ease easy-ease"},
+    {"Simplify…", "decimate reduce clean curves keyframes smart"},
+    {"Separate axes", "separate dimensions split xyz components"},
     {"Retime by a curve…", "time warp remap easing graph speed"},
     {"Paste pose mirrored", "flipped mirror left right"},
     {"Go to poses", "pose library asset"},
@@ -128,6 +133,20 @@ std::vector<ActionRow> key_rows() {
        [=](Window& w) { events(w).go_to_event(1); }},
       {"Keys", "Previous event", "Alt+Left", "Moves the playhead to the event before.",
        [=](Window& w) { events(w).go_to_event(-1); }},
+      {"Keys", "Handle type…", "",
+       "How the curve passes the selected events: auto, smooth, straight, handles to drag, hold; in the sheet and the "
+       "curves, V.",
+       [](Window& w) { ask_key_type(w.workspace(), &w); }},
+      {"Keys", "Twerper by its picture…", "",
+       "Chooses the twerper (easing) of the selected events from small pictures; in the sheet and the curves, T.",
+       [](Window& w) { ask_twerper(w.workspace(), &w); }},
+      {"Keys", "Simplify…", "",
+       "Removes the events that a tolerance makes unnecessary, and shows the result first: `clear …`.",
+       [](Window& w) { ask_simplify(w.workspace(), &w); }},
+      {"Keys", "Separate axes", "",
+       "Gives each component a track of its own, so that x, y and z can have events at different times: "
+       "`ball.position.x`.",
+       [](Window& w) { separate_axes(w.workspace()); }},
       {"Keys", "Copy pose", "Ctrl+Shift+C",
        "Copies the values of the selection, with all that hangs on it, at the playhead as `set` lines.",
        [=](Window& w) { poses(w).copy(); }},

@@ -5,14 +5,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <QApplication>
 #include <QMenu>
 #include <algorithm>
 
 #include "betwixt/object.h"
 #include "editor/made_by.h"
 #include "scene/document.h"
+#include "studio/curves/curve_actions.h"
 #include "studio/shell/text_of.h"
 #include "studio/timeline/key_lines.h"
+#include "studio/timeline/twerper_grid.h"
 #include "track/twerpers.h"
 
 namespace betwixt::studio {
@@ -188,7 +191,10 @@ bool EventActions::key(int key, Qt::KeyboardModifiers with, bool act) {
     case Qt::Key_C:
       return mine(ctrl && any, [&] { copy(); });
     case Qt::Key_V:
+      if (plain) return mine(any, [&] { ask_key_type(workspace_, QApplication::activeWindow()); });
       return mine(ctrl && !copied_.empty(), [&] { paste(); });
+    case Qt::Key_T:
+      return mine(plain && any, [&] { ask_twerper(workspace_, QApplication::activeWindow()); });
     case Qt::Key_D:
       return mine(ctrl && any, [&] { duplicate(); });
     case Qt::Key_K:
@@ -217,7 +223,9 @@ void EventActions::fill_twerpers(QMenu& menu) {
   row(this, menu, tr("default"), {}, tr("writes no twerper"), [this] { twerper(""); });
   menu.addSeparator();
   const auto choose = [&](QMenu& in, std::string_view name, std::string_view sentence) {
-    row(this, in, text_of(name), {}, text_of(sentence), [this, said = std::string(name)] { twerper(said); });
+    row(this, in, text_of(name), {}, text_of(sentence), [this, said = std::string(name)] {
+      twerper(said);
+    })->setIcon(twerper_picture(workspace_.document(), std::string(name)));
   };
   QMenu* easings = new QMenu(tr("easings"), &menu);
   for (const TwerperRow& t : twerpers().subspan(1)) {
