@@ -184,6 +184,7 @@ class PartsTest : public QObject {
     QCOMPARE(s.value("ball.position"), Value(Vec3{4, 3, 0}));
     QTest::mouseClick(&Shown::in<QToolButton>(view, 1, "remove"), Qt::LeftButton);
     QVERIFY(layers(s.workspace.document()).empty());
+    QCOMPARE(s.text().toStdString(), film);  // its lines are gone
     while (s.workspace.session().unsaved() > 0) s.workspace.undo();
     QCOMPARE(s.text().toStdString(), film);
   }
@@ -207,6 +208,24 @@ class PartsTest : public QObject {
     QVERIFY2(s.text().contains("at 1f ball.position.velocity (3 0 0)"), qPrintable(s.text()));
     QTest::mouseClick(&Shown::in<QToolButton>(moves, 0, "remove"), Qt::LeftButton);
     QVERIFY(!s.text().contains("velocity"));
+  }
+
+  void code_at_an_event_is_a_part() {
+    const std::string film =
+        "rate 24\nrange 1f 48f\ncreate ball sphere\nball.radius\n  1f 1\n  12f = \"1 + t\"\n"
+        "  24f 2\nlayer sway add\non sway at 1f ball.radius 1\nset sway.weight = \"t\"\n"
+        "create car box\nset car.size.x = \"1 + value('sway.weight')\"\n";
+    Shown s(QByteArray::fromStdString(film));
+    PartsView& view = s.parts("radius");
+    QCOMPARE(Shown::titles(view), QStringList({"3 events, 1f to 24f", "code at 12f", "layer sway (add)"}));
+    auto& line = Shown::in<QLineEdit>(view, 1, "value");
+    line.setFocus(), line.selectAll();
+    QTest::keyClicks(&line, "2"), QTest::keyClick(&line, Qt::Key_Return);
+    QVERIFY2(s.text().contains("\n  12f = \"2\"\n"), qPrintable(s.text()));
+    QTest::mouseClick(&Shown::in<QToolButton>(view, 1, "remove"), Qt::LeftButton);
+    QVERIFY2(s.text().contains("  1f 1\n  24f 2\n"), qPrintable(s.text()));
+    s.workspace.undo(), s.workspace.undo();
+    QCOMPARE(s.text().toStdString(), film);
   }
 
   // What is offered leaves the others alone, and undo gives the first text.

@@ -299,7 +299,7 @@ class DeskTest : public QObject {
       return palette.findChild<QListWidget*>()->item(0)->text();
     };
     for (const auto& [letters, name] : {std::pair("keyframe", "Insert event at playhead"),
-                                        {"interpol", "Go to curves"},
+                                        {"interpol", "Twerper by its picture"},
                                         {"parent", "Group"},
                                         {"delete", "Remove"},
                                         {"orthographic", "Perspective"},

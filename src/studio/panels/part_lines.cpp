@@ -60,8 +60,39 @@ bool only_here(const Document& d, const Target& on) {
   return true;
 }
 
-Lines remove_layer(const Document& d, const ValuePart& part) {
-  if (only_here(d, part.target)) return {"remove " + d.name(part.target.layer)};
+// Returns the line that takes everything about a layer out of a text.
+std::string without_layer(const std::string& text, const std::string& name) {
+  const ScriptText lines(text);
+  std::string kept;
+  std::size_t first = text.size(), last = 0;
+  bool below = false;  // the rows of a sheet about it follow
+  for (std::size_t i = 0; i < lines.count(); i = lines.behind(i)) {
+    const std::size_t at = lines.start(i);
+    const std::size_t end = lines.behind(i) < lines.count() ? lines.start(lines.behind(i)) : text.size();
+    const std::string_view line = std::string_view(text).substr(at, end - at);
+    const LineHead head = line_head(line);
+    if (!indented(line) && !empty_line(line)) {
+      const auto is_of = [&](std::string_view word) { return word.starts_with(name + "."); };
+      const bool makes = head.verb && head.verb->word == "layer" && head.name == name;
+      below = makes || head.layer == name || is_of(head.word) || (head.verb && is_of(head.name));
+      if (below) first = std::min(first, at), last = end;
+    } else if (below && indented(line)) {
+      last = end;
+    }
+    const bool goes = below && (indented(line) || !empty_line(line));
+    if (first < text.size() && !goes) kept += line;
+  }
+  if (first >= last) return {};
+  kept.resize(kept.size() - (text.size() - last));  // what is behind the last line stays as it is
+  return Session::rewrite_line(line_number(text, first), line_number(text, last - 1), kept);
+}
+
+Lines remove_layer(const Document& d, const std::string& text, const ValuePart& part) {
+  if (only_here(d, part.target)) {
+    const std::string name = d.name(part.target.layer);
+    const std::string line = without_layer(text, name);
+    return {line.empty() ? "remove " + name : line};
+  }
   Lines lines;
   for (const TrackView& t : tracks_on(d, part.target.layer))
     if (t.target.object == part.target.object && t.target.function == part.target.function && t.event_count > 0)
@@ -99,6 +130,8 @@ Lines change_part(const Document& d, const std::string& text, const ValuePart& p
     case What::set:
       return {"set " + d.name(t) + " " + value_words(d, t, numbers)};
     case What::code:
+      if (!part.keys.empty())
+        return {fmt::format("at {} {} = {}", format_time(part.keys[0].time, d), d.name(t), write_text(typed))};
       if (part.own) return {rewriting_line(text, part.lines, "= " + write_text(typed))};
       return {"set " + d.name(t) + " = " + write_text(typed)};
     case What::events:
@@ -126,12 +159,13 @@ Lines change_part(const Document& d, const std::string& text, const ValuePart& p
 Lines remove_part(const Document& d, const std::string& text, const ValuePart& part) {
   const auto clear = [&]() -> Lines {
     if (part.keys.empty()) return {};
-    return {fmt::format("clear {} {}..{}", d.name(part.target), format_time(part.keys.front().time, d),
-                        format_time(part.keys.back().time, d))};
+    const std::string first = format_time(part.keys.front().time, d), last = format_time(part.keys.back().time, d);
+    return {fmt::format("clear {} {}", d.name(part.target), first == last ? first : first + ".." + last)};
   };
   switch (part.what) {
     case What::set:
     case What::code: {
+      if (!part.keys.empty()) return clear();
       if (!part.own) return {};
       const Span line = whole_line(text, part.lines);
       const bool alone = line_head(std::string_view(text).substr(line.at, line.size)).word == "set";
@@ -141,7 +175,7 @@ Lines remove_part(const Document& d, const std::string& text, const ValuePart& p
     case What::velocity:
       return clear();
     case What::layer:
-      return remove_layer(d, part);
+      return remove_layer(d, text, part);
     case What::filter:
       if (part.own) return {rewriting_line(text, whole_line(text, part.lines), "")};
       return filters_anew(d, part.target, [&](const std::string& line, std::size_t i, Lines& lines) {

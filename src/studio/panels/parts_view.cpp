@@ -107,8 +107,7 @@ PartsView::PartRow PartsView::make_row(std::size_t i) {
     }
   }
   row.remove = small_button(row.box, "remove", "×", tr("Remove %1").arg(name));
-  connect(row.remove, &QToolButton::clicked, this,
-          [this, i] { say(remove_part(workspace_.document(), workspace_.text(), parts_[i])); });
+  connect(row.remove, &QToolButton::clicked, this, [this, i] { remove(i); });
   line->addWidget(row.remove);
   add_fields(i, row, *lines);
   row.box->show();
@@ -141,7 +140,7 @@ void PartsView::add_fields(std::size_t i, PartRow& row, QVBoxLayout& lines) {
       line->addWidget(row.fields.back().back(), 1);
     }
     if (field.key == "weight" && part.what == What::layer) {
-      row.key = small_button(row.box, "key", "◆", tr("Writes an event of the weight at the playhead"));
+      row.key = small_button(row.box, "key", "◆", tr("Writes an event of the weight at the playhead, or removes it"));
       connect(row.key, &QToolButton::clicked, this, [this, i] { key_weight(i); });
       line->addWidget(row.key);
     }
@@ -189,7 +188,9 @@ void PartsView::show_row(std::size_t i) {
   row.title->setText(text_of(part.title));
   if (row.on) row.on->setChecked(!part.off);
   if (row.up) row.up->setEnabled(neighbour(i, -1).has_value()), row.down->setEnabled(neighbour(i, 1).has_value());
-  row.remove->setEnabled(!remove_part(workspace_.document(), workspace_.text(), part).empty());
+  if (row.key) row.key->setText(weight_event_here(part) ? "◆" : "◇");
+  const bool value = part.what == What::set || part.what == What::code;  // `create` may say it, with other values
+  row.remove->setEnabled(!value || !remove_part(workspace_.document(), workspace_.text(), part).empty());
   for (std::size_t f = 0; f < part.fields.size(); ++f)
     for (std::size_t n = 0; n < row.fields[f].size(); ++n) {
       QLineEdit* line = row.fields[f][n];
@@ -225,12 +226,34 @@ void PartsView::go_to(std::size_t i) {
   if (part.lines.size > 0) workspace_.set_script_line(line_number(workspace_.text(), part.lines.at));
 }
 
+void PartsView::remove(std::size_t i) {
+  const Document& d = workspace_.document();
+  Lines lines = remove_part(d, workspace_.text(), parts_[i]);
+  // Other lines may speak of a layer too. Then it is removed at the end of the script.
+  if (parts_[i].what == What::layer && !workspace_.session().look_ahead(lines))
+    lines = {"remove " + d.name(parts_[i].target.layer)};
+  say(lines);
+}
+
+bool PartsView::weight_event_here(const ValuePart& part) const {
+  const Document& d = workspace_.document();
+  bool here = false;
+  for (const LayerView& l : layers(d))
+    if (l.id == part.target.layer)
+      each_event(d, l.weight, workspace_.time(), workspace_.time(), [&](const EventView&) { here = true; });
+  return here;
+}
+
+// Writes an event of a layer's weight at the playhead, or removes it.
 void PartsView::key_weight(std::size_t i) {
   const Document& d = workspace_.document();
-  for (const LayerView& l : layers(d))
-    if (l.id == parts_[i].target.layer)
-      say({fmt::format("at {} {} {}", workspace_.when(workspace_.time()), d.name(l.weight),
-                       plain_value(workspace_.program().read(l.weight, workspace_.time()), l.weight, d))});
+  const std::string when = workspace_.when(workspace_.time());
+  for (const LayerView& l : layers(d)) {
+    if (l.id != parts_[i].target.layer) continue;
+    const std::string now = plain_value(workspace_.program().read(l.weight, workspace_.time()), l.weight, d);
+    return say({weight_event_here(parts_[i]) ? fmt::format("clear {} {}", d.name(l.weight), when)
+                                             : fmt::format("at {} {} {}", when, d.name(l.weight), now)});
+  }
 }
 
 // The filter before or after it on the same track.

@@ -40,7 +40,9 @@ class PartsView : public QWidget {
   Lines changed(std::size_t part, std::size_t field, std::size_t number, const QString& text) const;
   void say(const Lines&);
   void go_to(std::size_t part);
+  void remove(std::size_t part);
   void key_weight(std::size_t part);
+  bool weight_event_here(const ValuePart&) const;
   std::optional<std::size_t> neighbour(std::size_t part, int by) const;
 
   Workspace& workspace_;

@@ -75,9 +75,7 @@ class PartFinder {
     for (const ValueText& v : rows_.values)
       if (v.target == whole_) part.lines = v.value, part.own = true;
     if (code) {
-      part.fields.push_back({});
-      part.fields[0].numbers = {std::string(procedure(*code).source)};
-      part.fields[0].text = true;
+      part.fields.push_back(code_field(*slot.set));
     } else if (has_events()) {
       part.fields.push_back(numbers_of(*slot.set, whole_));
     }
@@ -101,6 +99,28 @@ class PartFinder {
     part.sentence = "The events (keyframes). Click to select them and to see their sheet.";
     keys_of(part, t), place(part, t.target);
     all_.push_back(std::move(part));
+    each_event(d_, t.target, t.first, t.last, [&](const EventView& e) {
+      if (e.value && std::holds_alternative<Procedure>(*e.value)) code_at(t.target, e);
+    });
+  }
+
+  // Code in the place of an event's value.
+  void code_at(const Target& t, const EventView& e) {
+    ValuePart part{.what = What::code, .target = t};
+    part.title = "code at " + when(e.time);
+    part.sentence = "Code computes the value from this event to the next one.";
+    part.fields.push_back(code_field(*e.value));
+    part.keys = {{t, e.time}};
+    for (const SheetText& s : rows_.sheets)
+      for (const RowText& row : s.rows)
+        if (row.when == e.time && std::ranges::find(s.targets, t) != s.targets.end()) part.lines = row.line;
+    all_.push_back(std::move(part));
+  }
+  static PartField code_field(const Value& v) {
+    PartField field;
+    field.numbers = {std::string(procedure(std::get<Procedure>(v)).source)};
+    field.text = true;
+    return field;
   }
 
   void velocity(const TrackView& t) {

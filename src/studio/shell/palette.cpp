@@ -78,7 +78,9 @@ void Palette::list(const QString& letters) {
     const QString name = text_of(rows[i].name), keys = text_of(rows[i].keys).section("; ", 0, 0);
     int good = fit(letters, name);
     const QString other = " " + text_of(rows[i].also);
-    if (letters.size() > 2 && other.contains(" " + letters.trimmed(), Qt::CaseInsensitive)) good = std::max(good, 1500);
+    // The first of the other words is what the action is mostly called elsewhere.
+    const auto place = other.indexOf(" " + letters.trimmed(), 0, Qt::CaseInsensitive);
+    if (letters.size() > 2 && place >= 0) good = std::max(good, 1500 - static_cast<int>(place));
     add(good, text_of(rows[i].menu) + ": " + name + (keys.isEmpty() ? "" : "    " + keys), text_of(rows[i].sentence),
         action, static_cast<int>(i));
   }
