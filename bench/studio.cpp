@@ -15,7 +15,7 @@
 #include "betwixt/language.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
-#include "studio/viewport/viewport.h"
+#include "studio/viewport/views.h"
 
 using namespace betwixt;
 using namespace betwixt::studio;
@@ -101,6 +101,7 @@ class Trial {
     if (!all.empty()) print("mouse to picture, scrubbing", all);
   }
 
+  void show_four() { window_.views().set_four(true), QApplication::processEvents(); }
   // The hand moves 125 times a second, whether there are pictures or not, and rests once a second.
   void scrub_freely(int moves) {
     window_.resize(1920, 1080);
@@ -242,6 +243,8 @@ int main(int argc, char** argv) {
     fmt::print("{}: opened in {:.0f} ms\n", QFileInfo(QString::fromStdString(file)).fileName().toStdString(),
                milliseconds(Clock::now() - begun));
     if (scrubs) {
+      trial.scrub_freely(500);
+      trial.show_four();
       trial.scrub_freely(500);
       std::fflush(stdout);
       continue;

@@ -164,6 +164,25 @@ create other camera position=(0 3 8) fov=30deg
     QCOMPARE(f.text(), f.before);
   }
 
+  void control_goes_to_the_lines_of_the_grid_that_is_shown() {
+    Shown f("film flat\ncreate ball disc radius=1 position=(0.3 0.2 0)\n");
+    f.select("ball");
+    const auto place = [&] {
+      return std::get<Vec3>(f.workspace.program().read(f.target_of("ball.position"), f.workspace.time()));
+    };
+    drag(f.view, f.spot({0.8, -0.3, 0}), f.spot({3.4, 0.9, 0}), Qt::ControlModifier);
+    QVERIFY(length(place() - Vec3{0.3, 0.2, 0}) > 2 && std::abs(place().x - std::round(place().x)) > 0.2);  // steps
+    f.workspace.undo();
+    f.view.flip(&ViewportSwitches::grid);
+    drag(f.view, f.spot({0.8, -0.3, 0}), f.spot({3.4, 0.9, 0}), Qt::ControlModifier);
+    QCOMPARE(place(), (Vec3{3, 1, 0}));  // the lines are a metre apart
+    f.workspace.undo();
+    drag(f.view, f.spot({1.5, 0.2, 0}), f.spot({3.1, 0.9, 0}), Qt::ControlModifier);  // the arrow along x
+    QCOMPARE(place(), (Vec3{2, 0.2, 0}));
+    f.workspace.undo();
+    QCOMPARE(f.text(), f.before);
+  }
+
   void two_clicks_measure() {
     Shown f(three);
     ViewportSwitches s = f.view.switches();

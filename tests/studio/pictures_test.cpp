@@ -52,7 +52,7 @@ class PicturesTest : public QObject {
     view.fill_memory();
     QVERIFY(QTest::qWaitFor([&] { return f.workspace.playhead().playing(); }, 30'000));
     QCOMPARE(f.workspace.kept().size(), std::size_t{8});
-    QVERIFY(f.workspace.kept().front() == f.frame(1) && f.workspace.kept().back() == f.frame(8));
+    QVERIFY(f.workspace.kept().front().time == f.frame(1) && f.workspace.kept().back().time == f.frame(8));
     f.workspace.pause();
     for (int n = 1; n <= 8; ++n) {  // each is there at once
       f.workspace.go_to(f.frame(n == 8 ? 1 : n + 1));
@@ -92,7 +92,7 @@ class PicturesTest : public QObject {
     }
     big.time = from_seconds(4);
     QVERIFY(!kept.keep(big));
-    QCOMPARE(kept.times().size(), std::size_t{4});
+    QCOMPARE(kept.list().size(), std::size_t{4});
     big.time = from_seconds(2), big.draft = true;
     QVERIFY(kept.keep(big));
     QVERIFY(!kept.at(from_seconds(2))->draft);
@@ -100,7 +100,7 @@ class PicturesTest : public QObject {
     RenderOptions other;
     other.width = 100;
     QVERIFY(kept.use({program, other, {}, {}, {}}));
-    QVERIFY(kept.times().empty());
+    QVERIFY(kept.empty());
   }
 };
 

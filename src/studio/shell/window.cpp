@@ -320,6 +320,8 @@ void Window::closeEvent(QCloseEvent* e) {
 void Window::remember() {
   QSettings settings("betwixt", "studio");
   if (!manner_.bare) settings.setValue("geometry", saveGeometry()), settings.setValue("panels", saveState());
+  const ViewportSwitches& s = viewport_->switches();
+  settings.setValue("safe-frames", s.safe), settings.setValue("thirds", s.thirds), settings.setValue("snaps", s.snaps);
   settings.setValue("light", light_), settings.setValue("text-size", text_size_);
 }
 
@@ -329,6 +331,10 @@ void Window::recall() {
   QSettings settings("betwixt", "studio");
   set_light(settings.value("light").toBool());
   set_text_size(settings.value("text-size", 1.0).toDouble());
+  ViewportSwitches s = viewport_->switches();
+  s.safe = settings.value("safe-frames").toBool(), s.thirds = settings.value("thirds").toBool();
+  s.snaps = settings.value("snaps").toBool();
+  viewport_->set_switches(s);
   if (manner_.bare) return;
   if (settings.contains("starting")) settings.remove("geometry"), settings.remove("panels");
   settings.setValue("starting", true);

@@ -308,8 +308,8 @@ void Workspace::leave_out(std::shared_ptr<const Marks> objects) {
   emit left_out_changed();
 }
 
-void Workspace::set_kept(std::vector<Time> times) {
-  kept_ = std::move(times);
+void Workspace::set_kept(std::vector<KeptAt> kept) {
+  kept_ = std::move(kept);
   emit kept_changed();
 }
 

@@ -34,6 +34,11 @@ struct EventAt {
   friend bool operator==(const EventAt&, const EventAt&) = default;
 };
 
+struct KeptAt {
+  Time time;
+  bool draft;
+};
+
 class Workspace : public QObject {
   Q_OBJECT
  public:
@@ -101,9 +106,9 @@ class Workspace : public QObject {
   const std::shared_ptr<const Marks>& left_out() const { return left_out_; }
   void leave_out(std::shared_ptr<const Marks>);
 
-  // The times of the pictures that are kept in memory, in order.
-  const std::vector<Time>& kept() const { return kept_; }
-  void set_kept(std::vector<Time>);
+  // The pictures that are kept in memory, in order of time.
+  const std::vector<KeptAt>& kept() const { return kept_; }
+  void set_kept(std::vector<KeptAt>);
 
   // Auto-key: every edit of a value makes an event at the playhead, in all panels.
   bool makes_events() const { return makes_events_; }
@@ -169,7 +174,7 @@ class Workspace : public QObject {
   Time time_;
   std::optional<Camera> view_;
   std::shared_ptr<const Marks> left_out_;
-  std::vector<Time> kept_;
+  std::vector<KeptAt> kept_;
   bool makes_events_ = false;
   std::vector<ObjectId> selected_;
   std::vector<EventAt> events_;

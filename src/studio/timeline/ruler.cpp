@@ -98,15 +98,16 @@ void Ruler::paint_part(QPainter& p) const {
   if (played.first() != from || played.last() != to) bar(played.first(), played.last(), c.accent);
 }
 
-// Below the frame numbers: the frames whose pictures are in memory.
+// Below the frame numbers: the frames whose pictures are in memory; drafts are pale.
 void Ruler::paint_over(QPainter& p) const {
-  const std::vector<Time>& kept = workspace_.kept();
+  const std::vector<KeptAt>& kept = workspace_.kept();
   const Time frame = workspace_.document().rate().span(1);
   p.setClipRect(time_box());
   for (std::size_t i = 0, from = 0; i < kept.size(); ++i) {
-    if (i + 1 < kept.size() && kept[i + 1] <= kept[i] + frame) continue;
-    p.fillRect(QRectF(x_of(kept[from]), ruler_height() - 3, x_of(kept[i] + frame) - x_of(kept[from]), 3),
-               colors().note);
+    const bool goes_on = i + 1 < kept.size() && kept[i + 1].time <= kept[i].time + frame;
+    if (goes_on && kept[i + 1].draft == kept[i].draft) continue;
+    const double a = x_of(kept[from].time), b = x_of(kept[i].time + frame);
+    p.fillRect(QRectF(a, ruler_height() - 3, b - a, 3), kept[i].draft ? faint(colors().note, 0.4F) : colors().note);
     from = i + 1;
   }
   p.setClipping(false);

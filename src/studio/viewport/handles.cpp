@@ -259,6 +259,11 @@ Vec3 Pull::way() const {
   const double depth = scope_.depth(hand_.place());
   const double grid = step_below(snap_pixels * step_ * 2.5);
   const auto snapped = [&](double v) { return snap_ ? std::round(v / grid) * grid : v; };
+  if (is_axis(part_) && snap_ && lines_ > 0 && !typed() && !own_axes_) {
+    const int i = axis_of(part_);
+    const double free = along(axis(i), at_) - along(axis(i), from_);
+    return (std::round((hand_.place()[i] + free) / lines_) * lines_ - hand_.place()[i]) * axis(i);
+  }
   if (is_axis(part_) || typed()) {
     const Vec3 a = axis(is_axis(part_) ? axis_of(part_) : is_plane(part_) ? (axis_of(part_) + 1) % 3 : 0);
     return typed().value_or(snapped(along(a, at_) - along(a, from_))) * a;
@@ -277,6 +282,13 @@ Vec3 Pull::way() const {
     by = a && b ? *b - *a : by - dot(by, n) * n;
   }
   if (!snap_) return by;
+  if (lines_ > 0) {
+    for (int i = 0; i < 3; ++i)
+      if (part_ == Part::all || is_along(i))
+        by[i] = std::abs(by[i]) < 1e-9 ? by[i]
+                                       : std::round((hand_.place()[i] + by[i]) / lines_) * lines_ - hand_.place()[i];
+    return by;
+  }
   Vec3 out{};
   for (int i = 0; i < 3; ++i) out = out + snapped(dot(by, axis(i))) * axis(i);
   return out;

@@ -64,6 +64,8 @@ class Pull {
   void move_to(QPointF, bool fine, bool snap);
   // Moves the leading object to a place, as far as the part allows it; nullopt: follows the pointer.
   void snap_to(std::optional<Vec3> place) { target_ = place; }
+  // While it snaps: goes to multiples of this many metres in the world.
+  void snap_to_lines(double metres) { lines_ = metres; }
   std::optional<Vec3> target() const { return tool_ == Tool::move ? target_ : std::nullopt; }
   // Constrains to x, y, z or a plane; the same one again lifts the constraint.
   void constrain(Part);
@@ -98,7 +100,8 @@ class Pull {
   double turned_ = 0;  // degrees about the middle, whole turns included
   bool own_axes_, snap_ = false;
   std::optional<Vec3> target_;
-  double step_;  // metres of a pixel
+  double lines_ = 0;  // metres between the lines of the grid to snap to; 0: in steps from where it was
+  double step_;       // metres of a pixel
   QString typed_;
 };
 

@@ -27,9 +27,9 @@ bool KeptPictures::keep(const PictureMade& made) {
   return true;
 }
 
-std::vector<Time> KeptPictures::times() const {
-  std::vector<Time> all;
-  for (const auto& [time, picture] : pictures_) all.push_back(time);
+std::vector<KeptAt> KeptPictures::list() const {
+  std::vector<KeptAt> all;
+  for (const auto& [time, picture] : pictures_) all.push_back({time, picture.draft});
   return all;
 }
 

@@ -7,6 +7,7 @@
 
 #include <map>
 
+#include "studio/shell/workspace.h"
 #include "studio/viewport/picture_maker.h"
 
 namespace betwixt::studio {
@@ -32,7 +33,8 @@ class KeptPictures {
   const PictureMade* at(Time) const;  // null: not kept
   // Returns false if the memory is full. A draft never replaces a whole picture.
   bool keep(const PictureMade&);
-  std::vector<Time> times() const;
+  std::vector<KeptAt> list() const;
+  bool empty() const { return pictures_.empty(); }
 
  private:
   std::optional<Of> of_;

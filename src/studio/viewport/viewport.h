@@ -173,6 +173,8 @@ class Viewport : public QWidget {
   bool is_bright() const;
   void paint_grid(QPainter&, const Scope&);
   void draw_grid(QPainter&, const Scope&) const;
+  std::pair<Vec3, double> grid_middle(const Scope&) const;  // on its plane, and its depth
+  double grid_step(const Scope&) const;                     // metres between two lines
   void clear_things(QPainter&, const Scope&) const;
   void paint_outlines(QPainter&, const Scope&);
   void paint_brackets(QPainter&, const Scope&, ObjectId);

@@ -185,6 +185,7 @@ void Viewport::go_on_pulling(QPointF p, Qt::KeyboardModifiers modifiers) {
   if (!pull_) return;
   const bool grid = modifiers & Qt::ControlModifier;
   pull_->move_to(p, modifiers & Qt::ShiftModifier, grid);
+  pull_->snap_to_lines(switches_.grid ? grid_step(pull_->scope()) : 0);
   pull_->snap_to(switches_.snaps && !grid ? snap_place(p, held_) : std::nullopt);
   show_pull();
 }

@@ -113,15 +113,24 @@ void Viewport::paint_grid(QPainter& p, const Scope& s) {
   p.drawImage(0, 0, grid_->image);
 }
 
-void Viewport::draw_grid(QPainter& p, const Scope& s) const {
+std::pair<Vec3, double> Viewport::grid_middle(const Scope& s) const {
   const bool flat = frame().surroundings.flat;
-  const Vec3 up = flat ? Vec3{0, 0, 1} : Vec3{0, 1, 0}, u{1, 0, 0}, v = flat ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 up = flat ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
   const Ray middle = s.projection.ray(0.5, flat ? 0.5 : 0.65);
   const double slope = dot(middle.along, up);
   Vec3 centre{};
   if (slope < -1e-3 && dot(middle.from, up) > 0) centre = middle.from - dot(middle.from, up) / slope * middle.along;
-  const double depth = std::max(s.depth(centre), 1e-3);
-  const double step = 2 * step_below(s.metres(depth) * grid_pixels);
+  return {centre, std::max(s.depth(centre), 1e-3)};
+}
+
+double Viewport::grid_step(const Scope& s) const {
+  return 2 * step_below(s.metres(grid_middle(s).second) * grid_pixels);
+}
+
+void Viewport::draw_grid(QPainter& p, const Scope& s) const {
+  const bool flat = frame().surroundings.flat;
+  const Vec3 u{1, 0, 0}, v = flat ? Vec3{0, 1, 0} : Vec3{0, 0, 1}, centre = grid_middle(s).first;
+  const double step = grid_step(s);
   constexpr int lines = 24;
   const double cu = std::round(dot(centre, u) / step), cv = std::round(dot(centre, v) / step);
   const QColor plain = is_bright() ? QColor(Qt::black) : QColor(Qt::white);

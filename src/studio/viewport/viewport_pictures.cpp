@@ -18,7 +18,7 @@ PictureWanted Viewport::wanted() {
   if (!side_ && kept_.use({workspace_.program(), o, through_ ? std::nullopt : free_, through_, workspace_.left_out()}))
     show_kept();
   // What is shown changes with these: earlier pictures are not kept.
-  if (kept_.times().empty()) kept_since_ = asked_;
+  if (kept_.empty()) kept_since_ = asked_;
   // While a button is down anywhere, or while the film plays, other pictures are about to follow.
   const bool moves = QGuiApplication::mouseButtons() != Qt::NoButton || pull_ || workspace_.playhead().playing();
   return {workspace_.program(), workspace_.time(), o, own_eye(workspace_.time()), workspace_.left_out(), asked_, moves};
@@ -64,7 +64,7 @@ void Viewport::keep(const PictureMade& made) {
 }
 
 // Tells the ruler.
-void Viewport::show_kept() { workspace_.set_kept(kept_.times()); }
+void Viewport::show_kept() { workspace_.set_kept(kept_.list()); }
 
 void Viewport::fill_memory() {
   workspace_.pause();
