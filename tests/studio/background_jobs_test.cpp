@@ -138,6 +138,85 @@ class BackgroundJobsTest : public QObject {
     QVERIFY(here);
     QVERIFY(film.workspace.document().find("box1"));
   }
+
+  // The user presses Stop while a line makes a million events: the film is as before, and works.
+  void stopLeavesTheFilmAsItWas() {
+    Film film("create ball sphere\n");
+    Window window(film.workspace);
+    window.resize(1000, 700);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    const QString first = film.text();
+    film.workspace.jobs().set_patience(0);
+    auto* stop = window.findChild<QPushButton*>("stop");
+    QVERIFY(stop && stop->isHidden());
+    for (const bool by_key : {false, true}) {
+      bool pressed = false;
+      const auto waits = connect(&film.workspace.jobs(), &BackgroundJobs::takes_long, this, [&](float, bool may_stop) {
+        if (!may_stop || std::exchange(pressed, true)) return;
+        QVERIFY(stop->isVisible());
+        QCoreApplication::processEvents();
+        by_key ? QTest::keyClick(&window, Qt::Key_Escape) : QTest::mouseClick(stop, Qt::LeftButton);
+      });
+      const std::string line = "create g{1..2000000} sphere position=(i 0 0)";
+      QVERIFY(!film.workspace.say(line));
+      disconnect(waits);
+      QVERIFY(pressed);
+      QVERIFY2(film.workspace.last_said().find("stopped") != std::string::npos, film.workspace.last_said().c_str());
+      QVERIFY(!film.workspace.document().find("g1"));
+      QCOMPARE(film.text(), first);
+      QVERIFY(stop->isHidden());
+    }
+    QVERIFY(film.workspace.say(std::string("set ball.radius 3")));
+    QCOMPARE(film.radius("ball"), 3.0);
+    film.workspace.undo();
+    QCOMPARE(film.text(), first);
+  }
+
+  void aStoppedOpeningKeepsTheFilmWithItsUnsavedSteps() {
+    Film film("create ball sphere\n");
+    QByteArray huge = "ball.position\n";
+    for (int i = 1; i < 400'000; ++i) huge += "  " + QByteArray::number(i) + "f (1 2 3)\n";
+    QFile other(film.folder.filePath("huge.bx"));
+    QVERIFY(other.open(QIODevice::WriteOnly) && other.write("create ball sphere\n" + huge) > 0);
+    other.close();
+    QVERIFY(film.workspace.say(std::string("set ball.radius 3")));
+    film.workspace.jobs().set_patience(0);
+    bool stopped = false;
+    const auto waits = connect(&film.workspace.jobs(), &BackgroundJobs::takes_long, this, [&](float, bool may_stop) {
+      if (may_stop && !std::exchange(stopped, true)) film.workspace.jobs().stop();
+    });
+    QVERIFY(!film.workspace.open(other.fileName()));
+    disconnect(waits);
+    QVERIFY(stopped);
+    QCOMPARE(QFileInfo(QString::fromStdString(film.workspace.session().file())).fileName(), "film.bx");
+    QCOMPARE(film.radius("ball"), 3.0);
+    QVERIFY(film.workspace.session().unsaved() > 0);
+    film.workspace.undo();
+    QCOMPARE(film.text(), "create ball sphere\n");
+  }
+
+  // Clicks and keys during work come after it.
+  void inputWaitsUntilTheWorkIsDone() {
+    Film film("create ball sphere\n");
+    QWidget window;
+    QLineEdit edit(&window);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    edit.setFocus();
+    film.workspace.jobs().set_patience(0);
+    bool typed = false;
+    const auto waits = connect(&film.workspace.jobs(), &BackgroundJobs::takes_long, this, [&](float, bool may_stop) {
+      if (!may_stop || std::exchange(typed, true)) return;
+      QTest::keyClick(window.windowHandle(), Qt::Key_A);
+      QCOMPARE(edit.text(), QString());
+    });
+    QVERIFY(film.workspace.say(std::string("set ball.radius 3")));
+    disconnect(waits);
+    QVERIFY(typed);
+    QTRY_COMPARE(edit.text(), "a");
+    film.workspace.undo();
+  }
 };
 
 QTEST_MAIN(BackgroundJobsTest)

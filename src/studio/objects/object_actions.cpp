@@ -16,6 +16,7 @@
 #include "betwixt/math.h"
 #include "editor/made_by.h"
 #include "scene/document.h"
+#include "studio/shell/keys.h"
 #include "studio/viewport/hand.h"
 
 namespace betwixt::studio {
@@ -42,9 +43,10 @@ const std::vector<ObjectActions::Row>& ObjectActions::rows() {
       {QT_TR_NOOP("Hide"), "H", QT_TR_NOOP("Hides the selection: `hide ball`."), &ObjectActions::hide, true},
       {QT_TR_NOOP("Show all"), "Alt+H", QT_TR_NOOP("Shows what is hidden for the whole film: `show ball`."),
        &ObjectActions::show_all},
-      {QT_TR_NOOP("Remove"), "Del", QT_TR_NOOP("Removes the selection: `remove ball`."), &ObjectActions::remove, true},
-      {QT_TR_NOOP("Remove with all below"), "Shift+Del", QT_TR_NOOP("Removes the selection and what hangs on it now."),
-       &ObjectActions::remove_all},
+      {QT_TR_NOOP("Remove"), "Del; Backspace", QT_TR_NOOP("Removes the selection: `remove ball`."),
+       &ObjectActions::remove, true},
+      {QT_TR_NOOP("Remove with all below"), "Shift+Del; Shift+Backspace",
+       QT_TR_NOOP("Removes the selection and what hangs on it now."), &ObjectActions::remove_all},
   };
   return all;
 }
@@ -57,11 +59,9 @@ ObjectActions& ObjectActions::of(Workspace& workspace) {
 }
 
 bool ObjectActions::key(const QKeyEvent& e) {
-  const auto pressed = QKeySequence(e.key() == Qt::Key_Backspace
-                                        ? QKeyCombination(e.modifiers(), Qt::Key_Delete)
-                                        : QKeyCombination(e.modifiers() & ~Qt::KeypadModifier, Qt::Key(e.key())));
+  const QKeySequence pressed(key_of(e));
   for (const Row& row : rows())
-    if (pressed == QKeySequence(row.key)) return (this->*row.run)(), true;
+    if (keys_from(row.key).contains(pressed)) return (this->*row.run)(), true;
   return false;
 }
 
@@ -74,7 +74,7 @@ void ObjectActions::fill(QMenu& menu) {
     QAction* const action = menu.addAction(tr(row.name), this, [this, run = row.run] { (this->*run)(); });
     action->setEnabled(any || needs_none);
     action->setToolTip(tr(row.sentence));
-    action->setShortcut(QKeySequence(row.key));
+    action->setShortcut(QKeySequence(Keys::of_user().shown(row.name), QKeySequence::NativeText));
   }
   menu.addSeparator();
   const auto with_axes = [&](const QString& title, std::size_t least, void (ObjectActions::*run)(Axis)) {

@@ -18,7 +18,7 @@ class ObjectActions : public QObject {
  public:
   static ObjectActions& of(Workspace&);
 
-  // An action: its name, its key in the picture and the outliner, and what it does.
+  // An action: its name, its keys in the picture and the outliner, and what it does.
   struct Row {
     const char *name, *key, *sentence;
     void (ObjectActions::*run)();

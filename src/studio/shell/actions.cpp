@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/shell/actions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "studio/curves/curve_actions.h"
 #include "studio/objects/object_actions.h"
 #include "studio/poses/pose_actions.h"
+#include "studio/shell/preferences.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/window.h"
 #include "studio/timeline/event_actions.h"
@@ -20,16 +19,10 @@ namespace {
 
 // The actions on objects (ObjectActions): the panels that show objects have their keys.
 std::vector<ActionRow> object_rows() {
-  static std::vector<std::string> sentences;
   std::vector<ActionRow> rows;
-  sentences.reserve(ObjectActions::rows().size());
-  for (const ObjectActions::Row& row : ObjectActions::rows()) {
-    const std::string_view sentence = row.sentence;
-    sentences.push_back(
-        fmt::format("{}; in the picture and the outliner, {}.", sentence.substr(0, sentence.size() - 1), row.key));
-    rows.push_back({"Object", row.name, "", sentences.back(),
+  for (const ObjectActions::Row& row : ObjectActions::rows())
+    rows.push_back({"Object", row.name, "", row.sentence,
                     [run = row.run](Window& w) { (ObjectActions::of(w.workspace()).*run)(); }});
-  }
   const auto with_axis = [&]<Axis axis>(std::string_view mirror, std::string_view align, std::string_view distribute) {
     const auto add = [&](std::string_view name, std::string_view sentence, auto run) {
       rows.push_back({"Object", name, "", sentence, run});
@@ -102,6 +95,8 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Course", "tutorial learn lesson exercise beginner start"},
     {"Insert time…", "ripple gap delay"},
     {"Remove time", "ripple delete cut trim"},
+    {"Preferences…", "settings options theme language shortcuts keymap colour blind"},
+    {"All keys", "shortcuts hotkeys keymap cheat sheet"},
     {"Larger text", "font size scale zoom preferences"},
     {"Smaller text", "font size scale zoom preferences"},
     {"Light colours", "theme dark preferences"},
@@ -187,6 +182,8 @@ std::vector<ActionRow> made_rows() {
        [](Window& w) { EventActions::of(w.workspace()).go_to_note(1); }},
       {"Edit", "Previous note", "", "Moves the playhead to the note before.",
        [](Window& w) { EventActions::of(w.workspace()).go_to_note(-1); }},
+      {"Edit", "Preferences…", "Ctrl+,", "Language, colours, sizes, keys and playback.",
+       [](Window& w) { w.show_preferences(); }},
       {"Edit", "Insert time…", "",
        "Makes room at the playhead: later events and notes, and the end of the film, come later: `move …`, `range …`.",
        [](Window& w) { w.insert_time(); }},
@@ -198,7 +195,7 @@ std::vector<ActionRow> made_rows() {
       {"Play", "Play backwards", "Shift+Space", "Plays backwards from the playhead, or stops.",
        [](Window& w) { w.workspace().playhead().playing() ? w.workspace().pause() : w.workspace().play(-1); }},
       {"Play", "Loop", "L", "Plays again from the beginning at the end.",
-       [](Window& w) { w.workspace().playhead().loop(!w.workspace().playhead().loops()); },
+       [](Window& w) { Preferences::of_user().set("loop", !w.workspace().playhead().loops()); },
        [](const Window& w) { return w.workspace().playhead().loops(); }},
       {"Play", "Half speed", "", "Plays half as fast, without sound; once more, as fast as the film.",
        [](Window& w) { w.workspace().playhead().speed(w.workspace().playhead().speed() == 0.5 ? 1 : 0.5); },
@@ -207,7 +204,8 @@ std::vector<ActionRow> made_rows() {
        [](Window& w) { w.workspace().playhead().speed(w.workspace().playhead().speed() == 2 ? 1 : 2); },
        [](const Window& w) { return w.workspace().playhead().speed() == 2; }},
       {"Play", "Mute", "Ctrl+M", "Turns the film's sound off or on.",
-       [](Window& w) { w.sound().mute(!w.sound().muted()); }, [](const Window& w) { return w.sound().muted(); }},
+       [](Window& w) { Preferences::of_user().set("mute", !w.sound().muted()); },
+       [](const Window& w) { return w.sound().muted(); }},
       {"Play", "Next frame", "Right", "Moves the playhead one frame forwards.",
        [](Window& w) { w.workspace().step(1); }},
       {"Play", "Previous frame", "Left", "Moves the playhead one frame back.",
@@ -228,35 +226,33 @@ std::vector<ActionRow> made_rows() {
        }},
       {"Play", "Clear play range", "X", "Plays the whole film again.",
        [](Window& w) { w.workspace().set_range(std::nullopt); }},
-      {"Picture", "Free view", "", "Switches between a free view and the film's camera; in the picture, 0.",
+      {"Picture", "Free view", "", "Switches between a free view and the film's camera.",
        [](Window& w) { w.viewport().set_free(!w.viewport().is_free()); },
        [](const Window& w) { return w.viewport().is_free(); }},
-      {"Picture", "Frame selection", "", "Shows all selected objects, or all objects; in the picture, F.",
+      {"Picture", "Frame selection", "", "Shows all selected objects, or all objects.",
        [](Window& w) { w.viewport().frame_selected(); }},
-      {"Picture", "Front view", "", "Looks along -z; in the picture, 1, and 9 for the other side.",
+      {"Picture", "Front view", "", "Looks along -z.",
        [](Window& w) {
          w.viewport().look_along({0, 0, -1});
        }},
-      {"Picture", "Right view", "", "Looks along -x; in the picture, 3, and 9 for the other side.",
+      {"Picture", "Right view", "", "Looks along -x.",
        [](Window& w) {
          w.viewport().look_along({-1, 0, 0});
        }},
-      {"Picture", "Top view", "", "Looks along -y; in the picture, 7, and 9 for the other side.",
+      {"Picture", "Top view", "", "Looks along -y.",
        [](Window& w) {
          w.viewport().look_along({0, -1, 0});
        }},
-      {"Picture", "Perspective", "", "Turns perspective on or off; in the picture, 5.",
+      {"Picture", "Perspective", "", "Turns perspective on or off.",
        [](Window& w) { w.viewport().toggle_perspective(); }},
       {"Picture", "Move camera to view", "", "Moves the film's camera to the free view: `set eye.position (1 2 3)`.",
        [](Window& w) { w.viewport().bring_camera(); }},
-      {"Picture", "Move selection", "",
-       "Moves the selection with the pointer; in the picture, G: `set ball.position (1 2 3)`.",
+      {"Picture", "Move selection", "", "Moves the selection with the pointer: `set ball.position (1 2 3)`.",
        [](Window& w) { w.viewport().take(Tool::move); }},
       {"Picture", "Rotate selection", "",
-       "Rotates the selection with the pointer; in the picture, R: `set ball.rotation euler(0 90deg 0)`.",
+       "Rotates the selection with the pointer: `set ball.rotation euler(0 90deg 0)`.",
        [](Window& w) { w.viewport().take(Tool::turn); }},
-      {"Picture", "Scale selection", "",
-       "Scales the selection with the pointer; in the picture, S: `set ball.scale (2 2 2)`.",
+      {"Picture", "Scale selection", "", "Scales the selection with the pointer: `set ball.scale (2 2 2)`.",
        [](Window& w) { w.viewport().take(Tool::scale); }},
       {"Picture", "Auto-key", "",
        "Every change in the picture writes an event at the playhead: `at 24f ball.position (1 2 3)`.",
@@ -298,7 +294,8 @@ std::vector<ActionRow> made_rows() {
        [](Window& w) { w.show_panel("server"); }},
       {"Help", "Course", "", "Five exercises that show you how to animate, step by step.",
        [](Window& w) { w.show_panel("course"); }},
-      {"Help", "All keys", "F1", "Lists all keys.", [](Window& w) { w.show_keys(); }},
+      {"Help", "All keys", "F1", "Lists all keys; you can search, print and change them.",
+       [](Window& w) { w.show_keys(); }},
   };
   std::vector<ActionRow> objects = object_rows();
   for (ActionRow& row : key_rows()) objects.push_back(std::move(row));

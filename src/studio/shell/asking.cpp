@@ -5,6 +5,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "studio/shell/text_of.h"
+
 namespace betwixt::studio {
 
 std::optional<std::string> ask_in_window(QWidget* parent, const Session::Question& question) {
@@ -18,7 +20,7 @@ std::optional<std::string> ask_in_window(QWidget* parent, const Session::Questio
   for (const std::string& choice : question.choices) {
     QString text = QString::fromStdString(choice);
     text[0] = text[0].toUpper();
-    buttons.push_back(box.addButton(text, QMessageBox::AcceptRole));
+    buttons.push_back(box.addButton(word_of(text.toStdString()), QMessageBox::AcceptRole));
   }
   if (!buttons.empty() && question.choices.back() == "stay")
     box.setEscapeButton(buttons.back());

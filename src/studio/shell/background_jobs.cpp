@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/shell/background_jobs.h"
 
+#include <QApplication>
 #include <QEventLoop>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QTimer>
 #include <chrono>
 #include <utility>
+
+#include "base/cancellation.h"
 
 namespace betwixt::studio {
 
@@ -32,7 +37,14 @@ void BackgroundJobs::run() {
       progress_ = &how_far;
     }
     WorkProgress::report(0, 1);
-    (*work)();
+    try {
+      static const std::atomic<bool> never = false;
+      static const std::atomic<int> nobody = 0;
+      const Cancellation wanted(stop_, never, nobody, {});
+      (*work)();
+    } catch (const Cancelled&) {
+      stopped_ = true;
+    }
     {
       const std::lock_guard lock(mutex_);
       done_ = true;
@@ -42,9 +54,9 @@ void BackgroundJobs::run() {
   }
 }
 
-void BackgroundJobs::carry_out(const std::function<void()>& work) {
-  if (at_work_) return work();  // the running work waits for an answer
-  at_work_ = true;
+bool BackgroundJobs::carry_out(const std::function<void()>& work, bool may_stop) {
+  if (at_work_) return work(), true;  // the running work waits for an answer
+  at_work_ = true, may_stop_ = may_stop, stopped_ = false, stop_ = false;
   std::unique_lock lock(mutex_);
   done_ = false, wanted_ = &work;
   changed_.notify_all();
@@ -59,9 +71,41 @@ void BackgroundJobs::carry_out(const std::function<void()>& work) {
     lock.lock();
   }
   at_work_ = false;
+  return !stopped_;
 }
 
-// Runs the event loop without user input.
+// Keeps the user's input for later, but for what stops the work. A filter of the application sees an event first on its
+// way to a window, and then on its way to a widget.
+bool BackgroundJobs::eventFilter(QObject* on, QEvent* e) {
+  switch (e->type()) {
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+      if (may_stop_ && !answers_ && static_cast<QKeyEvent*>(e)->key() == Qt::Key_Escape) return stop(), true;
+      break;
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+      if (stopper_ && QApplication::widgetAt(static_cast<QMouseEvent*>(e)->globalPosition().toPoint()) == stopper_)
+        return false;
+      break;
+    case QEvent::Wheel:
+    case QEvent::ContextMenu:
+    case QEvent::Shortcut:
+    case QEvent::ShortcutOverride:
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+      break;
+    default:
+      return false;
+  }
+  if (answers_) return false;  // a question needs input
+  if (on->isWindowType()) waiting_.emplace_back(on, e->clone());
+  return on->isWindowType() || e->spontaneous();
+}
+
+// Runs the event loop; the user's input waits.
 void BackgroundJobs::wait() {
   QEventLoop loop;
   connect(this, &BackgroundJobs::done, &loop, &QEventLoop::quit, Qt::QueuedConnection);
@@ -77,9 +121,9 @@ void BackgroundJobs::wait() {
     share_ = progress_ ? progress_->share() : 0;
   };
   QTimer again;
-  connect(&again, &QTimer::timeout, this, [&] { tell(), emit takes_long(share_); });
+  connect(&again, &QTimer::timeout, this, [&] { tell(), emit takes_long(share_, may_stop_); });
   again.start(50);
-  tell(), emit takes_long(share_);
+  tell(), emit takes_long(share_, may_stop_);
   const auto under_way = [this] {
     const std::lock_guard lock(mutex_);
     return !done_;
@@ -88,7 +132,11 @@ void BackgroundJobs::wait() {
     std::unique_lock lock(mutex_);
     answer(lock);  // a question from before the loop began
   }
-  while (under_way()) loop.exec(QEventLoop::ExcludeUserInputEvents);
+  if (may_stop_) qApp->installEventFilter(this);
+  while (under_way()) loop.exec(may_stop_ ? QEventLoop::AllEvents : QEventLoop::ExcludeUserInputEvents);
+  qApp->removeEventFilter(this);
+  for (auto& [on, event] : std::exchange(waiting_, {}))
+    if (on) QCoreApplication::postEvent(on, event.release());
   emit over();
 }
 

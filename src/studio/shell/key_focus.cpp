@@ -9,6 +9,9 @@
 #include <QTextDocument>
 #include <QVariant>
 
+#include "studio/shell/keys.h"
+#include "studio/viewport/viewport.h"
+
 namespace betwixt::studio {
 namespace {
 
@@ -21,7 +24,28 @@ bool somebody_types() {
   return text && !text->document()->isEmpty();
 }
 
+// Whether the widget uses keys for something else at the moment.
+bool is_busy(const QObject& on) {
+  const auto* picture = qobject_cast<const Viewport*>(&on);
+  return picture && picture->pulls();
+}
+
 }  // namespace
+
+// Gives the widget the key that it knows instead of the one that the user has chosen for it.
+bool KeyFocus::translate(QObject& on, QKeyEvent& e) {
+  if (!on.isWidgetType() || is_busy(on)) return false;
+  const QKeyCombination pressed = key_of(e);
+  const auto known = Keys::of_user().translated(on.objectName(), pressed);
+  if (known == pressed) return false;
+  e.ignore();
+  if (!known) return true;
+  QKeyEvent other(e.type(), known->key(), known->keyboardModifiers(), {}, e.isAutoRepeat());
+  other.ignore();
+  on.event(&other);  // the widget alone, and no key of the window
+  e.setAccepted(other.isAccepted());
+  return true;
+}
 
 void follow_pointer(QWidget& w) { w.setProperty(follows, true); }
 
@@ -31,6 +55,9 @@ bool KeyFocus::eventFilter(QObject* on, QEvent* e) {
     if (w->isActiveWindow() && !QApplication::activePopupWidget() && !somebody_types())
       w->setFocus(Qt::OtherFocusReason);
   }
+  if ((e->type() == QEvent::ShortcutOverride || e->type() == QEvent::KeyPress) &&
+      translate(*on, static_cast<QKeyEvent&>(*e)))
+    return true;
   if (e->type() == QEvent::ShortcutOverride)
     if (const auto* line = qobject_cast<QLineEdit*>(on); line && !line->isModified()) {
       const auto* key = static_cast<QKeyEvent*>(e);

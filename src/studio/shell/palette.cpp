@@ -10,6 +10,7 @@
 
 #include "editor/said_line.h"
 #include "studio/shell/actions.h"
+#include "studio/shell/keys.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
@@ -75,13 +76,13 @@ void Palette::list(const QString& letters) {
   };
   const auto& rows = action_rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const QString name = text_of(rows[i].name), keys = text_of(rows[i].keys).section("; ", 0, 0);
-    int good = fit(letters, name);
+    const QString name = word_of(rows[i].name), keys = Keys::of_user().shown(rows[i].name);
+    int good = std::max(fit(letters, name), fit(letters, text_of(rows[i].name)));  // also by its English name
     const QString other = " " + text_of(rows[i].also);
     // The first of the other words is what the action is mostly called elsewhere.
     const auto place = other.indexOf(" " + letters.trimmed(), 0, Qt::CaseInsensitive);
     if (letters.size() > 2 && place >= 0) good = std::max(good, 1500 - static_cast<int>(place));
-    add(good, text_of(rows[i].menu) + ": " + name + (keys.isEmpty() ? "" : "    " + keys), text_of(rows[i].sentence),
+    add(good, word_of(rows[i].menu) + ": " + name + (keys.isEmpty() ? "" : "    " + keys), word_of(rows[i].sentence),
         action, static_cast<int>(i));
   }
   if (!letters.isEmpty()) {

@@ -6,16 +6,21 @@
 #include <QCommandLineParser>
 #include <QDockWidget>
 #include <QFile>
+#include <QSettings>
 #include <QToolButton>
 #include <cstdio>
+#include <memory>
 
 #include "base/tell_user.h"
 #include "betwixt/language.h"
 #include "studio/course/film_chooser.h"
 #include "studio/shell/export_dialog.h"
+#include "studio/shell/preferences.h"
+#include "studio/shell/preferences_window.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
+#include "studio/shell/words.h"
 #include "studio/viewport/views.h"
 
 namespace {
@@ -41,16 +46,23 @@ bool play_back(betwixt::studio::Workspace& workspace, const QString& name) {
 }
 
 // Returns the picture of one panel, of the given size if it is not empty. "columns" is the exposure sheet, "export" the
-// export dialog, "new" the films to begin with. Returns a null pixmap if there is no such panel.
+// export dialog, "new" the films to begin with, and "preferences", "appearance" and "keys" are pages of the preferences.
+// Returns a null pixmap if there is no such panel.
 QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize size) {
   using namespace betwixt::studio;
   if (name == "picture") return window.viewport().grab();
-  if (name == "export") {
-    ExportDialog dialog(window.workspace());
-    dialog.resize(size.isEmpty() ? dialog.sizeHint() : size);
-    dialog.show();
+  std::unique_ptr<QDialog> dialog;
+  if (name == "export") dialog = std::make_unique<ExportDialog>(window.workspace());
+  if (name == "preferences" || name == "appearance" || name == "keys") {
+    auto own = std::make_unique<PreferencesWindow>();
+    own->turn_to(name == "keys" ? "Keyboard" : name == "appearance" ? "Appearance" : "General");
+    dialog = std::move(own);
+  }
+  if (dialog) {
+    dialog->resize(size.isEmpty() ? dialog->sizeHint() : size);
+    dialog->show();
     QApplication::processEvents();
-    return dialog.grab();
+    return dialog->grab();
   }
   if (name == "new") {
     auto* chooser = new FilmChooser(&window);
@@ -70,6 +82,13 @@ QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize s
   QApplication::processEvents();
   QApplication::processEvents();  // a second pass, for layouts changed by the first
   return panel->grab();
+}
+
+// The film that was open last, if its file is still there.
+QString last_film() {
+  for (const QString& file : QSettings("betwixt", "studio").value("recent").toStringList())
+    if (QFile::exists(file)) return file;
+  return {};
 }
 
 }  // namespace
@@ -119,22 +138,30 @@ int main(int argc, char** argv) {
   options.read_anywhere = line.isSet("read-anywhere"), options.tex = line.isSet("tex");
   const bool shows_only = line.isSet("screenshot");
   set_theme(app, line.isSet("light") ? Theme::light : Theme::dark);
+  Preferences& user = Preferences::of_user();
+  if (!shows_only) user.recall();
+  use_language(wanted_language());
   Workspace workspace(options);
-  Window window(workspace, {.bare = line.isSet("bare"), .remembers = !shows_only});
+  const Window::Manner manner{.bare = line.isSet("bare"), .remembers = !shows_only};
+  auto shown = std::make_unique<Window>(workspace, manner);
+  Window& window = *shown;
   if (line.isSet("light")) window.set_light(true);
   // Shows the window while a long film is still loading.
   QObject::connect(&workspace.jobs(), &BackgroundJobs::takes_long, &window, [&] {
     if (!shows_only) window.show();
   });
-  const QString file = line.positionalArguments().value(0);
-  const auto earlier = line.isSet("recover")   ? Session::Earlier::recover
-                       : line.isSet("discard") ? Session::Earlier::discard
-                                               : Session::Earlier::ask;
+  QString file = line.positionalArguments().value(0);
+  if (file.isEmpty() && user.word("start") == "last") file = last_film();
+  const auto earlier = line.isSet("recover")               ? Session::Earlier::recover
+                       : line.isSet("discard")             ? Session::Earlier::discard
+                       : user.word("earlier") == "recover" ? Session::Earlier::recover
+                       : user.word("earlier") == "discard" ? Session::Earlier::discard
+                                                           : Session::Earlier::ask;
   if (!workspace.open(file, earlier)) {
     betwixt::tell_user(workspace.last_said());
     return 1;
   }
-  const bool begins = file.isEmpty() && workspace.session().unsaved() == 0;
+  const bool begins = file.isEmpty() && workspace.session().unsaved() == 0 && user.word("start") != "empty";
   if (begins) window.open_example();
   if (line.isSet("style")) window.viewport().set_style(line.value("style").toStdString());
   QSize size;
@@ -173,9 +200,22 @@ int main(int argc, char** argv) {
     return picture.save(out) ? 0
                              : (std::fprintf(stderr, "betwixt: error: '%s' cannot be written\n", qPrintable(out)), 3);
   }
-  workspace.playhead().loop(line.isSet("loop") || !line.isSet("bare"));
-  window.sound().mute(line.isSet("mute"));
+  if (line.isSet("bare")) workspace.playhead().loop(line.isSet("loop"));
+  if (line.isSet("mute")) window.sound().mute(true);
   if (line.isSet("bare")) workspace.play(1);
   if (begins && !line.isSet("bare") && !line.isSet("session")) window.choose_film();
+  // Another language needs other windows; the film, its undo and the playhead stay.
+  QObject::connect(
+      &user, &Preferences::changed, &app,
+      [&](const QString& name) {
+        if (name != "language") return;
+        use_language(wanted_language());
+        shown->remember();
+        shown = std::make_unique<Window>(workspace, manner);
+        shown->show_film_anew();
+        shown->show();
+        shown->show_preferences("General");
+      },
+      Qt::QueuedConnection);
   return QApplication::exec();
 }

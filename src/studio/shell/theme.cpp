@@ -41,7 +41,24 @@ const Colors light{.back = 0xf6f6f4,
                    .x = 0xc93432,
                    .y = 0x3d8c22,
                    .z = 0x2565c0};
-const Colors* now = &dark;
+
+// After the colours of Okabe and Ito, lighter on dark ground and darker on light ground.
+Colors safe_dark() {
+  Colors c = dark;
+  c.accent = 0x56b4e9, c.playhead = 0xff7f32, c.event = 0xf0e442, c.error = 0xff7f50, c.warning = 0xe69f00;
+  c.note = 0x35c4a0, c.cut = 0xd990bb;
+  c.x = 0xe8702a, c.y = 0x2fc79f, c.z = 0x56b4e9;
+  return c;
+}
+Colors safe_light() {
+  Colors c = light;
+  c.accent = 0x0072b2, c.playhead = 0xc04a00, c.event = 0x7a6a00, c.error = 0xb83a00, c.warning = 0x8a5a00;
+  c.note = 0x00785a, c.cut = 0xa8487f;
+  c.x = 0xc04a00, c.y = 0x00805f, c.z = 0x0072b2;
+  return c;
+}
+const Colors dark_safe = safe_dark(), light_safe = safe_light();
+const Colors *now = &dark, *on_pictures = &dark;
 
 }  // namespace
 
@@ -56,10 +73,11 @@ QColor swatch(const Color& c) {
   const auto part = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
   return QColor::fromRgbF(part(c.r), part(c.g), part(c.b));
 }
-const Colors& picture_colors() { return dark; }
+const Colors& picture_colors() { return *on_pictures; }
 
-void set_theme(QApplication& app, Theme theme) {
-  now = theme == Theme::dark ? &dark : &light;
+void set_theme(QApplication& app, Theme theme, bool safe) {
+  on_pictures = safe ? &dark_safe : &dark;
+  now = theme == Theme::dark ? on_pictures : safe ? &light_safe : &light;
   const Colors& c = *now;
   QPalette p;
   p.setColor(QPalette::Window, c.raised);

@@ -12,7 +12,8 @@
 namespace betwixt::studio {
 
 enum class Theme { dark, light };
-void set_theme(QApplication&, Theme);
+// Safe colours differ for colour-blind eyes too.
+void set_theme(QApplication&, Theme, bool safe = false);
 
 // The colours of painted content, in the current theme.
 struct Colors {

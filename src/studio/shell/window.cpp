@@ -37,6 +37,8 @@
 #include "studio/shell/control_names.h"
 #include "studio/shell/export_dialog.h"
 #include "studio/shell/key_focus.h"
+#include "studio/shell/keys.h"
+#include "studio/shell/preferences.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
@@ -93,9 +95,13 @@ Window::Window(Workspace& workspace, Manner manner)
   show_work();
   if (manner_.bare) {  // as in the terminal player
     connect(new QShortcut(Qt::Key_Q, this), &QShortcut::activated, this, &QWidget::close);
-    connect(new QShortcut(Qt::Key_M, this), &QShortcut::activated, this, [this] { sound_->mute(!sound_->muted()); });
+    connect(new QShortcut(Qt::Key_M, this), &QShortcut::activated, this,
+            [this] { Preferences::of_user().set("mute", !sound_->muted()); });
   }
   set_layout(manner_.bare ? "picture" : "all");
+  for (const Preference& row : preference_rows()) apply(text_of(row.name));
+  connect(&Preferences::of_user(), &Preferences::changed, this, &Window::apply);
+  connect(&Keys::of_user(), &Keys::changed, this, &Window::apply_keys);
   if (manner_.remembers) recall();
   name_film();
 }
@@ -107,13 +113,22 @@ void Window::show_work() {
   progress->setRange(0, 100), progress->setMaximumWidth(200), progress->setFormat(tr("working: %p %"));
   progress->hide();
   statusBar()->addPermanentWidget(progress);
-  connect(&workspace_.jobs(), &BackgroundJobs::takes_long, this, [this, progress](float share) {
+  auto* stop = new QPushButton(tr("Stop"), this);
+  stop->setObjectName("stop");
+  stop->setToolTip(tr("Stops the work; the film stays as it was"));
+  stop->setFocusPolicy(Qt::NoFocus);
+  stop->hide();
+  statusBar()->addPermanentWidget(stop);
+  workspace_.jobs().set_stopper(stop);
+  connect(stop, &QPushButton::clicked, this, [this] { workspace_.jobs().stop(); });
+  connect(&workspace_.jobs(), &BackgroundJobs::takes_long, this, [this, progress, stop](float share, bool may_stop) {
     progress->setValue(static_cast<int>(100 * share));
     progress->show(), statusBar()->show();
+    stop->setVisible(may_stop);
     setCursor(Qt::BusyCursor);
   });
-  connect(&workspace_.jobs(), &BackgroundJobs::over, this, [this, progress] {
-    progress->hide(), statusBar()->setVisible(!manner_.bare);
+  connect(&workspace_.jobs(), &BackgroundJobs::over, this, [this, progress, stop] {
+    progress->hide(), stop->hide(), statusBar()->setVisible(!manner_.bare);
     unsetCursor();
   });
 }
@@ -171,17 +186,16 @@ void Window::show_panel(const QString& name) {
 void Window::add_menus() {
   const auto menu_of = [&](const QString& name) {
     QMenu* into = menuBar()->findChild<QMenu*>(name);
-    if (!into) into = menuBar()->addMenu(name), into->setObjectName(name), into->setToolTipsVisible(true);
+    if (!into)
+      into = menuBar()->addMenu(word_of(name.toStdString())), into->setObjectName(name), into->setToolTipsVisible(true);
     return into;
   };
   for (const ActionRow& row : action_rows()) {
     QMenu* into = menu_of(text_of(row.menu));
     auto* action = into->addAction(text_of(row.name));
-    QList<QKeySequence> keys;
-    for (const QString& k : text_of(row.keys).split("; ", Qt::SkipEmptyParts)) keys.push_back(QKeySequence(k));
-    action->setShortcuts(keys);
-    action->setToolTip(text_of(row.sentence));
-    action->setStatusTip(text_of(row.sentence));
+    actions_.emplace_back(action, &row);
+    action->setToolTip(word_of(row.sentence));
+    action->setStatusTip(word_of(row.sentence));
     action->setCheckable(row.is_on != nullptr);
     addAction(action);  // works while the menu bar is hidden, too
     connect(action, &QAction::triggered, this, [this, &row] { row.run(*this); });
@@ -189,10 +203,12 @@ void Window::add_menus() {
       connect(into, &QMenu::aboutToShow, action, [this, action, &row] { action->setChecked(row.is_on(*this)); });
     if (row.name == "Open…") recent_ = into->addMenu(tr("Open recent"));
   }
-  QMenu* view = menu_of(tr("View"));
+  apply_keys();
+  QMenu* view = menu_of("View");
   view->addSeparator();
   QMenu* layouts_menu = view->addMenu(tr("Layout"));
-  for (const QString& name : layouts()) layouts_menu->addAction(name, this, [this, name] { set_layout(name); });
+  for (const QString& name : layouts())
+    layouts_menu->addAction(word_of(name.toStdString()), this, [this, name] { set_layout(name); });
   for (QDockWidget* dock : docks_) view->addAction(dock->toggleViewAction());
   connect(recent_, &QMenu::aboutToShow, this, &Window::list_recent);
 }
@@ -230,13 +246,6 @@ bool Window::set_layout(const QString& name) {
   share({{"sheet", name == "animate" ? 0.48 : 0.34}}, Qt::Vertical);
   share({{"script_panel", 0.72}, {"console", 0.28}}, Qt::Vertical);
   return true;
-}
-
-void Window::set_light(bool light) {
-  light_ = light;
-  set_theme(*qApp, light ? Theme::light : Theme::dark);
-  for (QWidget* w : findChildren<QWidget*>()) w->update();
-  emit workspace_.colors_changed();
 }
 
 void Window::name_film() {
@@ -322,15 +331,14 @@ void Window::remember() {
   if (!manner_.bare) settings.setValue("geometry", saveGeometry()), settings.setValue("panels", saveState());
   const ViewportSwitches& s = viewport_->switches();
   settings.setValue("safe-frames", s.safe), settings.setValue("thirds", s.thirds), settings.setValue("snaps", s.snaps);
-  settings.setValue("light", light_), settings.setValue("text-size", text_size_);
 }
 
 // The studio must start whatever the settings hold: if a start does not finish, the next one drops the geometry of the
 // window and the panels.
 void Window::recall() {
+  Preferences::of_user().recall();
+  Keys::of_user().recall();
   QSettings settings("betwixt", "studio");
-  set_light(settings.value("light").toBool());
-  set_text_size(settings.value("text-size", 1.0).toDouble());
   ViewportSwitches s = viewport_->switches();
   s.safe = settings.value("safe-frames").toBool(), s.thirds = settings.value("thirds").toBool();
   s.snaps = settings.value("snaps").toBool();

@@ -16,6 +16,7 @@ class QMenu;
 
 namespace betwixt::studio {
 
+struct ActionRow;
 class Sound;
 class Viewport;
 class Views;
@@ -43,16 +44,16 @@ class Window : public QMainWindow {
   // Applies one of layouts(). Returns false if the name is unknown.
   bool set_layout(const QString& name);
   static QStringList layouts();
-  // Scales all text and what is measured by it; 1 is the size at the start.
-  void set_text_size(double);
+  // Settings of the user, which all windows share.
+  void set_text_size(double);  // of all text and what is measured by it; 1 is the size at the first start
   double text_size() const { return text_size_; }
+  void set_light(bool);
+  bool is_light() const;
   void insert_time();
   void remove_time();
   void add_note();
   void ask_breakdown();
   void ask_retiming();
-  void set_light(bool);
-  bool is_light() const { return light_; }
 
   // Actions.
   void open_asking();
@@ -68,6 +69,9 @@ class Window : public QMainWindow {
   void find_command();  // the palette
   void show_panel(const QString& name);
   void show_keys();
+  void show_preferences(const QString& page = {});
+  void remember();        // keeps the layout of the panels and the place of the window
+  void show_film_anew();  // for a new window on a workspace that has a film already
   // Opens the film for new users.
   void open_example();
   void begin_film(const std::string& text);  // a new film that has this text; it needs no saving until it is changed
@@ -84,8 +88,10 @@ class Window : public QMainWindow {
   void name_film();
   void note_file();
   void list_recent();
-  void remember();
   void recall();
+  void apply(const QString& preference);
+  void apply_keys();
+  void scale_text(double);
   std::optional<std::string> answer(const Session::Question&);
 
   Workspace& workspace_;
@@ -98,8 +104,9 @@ class Window : public QMainWindow {
   QLabel* said_;
   std::string first_text_;  // of a film without a file
   QByteArray arranged_;     // the initial panel layout
-  double text_size_ = 1;
-  bool light_ = false, leaving_ = false;
+  double text_size_ = 1, script_size_ = 1;
+  bool leaving_ = false;
+  std::vector<std::pair<QAction*, const ActionRow*>> actions_;
 };
 
 }  // namespace betwixt::studio

@@ -1,19 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Actions of the window: the size of text, time inserted and removed, the palette, and the list of keys.
-#include <QApplication>
+// Actions of the window: time inserted and removed, and the palette.
 #include <QInputDialog>
 #include <QLabel>
-#include <QShortcut>
-#include <QTextBrowser>
-#include <algorithm>
 #include <utility>
 
 #include "studio/poses/trial_dialog.h"
-#include "studio/shell/actions.h"
 #include "studio/shell/palette.h"
-#include "studio/shell/text_of.h"
 #include "studio/shell/window.h"
 #include "studio/timeline/event_actions.h"
 #include "studio/timeline/key_lines.h"
@@ -22,19 +16,6 @@
 #include "track/twerpers.h"
 
 namespace betwixt::studio {
-
-void Window::set_text_size(double size) {
-  size = std::clamp(size, 0.7, 2.5);
-  const double by = size / std::exchange(text_size_, size);
-  const auto scaled = [by](QFont f) {
-    f.setPointSizeF(f.pointSizeF() * by);
-    return f;
-  };
-  // Widgets with a font of their own do not follow that of the application.
-  for (QWidget* w : findChildren<QWidget*>())
-    if (w->testAttribute(Qt::WA_SetFont) && w->font().pointSizeF() > 0) w->setFont(scaled(w->font()));
-  QApplication::setFont(scaled(QApplication::font()));
-}
 
 void Window::insert_time() {
   bool chosen = false;
@@ -87,24 +68,6 @@ void Window::ask_retiming() {
 void Window::find_command() {
   Palette palette(*this);
   palette.exec();
-}
-
-void Window::show_keys() {
-  auto* page = new QTextBrowser(this);
-  page->setWindowFlag(Qt::Window);  // closes with this window
-  connect(new QShortcut(Qt::Key_Escape, page), &QShortcut::activated, page, &QWidget::close);
-  page->setAttribute(Qt::WA_DeleteOnClose);
-  page->setWindowTitle(tr("Keys"));
-  QString html = "<table cellpadding='4'>";
-  std::string_view menu;
-  for (const ActionRow& row : action_rows()) {
-    if (row.menu != menu) html += "<tr><td colspan='3'><b>" + text_of(menu = row.menu) + "</b></td></tr>";
-    html += "<tr><td>" + text_of(row.keys).toHtmlEscaped() + "</td><td>" + text_of(row.name).toHtmlEscaped() +
-            "</td><td>" + text_of(row.sentence).toHtmlEscaped() + "</td></tr>";
-  }
-  page->setHtml(html + "</table>");
-  page->resize(60 * fontMetrics().height(), 40 * fontMetrics().height());
-  page->show();
 }
 
 }  // namespace betwixt::studio

@@ -6,6 +6,7 @@
 
 #include "studio/course/film_chooser.h"
 #include "studio/shell/asking.h"
+#include "studio/shell/recovery.h"
 #include "studio/shell/example.h"
 #include "studio/shell/window.h"
 
@@ -47,6 +48,11 @@ void Window::begin_film(const std::string& text) {
 }
 
 std::optional<std::string> Window::answer(const Session::Question& question) {
+  if (question.choices.size() > 2 && question.choices[0] == "recover") {
+    Recovery recovery(workspace_.opening(), question.text, this);
+    recovery.exec();
+    return recovery.chosen();
+  }
   // A film needs no saving if the user has not changed it.
   if (workspace_.text() == first_text_ && !first_text_.empty() && question.choices == saving) return "discard";
   const auto said = ask_in_window(this, question);

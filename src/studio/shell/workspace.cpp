@@ -20,9 +20,29 @@ constexpr int typing_settles_after = 1000;  // ms: text typed until then is one 
 constexpr int file_rests_after = 150;       // ms
 constexpr int ticks_a_second = 120;         // how often playback checks which frame is due
 
+// "film.bx" of `"film.bx"`.
+std::string word_in(std::string words) {
+  QString word = QString::fromStdString(words).trimmed();
+  if (word.size() > 1 && word.startsWith('"')) word = word.mid(1, word.size() - 2).replace("\\\"", "\"");
+  return word.toStdString();
+}
+
 }  // namespace
 
-Workspace::Workspace(const LoadOptions& options) : program_(Program::compile(Document())) {
+Workspace::Workspace(const LoadOptions& options) : options_(options), program_(Program::compile(Document())) {
+  make_session();
+  typing_settles_.setSingleShot(true), typing_settles_.setInterval(typing_settles_after);
+  clock_.setInterval(1000 / ticks_a_second), clock_.setTimerType(Qt::PreciseTimer);
+  connect(&typing_settles_, &QTimer::timeout, this, &Workspace::settle_typing);
+  file_rests_.setSingleShot(true), file_rests_.setInterval(file_rests_after);
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, &file_rests_, qOverload<>(&QTimer::start));
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, &file_rests_, qOverload<>(&QTimer::start));
+  connect(&file_rests_, &QTimer::timeout, this, &Workspace::look_at_file);
+  connect(&clock_, &QTimer::timeout, this, &Workspace::tick);
+}
+Workspace::~Workspace() = default;
+
+void Workspace::make_session() {
   Session::Callbacks callbacks;
   callbacks.ask = [this](const Session::Question& question) {
     std::optional<std::string> said;
@@ -38,18 +58,10 @@ Workspace::Workspace(const LoadOptions& options) : program_(Program::compile(Doc
     return done;
   };
   callbacks.load_plugin = [](const std::string& file) { return use_plugin(file); };
-  session_ = std::make_unique<Session>(std::move(callbacks), options);
+  session_.reset();  // its journal is free for the next one
+  session_ = std::make_unique<Session>(std::move(callbacks), options_);
   session_->edit_in_place();
-  typing_settles_.setSingleShot(true), typing_settles_.setInterval(typing_settles_after);
-  clock_.setInterval(1000 / ticks_a_second), clock_.setTimerType(Qt::PreciseTimer);
-  connect(&typing_settles_, &QTimer::timeout, this, &Workspace::settle_typing);
-  file_rests_.setSingleShot(true), file_rests_.setInterval(file_rests_after);
-  connect(&watcher_, &QFileSystemWatcher::fileChanged, &file_rests_, qOverload<>(&QTimer::start));
-  connect(&watcher_, &QFileSystemWatcher::directoryChanged, &file_rests_, qOverload<>(&QTimer::start));
-  connect(&file_rests_, &QTimer::timeout, this, &Workspace::look_at_file);
-  connect(&clock_, &QTimer::timeout, this, &Workspace::tick);
 }
-Workspace::~Workspace() = default;
 
 template <class F>
 auto Workspace::asked(F&& f) {
@@ -58,11 +70,32 @@ auto Workspace::asked(F&& f) {
   return *std::move(out);
 }
 
+template <class F>
+auto Workspace::tried(F&& f) {
+  std::optional<decltype(f(*session_))> out;
+  const bool done = jobs_.carry_out([&] { out.emplace(f(*session_)); }, true);
+  if (!done) out.reset();
+  return out;
+}
+
+// After a stop the session may be in the middle of a film. It begins again with the one that was open before: the
+// journal has all its steps.
+void Workspace::begin_again(const std::string& file) {
+  make_session();
+  (void)asked([&](Session& s) { return s.open(file, Session::Earlier::recover); });
+  take_over();
+  know_file();
+  emit said({}, tr("stopped; the film is as it was before"), false);
+}
+
 bool Workspace::open(const QString& file, Session::Earlier earlier) {
   if (!jobs_.hears()) return false;
   settle_typing();
-  const Session::Answer a = asked([&](Session& s) { return s.open(file.toStdString(), earlier); });
-  const bool done = answer({}, a);
+  const std::string before = session_->file();
+  opening_ = file.toStdString();
+  const auto a = tried([&](Session& s) { return s.open(opening_, earlier); });
+  if (!a) return begin_again(before), false;
+  const bool done = answer({}, *a);
   if (!done) return false;
   selected_.clear(), events_.clear(), range_.reset(), script_line_ = 0, lines_.clear();
   emit selection_changed();  // before the other film comes: its objects have the numbers of the old ones
@@ -90,11 +123,26 @@ bool Workspace::answer(const std::string& line, const Session::Answer& a) {
   return a.done;
 }
 
+// Enters lines. The user may stop them, but not what only goes back or writes a file.
+Session::Answer Workspace::entered(const std::string& lines, const std::function<Session::Answer(Session&)>& enter) {
+  const std::string word = lines.substr(0, lines.find_first_of(" \n"));
+  if (word == "undo" || word == "redo" || word == "save" || word == "quit") return asked(enter);
+  const std::string file = session_->file(), text = session_->text();
+  if (const auto a = tried(enter)) return *a;
+  if (word == "open") {
+    begin_again(file);
+  } else if (session_->text() != text) {  // the step was done, and only what follows it was stopped
+    (void)asked([&](Session& s) { return s.enter("undo"); });
+  }
+  return {false, false, false, tr("stopped; the film is as it was before").toStdString() + "\n"};
+}
+
 bool Workspace::say(const std::string& line) {
   if (!jobs_.hears()) return false;
   settle_typing();
   const std::string file = session_->file();
-  const Session::Answer a = asked([&](Session& s) { return s.enter(line); });
+  if (line.starts_with("open ")) opening_ = word_in(line.substr(5));
+  const Session::Answer a = entered(line, [&](Session& s) { return s.enter(line); });
   const bool done = answer(line, a);
   take_over();
   if (done && (line.starts_with("save") || file != session_->file())) know_file();
@@ -109,7 +157,7 @@ bool Workspace::say(const std::vector<std::string>& lines) {
   settle_typing();
   std::string all;
   for (const std::string& line : lines) all += (all.empty() ? "" : "\n") + line;
-  const bool done = answer(all, asked([&](Session& s) { return s.enter_together(lines); }));
+  const bool done = answer(all, entered(all, [&](Session& s) { return s.enter_together(lines); }));
   take_over();
   return done;
 }

@@ -54,6 +54,8 @@ class Workspace : public QObject {
   void begin_with(const std::string& text);
   // Checks whether another program has changed the file. Merges both changes, and asks where they conflict.
   void look_at_file();
+  // The script that is being opened, while the session asks about it.
+  const std::string& opening() const { return opening_; }
   Session& session() { return *session_; }
   const Session& session() const { return *session_; }
 
@@ -152,11 +154,19 @@ class Workspace : public QObject {
   Status play_part(const Document&, const std::string& frames);
   void show(Document);
   bool answer(const std::string& line, const Session::Answer&);
+  Session::Answer entered(const std::string& lines, const std::function<Session::Answer(Session&)>& enter);
   // Calls the session on the worker thread and returns its answer.
   template <class F>
   auto asked(F&& f);
+  // The same, but the user may stop it: then there is no answer.
+  template <class F>
+  auto tried(F&& f);
+  void make_session();
+  void begin_again(const std::string& file);
 
+  const LoadOptions options_;
   std::unique_ptr<Session> session_;
+  std::string opening_;
   BackgroundJobs jobs_;
   Document document_;
   Program program_;

@@ -255,9 +255,9 @@ bool Viewport::event(QEvent* e) {
   // The viewport's keys have priority over the menus'.
   if (e->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(e);
-    const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-    if ((pull_ && key->key() != Qt::Key_Space) ||
-        (plain && key->key() < 128 && QString("013579FWETGRSA").contains(QChar(key->key()))) ||
+    const auto held = key->modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
+    const QString own = held == Qt::NoModifier ? "013579FWETGRSA" : held == Qt::ShiftModifier ? "A" : "";
+    if ((pull_ && key->key() != Qt::Key_Space) || (key->key() < 128 && own.contains(QChar(key->key()))) ||
         (key->key() == Qt::Key_Escape && (gesture_ != Gesture::none || switches_.measures))) {
       e->accept();
       return true;
@@ -272,7 +272,8 @@ void Viewport::keyPressEvent(QKeyEvent* e) {
     return;
   }
   if (motion_drag_) return e->key() == Qt::Key_Escape ? end_motion(false) : e->ignore();
-  const bool plain = !(e->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+  const bool shift = e->modifiers() & Qt::ShiftModifier;
+  const bool plain = !(e->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) && (!shift || e->key() == Qt::Key_A);
   ViewportSwitches s = switches_;
   const auto use = [&](Tool t) { s.tool = t, s.handles = true, set_switches(s); };
   if (looking_key(e->key(), e->modifiers())) return;
@@ -298,7 +299,7 @@ void Viewport::keyPressEvent(QKeyEvent* e) {
     case Qt::Key_S:
       return take(Tool::scale);
     case Qt::Key_A:
-      return e->modifiers() & Qt::ShiftModifier ? workspace_.select({}) : select_all();
+      return shift ? workspace_.select({}) : select_all();
     default:
       QWidget::keyPressEvent(e);
   }

@@ -43,7 +43,7 @@ QToolButton* button(QWidget* parent, const char* name, const char* sign, const c
   auto* b = new QToolButton(parent);
   b->setObjectName(name);
   b->setText(QString::fromUtf8(sign));
-  b->setToolTip(QString::fromUtf8(tip));
+  b->setToolTip(word_of(tip));
   b->setCheckable(true);
   b->setAutoRaise(true);
   b->setFocusPolicy(Qt::TabFocus);
