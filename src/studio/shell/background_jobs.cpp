@@ -116,6 +116,7 @@ void BackgroundJobs::wait() {
         answer(lock);
       },
       Qt::QueuedConnection);
+  if (may_stop_) qApp->installEventFilter(this);
   const auto tell = [this] {
     const std::lock_guard lock(mutex_);
     share_ = progress_ ? progress_->share() : 0;
@@ -132,7 +133,6 @@ void BackgroundJobs::wait() {
     std::unique_lock lock(mutex_);
     answer(lock);  // a question from before the loop began
   }
-  if (may_stop_) qApp->installEventFilter(this);
   while (under_way()) loop.exec(may_stop_ ? QEventLoop::AllEvents : QEventLoop::ExcludeUserInputEvents);
   qApp->removeEventFilter(this);
   for (auto& [on, event] : std::exchange(waiting_, {}))

@@ -94,7 +94,7 @@ const std::vector<Preference>& preference_rows() {
        QT_TR_NOOP("Axes, curves, marks and motion paths get colours that differ also for colour-blind eyes."), on_off,
        false},
       {"less-motion", "Appearance", QT_TR_NOOP("Less motion"),
-       QT_TR_NOOP("Cursors do not blink, and panels, menus and highlights do not glide or fade."), on_off, false},
+       QT_TR_NOOP("Cursors do not blink, and panels and menus do not glide or fade."), on_off, false},
       {"loop", "Playback", QT_TR_NOOP("Loop"), QT_TR_NOOP("Films begin again at their end."), on_off, true},
       {"mute", "Playback", QT_TR_NOOP("Without sound"), QT_TR_NOOP("Films play without their sound."), on_off, false},
   };

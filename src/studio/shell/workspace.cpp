@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "base/files.h"
 #include "betwixt/language.h"
+#include "editor/journal.h"
 #include "editor/placing.h"
 #include "scene/document.h"
 #include "syntax/texts.h"
@@ -78,11 +79,24 @@ auto Workspace::tried(F&& f) {
   return out;
 }
 
-// After a stop the session may be in the middle of a film. It begins again with the one that was open before: the
+Workspace::Left Workspace::leaving() const {
+  const auto content = [](const std::string& name) {
+    const auto there = read_whole(name);
+    return there ? std::optional<std::string>(*there) : std::nullopt;
+  };
+  const std::string& file = session_->file();
+  return {file, file.empty() ? std::nullopt : content(file), content(journal_path(file))};
+}
+
+// After a stop the session may be in the middle of a film. It begins again with the one that was open before: its
 // journal has all its steps.
-void Workspace::begin_again(const std::string& file) {
+void Workspace::begin_again(const Left& left) {
+  session_.reset();
+  const auto now = read_whole(left.file);
+  const bool same = left.file.empty() || (left.text && now && *now == *left.text);
+  if (same && left.journal) (void)write_whole(journal_path(left.file), *left.journal, true);
   make_session();
-  (void)asked([&](Session& s) { return s.open(file, Session::Earlier::recover); });
+  (void)asked([&](Session& s) { return s.open(left.file, Session::Earlier::recover); });
   take_over();
   know_file();
   emit said({}, tr("stopped; the film is as it was before"), false);
@@ -91,7 +105,7 @@ void Workspace::begin_again(const std::string& file) {
 bool Workspace::open(const QString& file, Session::Earlier earlier) {
   if (!jobs_.hears()) return false;
   settle_typing();
-  const std::string before = session_->file();
+  const Left before = leaving();
   opening_ = file.toStdString();
   const auto a = tried([&](Session& s) { return s.open(opening_, earlier); });
   if (!a) return begin_again(before), false;
@@ -127,10 +141,11 @@ bool Workspace::answer(const std::string& line, const Session::Answer& a) {
 Session::Answer Workspace::entered(const std::string& lines, const std::function<Session::Answer(Session&)>& enter) {
   const std::string word = lines.substr(0, lines.find_first_of(" \n"));
   if (word == "undo" || word == "redo" || word == "save" || word == "quit") return asked(enter);
-  const std::string file = session_->file(), text = session_->text();
+  const std::string text = session_->text();
+  const std::optional<Left> left = word == "open" ? std::optional(leaving()) : std::nullopt;
   if (const auto a = tried(enter)) return *a;
-  if (word == "open") {
-    begin_again(file);
+  if (left) {
+    begin_again(*left);
   } else if (session_->text() != text) {  // the step was done, and only what follows it was stopped
     (void)asked([&](Session& s) { return s.enter("undo"); });
   }

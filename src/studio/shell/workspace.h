@@ -162,7 +162,13 @@ class Workspace : public QObject {
   template <class F>
   auto tried(F&& f);
   void make_session();
-  void begin_again(const std::string& file);
+  // The film that is open before another one is opened: its file and its journal.
+  struct Left {
+    std::string file;
+    std::optional<std::string> text, journal;
+  };
+  Left leaving() const;
+  void begin_again(const Left&);
 
   const LoadOptions options_;
   std::unique_ptr<Session> session_;
