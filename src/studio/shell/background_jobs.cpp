@@ -74,6 +74,14 @@ bool BackgroundJobs::carry_out(const std::function<void()>& work, bool may_stop)
   return !stopped_;
 }
 
+bool BackgroundJobs::is_at_stopper(const QObject* on, const QMouseEvent& e) const {
+  if (!stopper_ || !stopper_->isVisible()) return false;
+  const QWidget* window = stopper_->window();
+  return on == stopper_ ||
+         (on == window->windowHandle() &&
+          QRect(stopper_->mapTo(window, QPoint()), stopper_->size()).contains(e.position().toPoint()));
+}
+
 // Keeps the user's input for later, but for what stops the work. A filter of the application sees an event first on its
 // way to a window, and then on its way to a widget.
 bool BackgroundJobs::eventFilter(QObject* on, QEvent* e) {
@@ -86,8 +94,7 @@ bool BackgroundJobs::eventFilter(QObject* on, QEvent* e) {
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
-      if (stopper_ && QApplication::widgetAt(static_cast<QMouseEvent*>(e)->globalPosition().toPoint()) == stopper_)
-        return false;
+      if (may_stop_ && is_at_stopper(on, *static_cast<QMouseEvent*>(e))) return false;
       break;
     case QEvent::Wheel:
     case QEvent::ContextMenu:

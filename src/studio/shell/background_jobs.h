@@ -22,6 +22,8 @@
 
 #include "base/work_progress.h"
 
+class QMouseEvent;
+
 namespace betwixt::studio {
 
 class BackgroundJobs : public QObject {
@@ -55,6 +57,7 @@ class BackgroundJobs : public QObject {
   void wait();
   void answer(std::unique_lock<std::mutex>&);
   bool eventFilter(QObject*, QEvent*) override;
+  bool is_at_stopper(const QObject*, const QMouseEvent&) const;
 
   std::mutex mutex_;
   std::condition_variable changed_;
