@@ -80,7 +80,7 @@ const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
                  .sentence = "saves a screenshot of this panel only: outliner, sheet, columns, curves …",
                  .into = &call.panel,
                  .words = {"picture", "outliner", "timeline", "sheet", "columns", "curves", "script", "properties",
-                           "console", "history", "course", "live", "server", "export", "new", "preferences", "appearance", "keys"}},
+                           "console", "history", "course", "assets", "live", "server", "export", "new", "preferences", "appearance", "keys"}},
                 flag("--light", "uses light colours", call.light),
                 file_option("--session", "SESSION.txt", "runs the lines of a file first, such as a saved session",
                             &call.session),

@@ -14,7 +14,7 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr int most_files = 1000;  // in the cache folder; the oldest go first
+constexpr int most_kept = 1000;  // in the cache folder; the oldest go first
 
 QDir cache_folder() {
   QDir folder(QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/betwixt/pictures");
@@ -30,7 +30,7 @@ QString file_of(const QDir& folder, const QString& of) {
 
 void remove_oldest(const QDir& folder) {
   const QFileInfoList all = folder.entryInfoList({"*.png"}, QDir::Files, QDir::Time);
-  for (qsizetype i = most_files; i < all.size(); ++i) QFile::remove(all[i].filePath());
+  for (qsizetype i = most_kept; i < all.size(); ++i) QFile::remove(all[i].filePath());
 }
 
 }  // namespace
@@ -89,6 +89,7 @@ void SmallPictures::work() {
 QImage film_picture(const Document& d, double frame, QSize size) {
   RenderOptions o;
   o.width = size.width(), o.height = size.height();
+  o.linear = d.transparent();  // otherwise the picture is opaque
   return PictureMaker::make({Program::compile(d), d.rate().frame(frame), o, {}}).image;
 }
 

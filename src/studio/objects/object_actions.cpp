@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QFileDialog>
 #include <QKeyEvent>
 #include <QKeySequence>
 #include <QMenu>
@@ -17,6 +18,8 @@
 #include "editor/made_by.h"
 #include "scene/document.h"
 #include "studio/shell/keys.h"
+#include "studio/assets/asset_files.h"
+#include "studio/assets/look_lines.h"
 #include "studio/viewport/hand.h"
 
 namespace betwixt::studio {
@@ -86,6 +89,13 @@ void ObjectActions::fill(QMenu& menu) {
   with_axes(tr("Mirror"), 1, &ObjectActions::mirror);
   with_axes(tr("Align with the last selected"), 2, &ObjectActions::align);
   with_axes(tr("Distribute"), 3, &ObjectActions::distribute);
+  QMenu* const shapes = menu.addMenu(tr("Replace shape"));
+  shapes->setEnabled(any);
+  shapes->addAction(tr("By a file…"), this, [this] { replace_by_file(); });
+  shapes->addAction(tr("By its own"), this, [this] { replace(""); });
+  shapes->addSeparator();
+  for (const char* kind : {"sphere", "box", "cylinder", "cone", "torus", "plane", "star", "gear"})
+    shapes->addAction(kind, this, [this, kind] { replace(kind); });
   QMenu* const pivots = menu.addMenu(tr("Pivot"));
   pivots->setEnabled(any);
   pivots->addAction(tr("To the bottom"), this, [this] { pivot(true); });
@@ -131,6 +141,21 @@ void ObjectActions::pivot(bool at_bottom) {
     if (const Value was = world(id, t); const auto* place = std::get_if<Matrix>(&was))
       for (std::string& line : lines_to_bring(program, id, **place, t, 1e-6, false)) lines.push_back(std::move(line));
   workspace_.say(lines);
+}
+
+void ObjectActions::replace(const std::string& kind) {
+  const Lines lines = kind_lines(workspace_.document(), workspace_.selected(), kind);
+  lines.empty() ? tell(tr("the selection has no shape to replace")) : void(workspace_.say(lines));
+}
+
+void ObjectActions::replace_by_file() {
+  if (workspace_.selected().empty()) return tell(tr("select an object first"));
+  const QString file = QFileDialog::getOpenFileName(QApplication::activeWindow(), tr("The new shape"), {},
+                                                    tr("Meshes (*.obj *.ply *.stl *.3ds *.glb *.gltf *.fbx *.dae)"));
+  if (file.isEmpty()) return;
+  const Document& d = workspace_.document();
+  workspace_.say(
+      shape_lines(d, workspace_.selected(), path_from_script(file, workspace_.session().file()), asset_name(file, d)));
 }
 
 void ObjectActions::remove() {

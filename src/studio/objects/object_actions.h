@@ -49,6 +49,9 @@ class ObjectActions : public QObject {
   void align(Axis);
   void distribute(Axis);
   void pivot(bool at_bottom);  // the objects stay where they are
+  // Gives the selection the shape of a kind ("": its own), or of a file for which it asks. All else of it stays.
+  void replace(const std::string& kind);
+  void replace_by_file();
 
  private:
   explicit ObjectActions(Workspace& workspace);

@@ -11,6 +11,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScrollBar>
@@ -20,6 +21,7 @@
 #include "editor/made_by.h"
 #include "language/values.h"
 #include "scene/own_kinds.h"
+#include "studio/assets/look_lines.h"
 #include "studio/objects/object_actions.h"
 #include "studio/shell/key_focus.h"
 #include "studio/shell/text_of.h"
@@ -37,6 +39,7 @@ OutlinerTree::OutlinerTree(Workspace& workspace, OutlinerModel& model, QWidget* 
   setFrameShape(QFrame::NoFrame);
   follow_pointer(*this);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setAcceptDrops(true);
   setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   setExpandsOnDoubleClick(false);
   const int em = fontMetrics().height();
@@ -189,6 +192,17 @@ void OutlinerTree::contextMenuEvent(QContextMenuEvent* e) {
   if (under.isValid()) menu.addAction(tr("Rename"), this, [this, under] { edit(under.siblingAtColumn(0)); });
   ObjectActions::of(workspace_).fill(menu);
   menu.exec(e->globalPos());
+}
+
+// A look from the assets.
+void OutlinerTree::dragEnterEvent(QDragEnterEvent* e) { e->setAccepted(e->mimeData()->hasFormat(look_data)); }
+void OutlinerTree::dragMoveEvent(QDragMoveEvent* e) { e->setAccepted(indexAt(e->position().toPoint()).isValid()); }
+void OutlinerTree::dropEvent(QDropEvent* e) {
+  const ObjectId on = model_.object(indexAt(e->position().toPoint()));
+  if (!on) return;
+  workspace_.say(look_lines(workspace_.document(), {on}, e->mimeData()->data(look_data).toStdString(),
+                            workspace_.time(), workspace_.makes_events()));
+  e->acceptProposedAction();
 }
 
 // Marks the drop target.

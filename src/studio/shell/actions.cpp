@@ -41,6 +41,9 @@ std::vector<ActionRow> object_rows() {
                   [](Window& w) { ObjectActions::of(w.workspace()).pivot(true); }});
   rows.push_back({"Object", "Pivot to the middle", "", "Objects turn and scale about their pivot: `set ball.pivot …`.",
                   [](Window& w) { ObjectActions::of(w.workspace()).pivot(false); }});
+  rows.push_back({"Object", "Replace shape by a file…", "",
+                  "Gives the selection the shape of a file; its name, tracks and attachments stay: `set cow.file …`.",
+                  [](Window& w) { ObjectActions::of(w.workspace()).replace_by_file(); }});
   return rows;
 }
 
@@ -69,6 +72,7 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Group", "parent empty null join"},
     {"Let fall", "gravity physics bounce rigid body drop"},
     {"Ungroup", "unparent"},
+    {"Replace shape by a file…", "swap mesh relink footage model"},
     {"Pivot to the bottom", "origin anchor point floor"},
     {"Pivot to the middle", "origin anchor point center"},
     {"Remove", "delete erase"},
@@ -92,6 +96,7 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Rotate selection", "turn rotation"},
     {"Scale selection", "size resize"},
     {"Half speed", "slow motion"},
+    {"Go to assets", "library browser project files materials colors swatches import"},
     {"Course", "tutorial learn lesson exercise beginner start"},
     {"Insert time…", "ripple gap delay"},
     {"Remove time", "ripple delete cut trim"},
@@ -288,6 +293,8 @@ std::vector<ActionRow> made_rows() {
        [](Window& w) { w.show_panel("properties"); }},
       {"View", "Go to history", "Ctrl+H", "Lists all steps; a click goes back or forward to one.",
        [](Window& w) { w.show_panel("history"); }},
+      {"View", "Go to assets", "", "Shows the files of the film's folder, and materials and colours.",
+       [](Window& w) { w.show_panel("assets"); }},
       {"View", "Go to live controls", "Ctrl+5", "Receives OSC and MIDI, and connects them to targets.",
        [](Window& w) { w.show_panel("live"); }},
       {"View", "Go to server", "Ctrl+6", "Watches and controls a running imaging server.",

@@ -22,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "studio/assets/asset_panel.h"
 #include "studio/course/course_panel.h"
 #include "studio/curves/curves.h"
 #include "studio/panels/history_panel.h"
@@ -160,6 +161,10 @@ void Window::add_panels() {
   auto* live = add(new LivePanel(workspace_), Qt::LeftDockWidgetArea);
   auto* server = add(new ServerPanel, Qt::LeftDockWidgetArea);
   tabifyDockWidget(live, server), live->raise();
+  auto* assets = new AssetPanel(workspace_);
+  tabifyDockWidget(outliner, add(assets, Qt::LeftDockWidgetArea)), outliner->raise();
+  connect(assets, &AssetPanel::chosen, this,
+          [this](const QString& file) { viewport_->import_file(file, viewport_->rect().center()); });
   splitDockWidget(timeline, sheet, Qt::Vertical);
   tabifyDockWidget(sheet, curves), sheet->raise();
   tabifyDockWidget(properties, script), script->raise();

@@ -90,6 +90,8 @@ class Viewport : public QWidget {
   const Frame& frame() const;
   // Returns the line that imports a file at a point of the widget.
   std::string line_for_file(const QString& file, QPointF) const;
+  // Imports it, or opens it if it is a script.
+  bool import_file(const QString& file, QPointF);
 
  Q_SIGNALS:
   void style_changed();
@@ -109,6 +111,8 @@ class Viewport : public QWidget {
   void leaveEvent(QEvent*) override;
   void contextMenuEvent(QContextMenuEvent*) override;
   void dragEnterEvent(QDragEnterEvent*) override;
+  void dragMoveEvent(QDragMoveEvent*) override;
+  void dragLeaveEvent(QDragLeaveEvent*) override;
   void dropEvent(QDropEvent*) override;
 
  private:
@@ -163,6 +167,8 @@ class Viewport : public QWidget {
   std::vector<Vec3> measured(QPointF) const;
   void paint_measure(QPainter&, const Scope&) const;
   Vec3 place_under(QPointF) const;
+  std::vector<std::string> lines_for_drop(const QDropEvent&) const;
+  void tell_refusal();
   void select_in_box(Qt::KeyboardModifiers);
   const std::vector<Icon>& icons() const;
 

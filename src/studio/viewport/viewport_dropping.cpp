@@ -9,47 +9,18 @@
 #include <QMimeData>
 
 #include "language/values.h"
-#include "studio/objects/object_lines.h"
+#include "studio/assets/asset_files.h"
+#include "studio/assets/look_lines.h"
 #include "studio/viewport/viewport.h"
 #include "syntax/tokens.h"
 
 namespace betwixt::studio {
 namespace {
 
-enum class Sort { none, film, scene, mesh, picture, sound };
-
-Sort sort_of(const QString& file) {
-  const QString ending = QFileInfo(file).suffix().toLower();
-  const auto in = [&](const char* endings) { return QString(endings).split(' ').contains(ending); };
-  if (ending == "bx") return Sort::film;
-  if (in("gltf glb dae fbx bvh svg")) return Sort::scene;
-  if (in("ply obj stl 3ds")) return Sort::mesh;
-  if (in("png jpg jpeg tga bmp")) return Sort::picture;
-  if (in("wav flac ogg mp3 opus m4a")) return Sort::sound;
-  return Sort::none;
-}
-
-// Returns an unused name for a file's content: "cow", "cow2".
-std::string name_for(const QString& file, const Document& d) {
-  std::string name;
-  for (const QChar c : QFileInfo(file).completeBaseName().toLower())
-    name += (c.unicode() < 128 && c.isLetterOrNumber()) || c == '_' ? static_cast<char>(c.toLatin1()) : '-';
-  while (name.ends_with('-')) name.pop_back();
-  if (name.empty() || !QChar(name[0]).isLetter()) name = "thing" + (name.empty() ? "" : "-" + name);
-  return free_name(d, name);
-}
-
-// Returns a path relative to the script's folder, or the absolute path of a file outside it.
-std::string path_from_script(const QString& file, const std::string& script) {
-  const QDir folder = script.empty() ? QDir::current() : QFileInfo(QString::fromStdString(script)).absoluteDir();
-  const QString path = folder.relativeFilePath(file);
-  return (path.startsWith("..") ? file : path).toStdString();
-}
-
 QStringList files_of(const QMimeData* data) {
   QStringList out;
   for (const QUrl& url : data->urls())
-    if (const QString file = url.toLocalFile(); sort_of(file) != Sort::none) out << file;
+    if (const QString file = url.toLocalFile(); asset_sort(file) != AssetSort::none) out << file;
   return out;
 }
 
@@ -70,18 +41,18 @@ Vec3 Viewport::place_under(QPointF p) const {
 
 std::string Viewport::line_for_file(const QString& file, QPointF p) const {
   const Document& d = workspace_.document();
-  const std::string name = name_for(file, d), path = write_text(path_from_script(file, workspace_.session().file()));
-  const Sort sort = sort_of(file);
-  if (sort == Sort::sound)
+  const std::string name = asset_name(file, d), path = write_text(path_from_script(file, workspace_.session().file()));
+  const AssetSort sort = asset_sort(file);
+  if (sort == AssetSort::sound)
     return "create " + name + " sound file=" + path + " at=" + workspace_.when(workspace_.time());
   const Scope s = scope();
   Vec3 place = place_under(p);
   const double pixel = s.metres(std::max(1e-3, s.depth(place)));
   const bool flat = frame().surroundings.flat;
   std::string line = "create " + name;
-  if (sort == Sort::mesh) {
+  if (sort == AssetSort::mesh) {
     line += " mesh file=" + path;
-  } else if (sort == Sort::scene) {  // its own places and animation
+  } else if (sort == AssetSort::scene) {  // its own places and animation
     line += " scene file=" + path;
     if (workspace_.time() > d.range().first) line += " start=" + workspace_.when(workspace_.time());
   } else {
@@ -96,28 +67,62 @@ std::string Viewport::line_for_file(const QString& file, QPointF p) const {
   return line + (place == Vec3{} ? "" : " position=" + write_vector(place));
 }
 
-void Viewport::dragEnterEvent(QDragEnterEvent* e) {
-  if (!files_of(e->mimeData()).isEmpty()) e->acceptProposedAction();
+void Viewport::tell_refusal() {
+  refusal_ = QString::fromStdString(workspace_.last_said()).section('\n', 0, 0);
+  update();
 }
 
-void Viewport::dropEvent(QDropEvent* e) {
-  std::vector<std::string> lines;
-  for (const QString& file : files_of(e->mimeData())) {
-    if (sort_of(file) == Sort::film) {
-      workspace_.say("open " + as_one_word(file.toStdString()));
-      return e->acceptProposedAction();
-    }
-    // Carry the lines out one by one, so that each finds a name that is free.
-    const std::string line = line_for_file(file, e->position());
-    if (!workspace_.say(line)) {
-      refusal_ = QString::fromStdString(workspace_.last_said()).section('\n', 0, 0);
-      update();
-      return;
-    }
-    const std::size_t from = std::string("create ").size();
-    if (const ObjectId made = workspace_.document().find(line.substr(from, line.find(' ', from) - from)))
-      workspace_.select({made});
+bool Viewport::import_file(const QString& file, QPointF at) {
+  if (asset_sort(file) == AssetSort::film) return workspace_.say("open " + as_one_word(file.toStdString()));
+  const std::string line = line_for_file(file, at);
+  if (!workspace_.say(line)) {
+    tell_refusal();
+    return false;
   }
+  const std::size_t from = std::string("create ").size();
+  if (const ObjectId made = workspace_.document().find(line.substr(from, line.find(' ', from) - from)))
+    workspace_.select({made});
+  return true;
+}
+
+// Returns the lines that a drop on an object carries out: a look that is dragged, or a mesh that replaces its shape.
+std::vector<std::string> Viewport::lines_for_drop(const QDropEvent& e) const {
+  const auto on = hit(e.position());
+  if (!on) return {};
+  const Document& d = workspace_.session().document();
+  if (e.mimeData()->hasFormat(look_data))
+    return look_lines(d, {on->id}, e.mimeData()->data(look_data).toStdString(), workspace_.time(),
+                      workspace_.makes_events());
+  const QStringList files = files_of(e.mimeData());
+  const bool replaces = e.modifiers() & Qt::AltModifier && files.size() == 1;
+  if (!replaces || (asset_sort(files[0]) != AssetSort::mesh && asset_sort(files[0]) != AssetSort::scene)) return {};
+  return shape_lines(d, {on->id}, path_from_script(files[0], workspace_.session().file()), asset_name(files[0], d));
+}
+
+void Viewport::dragEnterEvent(QDragEnterEvent* e) {
+  if (e->mimeData()->hasFormat(look_data) || !files_of(e->mimeData()).isEmpty()) e->acceptProposedAction();
+}
+
+// Shows what a look would do.
+void Viewport::dragMoveEvent(QDragMoveEvent* e) {
+  if (!e->mimeData()->hasFormat(look_data)) return e->acceptProposedAction();
+  const std::vector<std::string> lines = lines_for_drop(*e);
+  lines.empty() ? workspace_.look_back() : void(workspace_.look_ahead(lines));
+  e->setAccepted(!lines.empty());
+}
+
+void Viewport::dragLeaveEvent(QDragLeaveEvent*) { workspace_.look_back(); }
+
+void Viewport::dropEvent(QDropEvent* e) {
+  const std::vector<std::string> lines = lines_for_drop(*e);
+  workspace_.look_back();
+  if (!lines.empty()) {
+    if (!workspace_.say(lines)) tell_refusal();
+    return e->acceptProposedAction();
+  }
+  // Each file finds a name that is free.
+  for (const QString& file : files_of(e->mimeData()))
+    if (!import_file(file, e->position()) || asset_sort(file) == AssetSort::film) break;
   e->acceptProposedAction();
 }
 
