@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "betwixt/track.h"
@@ -116,13 +117,22 @@ void fill_curve_actions(QMenu& menu, Workspace& workspace, QWidget* parent) {
   QMenu* types = menu.addMenu(QObject::tr("Handle type") + "\tV");
   fill_key_types(*types, workspace);
   types->setEnabled(any);
-  QAction* grid = menu.addAction(QObject::tr("Choose a twerper by its picture…") + "\tT");
-  grid->setEnabled(any);
-  QObject::connect(grid, &QAction::triggered, parent, [&workspace, parent] { ask_twerper(workspace, parent); });
-  QObject::connect(menu.addAction(QObject::tr("Simplify…")), &QAction::triggered, parent,
-                   [&workspace, parent] { ask_simplify(workspace, parent); });
-  QObject::connect(menu.addAction(QObject::tr("Separate axes")), &QAction::triggered, parent,
-                   [&workspace] { separate_axes(workspace); });
+  menu.setToolTipsVisible(true);
+  const auto add = [&](const QString& name, const QString& tip, std::function<void()> run) {
+    QAction* a = menu.addAction(name);
+    a->setToolTip(tip);
+    QObject::connect(a, &QAction::triggered, parent, std::move(run));
+    return a;
+  };
+  add(QObject::tr("Choose a twerper by its picture…") + "\tT",
+      QObject::tr("Twerpers (easings) from each selected event to the next one"),
+      [&workspace, parent] { ask_twerper(workspace, parent); })
+      ->setEnabled(any);
+  add(QObject::tr("Simplify…"), QObject::tr("Removes events that a tolerance makes unnecessary: clear TARGET A..B"),
+      [&workspace, parent] { ask_simplify(workspace, parent); });
+  add(QObject::tr("Separate axes"),
+      QObject::tr("Gives x, y and z tracks of their own, so that one of them can have events at other times"),
+      [&workspace] { separate_axes(workspace); });
 }
 
 }  // namespace betwixt::studio

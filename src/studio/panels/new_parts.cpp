@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <QCoreApplication>
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
@@ -83,13 +84,13 @@ class NewParts {
   void filters() {
     for (const FilterSpec& spec : built_in_filters()) {
       if (!suits(spec, type_) || (!spec.orientations && turns())) continue;
-      add("Filter", std::string(spec.name), spec.sentence,
+      add(QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Filter"), std::string(spec.name), spec.sentence,
           [&](const Target& t) { return "filter " + d_.name(t) + " " + std::string(spec.name) + settings(spec, t); });
     }
     if (!row_of(type_).computed) return;
     for (const ProcedureView& p : procedures(d_))
       if (p.role == "filter")
-        add("Filter", std::string(p.name), p.source,
+        add(QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Filter"), std::string(p.name), p.source,
             [&](const Target& t) { return "filter " + d_.name(t) + " " + std::string(p.name); });
   }
   bool turns() const { return std::holds_alternative<Quat>(program_.read(targets_.back(), at_)); }
@@ -141,17 +142,22 @@ class NewParts {
     for (const LayerView& l : betwixt::layers(d_)) {
       if (l.mode == "add" && !sums) continue;
       const std::string name = d_.name(l.id);
-      add("Layer", name, "Adds an event on this layer: " + std::string(l.mode) + ".", [&](Target t) {
-        const Object* o = find_object(d_.scene(), t.object);
-        return o && o->find(t.function, l.id) ? std::string() : on_layer(name, l.mode == "add", t);
-      });
+      add(QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Layer"), name,
+          QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Adds an event on this layer."), [&](Target t) {
+            const Object* o = find_object(d_.scene(), t.object);
+            return o && o->find(t.function, l.id) ? std::string() : on_layer(name, l.mode == "add", t);
+          });
     }
     const std::string name = free_name(d_, "layer1");
     for (const bool adds : {true, false}) {
       if (adds && !sums) continue;
-      add("Layer", adds ? "new layer that adds" : "new layer that mixes",
-          adds ? "Its values, times its weight, are added to the motion below."
-               : "Its values replace the motion below, in proportion to its weight.",
+      add(QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Layer"),
+          adds ? QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "new layer that adds")
+               : QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "new layer that mixes"),
+          adds ? QT_TRANSLATE_NOOP("betwixt::studio::NewPart",
+                                   "Its values, times its weight, are added to the motion below.")
+               : QT_TRANSLATE_NOOP("betwixt::studio::NewPart",
+                                   "Its values replace the motion below, in proportion to its weight."),
           [&](const Target& t) { return on_layer(name, adds, t); });
       all_.back().lines.insert(all_.back().lines.begin(), fmt::format("layer {} {}", name, adds ? "add" : "mix"));
     }
@@ -159,19 +165,22 @@ class NewParts {
 
   void velocity() {
     if (!has_velocity(type_)) return;
-    add("", "Velocity", "From the playhead on, the value moves at a speed, in units a second.", [&](Target t) {
-      t.velocity = true;
-      const Value now = program_.read(t, at_);
-      double n[4];
-      const int count = to_numbers(now, n);
-      const bool rests = std::all_of(n, n + count, [](double x) { return std::abs(x) < 1e-9; });
-      const auto* spin = row_of(type_).angles ? std::get_if<Vec3>(&now) : nullptr;
-      const std::string value =
-          rests  ? std::string(first_speed())
-          : spin ? fmt::format("spin({} {} {})", write_angle(spin->x), write_angle(spin->y), write_angle(spin->z))
-                 : plain_value(now, t, d_);
-      return fmt::format("at {} {} {}", format_time(at_, d_), d_.name(t), value);
-    });
+    add("", QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Velocity"),
+        QT_TRANSLATE_NOOP("betwixt::studio::NewPart",
+                          "From the playhead on, the value moves at a speed, in units a second."),
+        [&](Target t) {
+          t.velocity = true;
+          const Value now = program_.read(t, at_);
+          double n[4];
+          const int count = to_numbers(now, n);
+          const bool rests = std::all_of(n, n + count, [](double x) { return std::abs(x) < 1e-9; });
+          const auto* spin = row_of(type_).angles ? std::get_if<Vec3>(&now) : nullptr;
+          const std::string value =
+              rests  ? std::string(first_speed())
+              : spin ? fmt::format("spin({} {} {})", write_angle(spin->x), write_angle(spin->y), write_angle(spin->z))
+                     : plain_value(now, t, d_);
+          return fmt::format("at {} {} {}", format_time(at_, d_), d_.name(t), value);
+        });
   }
   // The speed of a value that rests.
   std::string_view first_speed() const {
@@ -199,13 +208,21 @@ class NewParts {
       const bool events = made_by(d_, t, at_).events;
       return fmt::format("{} {} = {}", events ? "at " + format_time(at_, d_) : "set", d_.name(t), write_text(source));
     };
-    add("Code", "a formula", "Computes the value at each time t, in seconds.", [&](const Target& t) {
-      const std::string source = formula(program_.read(t, at_));
-      return source.empty() ? source : line(t, source);
-    });
+    add(QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Code"),
+        QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "a formula"),
+        QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Computes the value at each time t, in seconds."),
+        [&](const Target& t) {
+          const std::string source = formula(program_.read(t, at_));
+          return source.empty() ? source : line(t, source);
+        });
+    for (const ProcedureView& p : procedures(d_))
+      if (p.role == "value" || p.role == "steps")
+        add(QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Code"), std::string(p.name) + "()", p.source,
+            [&](const Target& t) { return line(t, std::string(p.name) + "()"); });
     if (targets_.size() < 2) return;
     const std::string leads = d_.name(targets_.back());
-    add("Code", "the same as " + leads, "Takes the value of " + leads + " at each time.",
+    add(QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Code"), "the same as " + leads,
+        QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Takes the value of the other object at each time."),
         [&](const Target& t) { return t == targets_.back() ? std::string() : line(t, "value('" + leads + "')"); });
   }
   // Returns code that swings about a value.
@@ -232,20 +249,25 @@ class NewParts {
     if (leads.function != fn::position && leads.function != fn::rotation) return;
     const bool turns = leads.function == fn::rotation;
     const Time until = at_ + d_.rate().span(24);
-    add("", "Motion", "An exact movement over a second from the playhead on. Whole turns count.", [&](const Target& t) {
-      const std::string name = d_.name(t.object);
-      return fmt::format("at {}..{} {}.motion {}", format_time(at_, d_), format_time(until, d_), name,
-                         turns ? "R(1turn @ " + name + " axis y)" : "T(2 0 0)");
-    });
+    add("", QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Motion"),
+        QT_TRANSLATE_NOOP("betwixt::studio::NewPart",
+                          "An exact movement over a second from the playhead on. Whole turns count."),
+        [&](const Target& t) {
+          const std::string name = d_.name(t.object);
+          return fmt::format("at {}..{} {}.motion {}", format_time(at_, d_), format_time(until, d_), name,
+                             turns ? "R(1turn @ " + name + " axis y)" : "T(2 0 0)");
+        });
     const std::string spin = free_name(d_, turns ? "spin" : "drift");
-    add("", "Environment", "A transform that is applied again and again, without end.", [&](const Target& t) {
-      Names all;
-      const Value now = program_.read(Target(t.object, environments()), at_);
-      if (const auto* names = std::get_if<Names>(&now)) all = *names;
-      std::string list;
-      for (const std::string& n : *all) list += n + " ";
-      return fmt::format("set {}.{} ({}{})", d_.name(t.object), "environments", list, spin);
-    });
+    add("", QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "Environment"),
+        QT_TRANSLATE_NOOP("betwixt::studio::NewPart", "A transform that is applied again and again, without end."),
+        [&](const Target& t) {
+          Names all;
+          const Value now = program_.read(Target(t.object, environments()), at_);
+          if (const auto* names = std::get_if<Names>(&now)) all = *names;
+          std::string list;
+          for (const std::string& n : *all) list += n + " ";
+          return fmt::format("set {}.{} ({}{})", d_.name(t.object), "environments", list, spin);
+        });
     all_.back().lines.insert(all_.back().lines.begin(), fmt::format("animate {} every 2t by {}", spin,
                                                                     turns ? "rotate(4deg, y)" : "translate(0.05 0 0)"));
   }
@@ -267,17 +289,21 @@ std::vector<NewPart> new_parts(const Document& d, const Program& program, const 
 
 void fill_new_parts(QMenu& menu, Workspace& workspace, const std::vector<NewPart>& parts) {
   menu.setToolTipsVisible(true);
+  // Names of filters and layers stay as they are.
+  const auto translated = [](const std::string& words) {
+    return QCoreApplication::translate("betwixt::studio::NewPart", words.c_str());
+  };
   for (const NewPart& part : parts) {
     QMenu* into = &menu;
     if (!part.menu.empty()) {
-      const QString title = text_of(part.menu);
-      into = menu.findChild<QMenu*>(title, Qt::FindDirectChildrenOnly);
-      if (!into) into = menu.addMenu(title), into->setObjectName(title), into->setToolTipsVisible(true);
+      const QString id = text_of(part.menu);
+      into = menu.findChild<QMenu*>(id, Qt::FindDirectChildrenOnly);
+      if (!into) into = menu.addMenu(translated(part.menu)), into->setObjectName(id), into->setToolTipsVisible(true);
     }
-    QAction* a = into->addAction(text_of(part.name));
+    QAction* a = into->addAction(translated(part.name));
     QString lines;
     for (const std::string& line : part.lines) lines += "\n" + text_of(line);
-    a->setToolTip(tip_of(text_of(part.sentence) + lines));
+    a->setToolTip(tip_of(translated(part.sentence) + lines));
     QObject::connect(a, &QAction::triggered, &workspace, [&workspace, lines = part.lines] { workspace.say(lines); });
   }
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +16,7 @@
 #include "language/values.h"
 #include "scene/document.h"
 #include "studio/panels/filter_lines.h"
+#include "studio/shell/text_of.h"
 #include "track/filter.h"
 #include "track/types.h"
 
@@ -23,7 +25,17 @@ namespace {
 
 using What = ValuePart::What;
 
-class PartFinder {
+// Words of the window, in the user's language.
+struct PartWords {
+  Q_DECLARE_TR_FUNCTIONS(betwixt::studio::PartWords)
+};
+template <class... Of>
+std::string in_words(QString words, const Of&... of) {
+  ((words = words.arg(text_of(of))), ...);
+  return words.toStdString();
+}
+
+class PartFinder : PartWords {
  public:
   PartFinder(const Document& d, const Program& program, const std::string& text, const Target& whole, Time at)
       : d_(d), program_(program), text_(text), whole_(whole), at_(at), spec_(spec_of(d.scene(), whole.function)) {
@@ -68,10 +80,10 @@ class PartFinder {
     part.target = whole_;
     const auto* code = std::get_if<Procedure>(&*slot.set);
     part.what = code ? What::code : What::set;
-    part.title = code ? "code" : "value";
-    part.sentence = code           ? "Code computes the value at each time."
-                    : has_events() ? "The value before the first event."
-                                   : "The value for the whole film.";
+    part.title = in_words(code ? tr("code") : tr("value"));
+    part.sentence = in_words(code           ? tr("Code computes the value at each time.")
+                             : has_events() ? tr("The value before the first event.")
+                                            : tr("The value for the whole film."));
     for (const ValueText& v : rows_.values)
       if (v.target == whole_) part.lines = v.value, part.own = true;
     if (code) {
@@ -89,14 +101,15 @@ class PartFinder {
     each_event(d_, t.target, t.first, t.last, [&](const EventView& e) { part.keys.push_back({t.target, e.time}); });
   }
   std::string count_words(const TrackView& t) const {
-    return t.event_count == 1 ? fmt::format("1 event at {}", when(t.first))
-                              : fmt::format("{} events, {} to {}", t.event_count, when(t.first), when(t.last));
+    return t.event_count == 1
+               ? in_words(tr("1 event at %1"), when(t.first))
+               : in_words(tr("%1 events, %2 to %3"), std::to_string(t.event_count), when(t.first), when(t.last));
   }
 
   void events(const TrackView& t) {
     ValuePart part{.what = What::events, .target = t.target};
     part.title = (t.target.component >= 0 ? name(t.target) + ": " : "") + count_words(t);
-    part.sentence = "The events (keyframes). Click to select them and to see their sheet.";
+    part.sentence = in_words(tr("The events (keyframes). Click to select them and to see their sheet."));
     keys_of(part, t), place(part, t.target);
     all_.push_back(std::move(part));
     each_event(d_, t.target, t.first, t.last, [&](const EventView& e) {
@@ -107,8 +120,8 @@ class PartFinder {
   // Code in the place of an event's value.
   void code_at(const Target& t, const EventView& e) {
     ValuePart part{.what = What::code, .target = t};
-    part.title = "code at " + when(e.time);
-    part.sentence = "Code computes the value from this event to the next one.";
+    part.title = in_words(tr("code at %1"), when(e.time));
+    part.sentence = in_words(tr("Code computes the value from this event to the next one."));
     part.fields.push_back(code_field(*e.value));
     part.keys = {{t, e.time}};
     for (const SheetText& s : rows_.sheets)
@@ -126,7 +139,8 @@ class PartFinder {
   void velocity(const TrackView& t) {
     ValuePart part{.what = What::velocity, .target = t.target};
     part.title = name(t.target);
-    part.sentence = "From its first event on, the velocity moves the value; later events of the value have no effect.";
+    part.sentence = in_words(
+        tr("From its first event on, the velocity moves the value; later events of the value have no effect."));
     part.fields.push_back(numbers_of(program_.read(t.target, at_), t.target));
     keys_of(part, t), place(part, t.target);
     all_.push_back(std::move(part));
@@ -135,9 +149,9 @@ class PartFinder {
   void layer(const LayerView& l) {
     ValuePart part{.what = What::layer, .target = whole_};
     part.target.layer = l.id;
-    part.title = fmt::format("layer {} ({})", d_.name(l.id), l.mode);
-    part.sentence = l.mode == "add" ? "Its values, times its weight, are added."
-                                    : "Its values replace those below, in proportion to its weight.";
+    part.title = in_words(tr("layer %1 (%2)"), d_.name(l.id), l.mode);
+    part.sentence = in_words(l.mode == "add" ? tr("Its values, times its weight, are added.")
+                                             : tr("Its values replace those below, in proportion to its weight."));
     PartField weight{.key = "weight",
                      .numbers = {plain_value(program_.read(l.weight, at_), l.weight, d_)},
                      .unit = {},
@@ -182,11 +196,11 @@ class PartFinder {
       ValuePart part{.what = What::filter, .target = on};
       part.target.component = f.component;
       part.title = f.name;
-      if (f.component >= 0) part.title += " of " + name(part.target);
-      if (layer) part.title += " on " + d_.name(layer);
+      if (f.component >= 0) part.title = in_words(tr("%1 of %2"), part.title, name(part.target));
+      if (layer) part.title = in_words(tr("%1 on %2"), part.title, d_.name(layer));
       part.index = f.index, part.off = f.off, part.lines = f.line, part.own = f.own;
       const FilterSpec* spec = find_filter(f.name);
-      part.sentence = spec ? std::string(spec->sentence) : "A filter of your own.";
+      part.sentence = spec ? std::string(spec->sentence) : in_words(tr("A filter of your own."));
       part.fields = fields_of(f, spec_);
       all_.push_back(std::move(part));
     }
