@@ -228,7 +228,9 @@ class KeysTest : public QObject {
                              "  49f (1 2 3) linear\n  73f (0 0 0)  # ends\nset ball.color red\n";
     Shown s(film);
     const Document before = s.at.workspace.document();
+    s.at.workspace.select_events(s.all("ball.position"));
     separate_axes(s.at.workspace);
+    QCOMPARE(s.at.workspace.events_selected().size(), std::size_t(12));  // the same events of each axis
     const Target t = s.target("ball.position");
     QVERIFY(difference(before, s.at.workspace.document(), t, s.at.frame(1), s.at.frame(73)) < 1e-9);
     QVERIFY2(QString::fromStdString(s.at.workspace.text()).count("\nball.position.") == 3,

@@ -91,25 +91,34 @@ void ask_simplify(Workspace& workspace, QWidget* parent) {
 }
 
 void separate_axes(Workspace& workspace) {
-  std::vector<Target> targets;
+  std::vector<Target> targets, separated;
   for (const EventAt& e : meant_events(workspace))
     if (std::ranges::find(targets, e.target) == targets.end()) targets.push_back(e.target);
-  bool any = false;
+  std::erase_if(targets, [&](const Target& t) { return !can_separate(workspace.document(), t); });
+  if (targets.empty()) return tell_why(workspace, QObject::tr("no selected track has vectors or angles to separate"));
+  const std::vector<EventAt> before = workspace.events_selected();
   for (const Target& t : targets) {
-    const Document& d = workspace.session().document();
-    if (!can_separate(d, t)) continue;
+    const Document d = workspace.session().document();
     bool done = false;
     for (const Lines& lines : {separate_in_sheets(d, workspace.text(), t), separate_by_event(d, t)}) {
       if (done || lines.empty()) continue;
       const auto then = workspace.session().look_ahead(lines);
       if (then && same_values(d, *then, t, workspace.program())) done = workspace.say(lines);
     }
-    if (!done)
+    if (done)
+      separated.push_back(t);
+    else
       tell_why(workspace, QObject::tr("%1 would move in another way if its axes were separate")
                               .arg(text_of(workspace.document().name(t))));
-    any = true;
   }
-  if (!any) tell_why(workspace, QObject::tr("no selected track has vectors or angles to separate"));
+  std::vector<EventAt> selected;
+  for (const EventAt& e : before) {
+    const bool apart = std::ranges::find(separated, e.target) != separated.end();
+    if (!apart) selected.push_back(e);
+    for (EventAt part = e; apart && part.target.component < 2; selected.push_back(part)) ++part.target.component;
+  }
+  std::erase_if(selected, [&](const EventAt& e) { return !find_event(workspace.document(), e); });
+  workspace.select_events(std::move(selected));
 }
 
 void fill_curve_actions(QMenu& menu, Workspace& workspace, QWidget* parent) {

@@ -22,6 +22,16 @@ QColor shaded(QColor c, int shade) {
   return QColor::fromHsv((c.hsvHue() + step * shade) % 360, c.hsvSaturation() * paler / 100, c.value());
 }
 
+// Returns whether a curve is the number of a track, also after the track was separated into components.
+bool same_number(const CurveLine& line, const Target& t, int part) {
+  const auto whole = [](Target of) {
+    of.component = -1;
+    return of;
+  };
+  const auto axis = [](const Target& of, int number) { return of.component >= 0 ? of.component : number; };
+  return whole(line.target) == whole(t) && axis(line.target, line.part) == axis(t, part);
+}
+
 }  // namespace
 
 QColor CurvePane::color(const CurveLine& line) const {
@@ -112,7 +122,7 @@ void CurvePane::paint_reference(QPainter& p) const {
   p.setBrush(Qt::NoBrush);
   for (std::size_t i = 0; i < lines_.size(); ++i)
     for (const Reference& frozen : reference_) {
-      if (!seen(i) || frozen.target != lines_[i].target || frozen.part != lines_[i].part) continue;
+      if (!seen(i) || !same_number(lines_[i], frozen.target, frozen.part)) continue;
       QPolygonF way;
       for (const auto& [time, value] : frozen.points) way << QPointF(x_of(time), std::clamp(y_of(i, value), -1e5, 1e5));
       p.setPen(QPen(faint(colors().text, 0.35F), 3));
