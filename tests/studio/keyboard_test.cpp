@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Tests that keys can be changed, that no two actions share one, and that the list of keys is complete and true.
-#include "studio/shell/keys.h"
-
 #include <QTest>
 #include <QtWidgets>
 
 #include "studio/film.h"
 #include "studio/shell/actions.h"
 #include "studio/shell/key_sheet.h"
+#include "studio/shell/keys.h"
 #include "studio/shell/keys_page.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"

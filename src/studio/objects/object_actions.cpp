@@ -17,9 +17,9 @@
 #include "betwixt/math.h"
 #include "editor/made_by.h"
 #include "scene/document.h"
-#include "studio/shell/keys.h"
 #include "studio/assets/asset_files.h"
 #include "studio/assets/look_lines.h"
+#include "studio/shell/keys.h"
 #include "studio/viewport/hand.h"
 
 namespace betwixt::studio {

@@ -46,8 +46,8 @@ bool play_back(betwixt::studio::Workspace& workspace, const QString& name) {
 }
 
 // Returns the picture of one panel, of the given size if it is not empty. "columns" is the exposure sheet, "export" the
-// export dialog, "new" the films to begin with, and "preferences", "appearance" and "keys" are pages of the preferences.
-// Returns a null pixmap if there is no such panel.
+// export dialog, "new" the films to begin with, and "preferences", "appearance" and "keys" are pages of the
+// preferences. Returns a null pixmap if there is no such panel.
 QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize size) {
   using namespace betwixt::studio;
   if (name == "picture") return window.viewport().grab();

@@ -6,8 +6,8 @@
 
 #include "studio/course/film_chooser.h"
 #include "studio/shell/asking.h"
-#include "studio/shell/recovery.h"
 #include "studio/shell/example.h"
+#include "studio/shell/recovery.h"
 #include "studio/shell/window.h"
 
 namespace betwixt::studio {
