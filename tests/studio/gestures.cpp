@@ -208,7 +208,7 @@ class Hands {
   QWidget* widget() {
     QList<QWidget*> all;
     for (const char* name :
-         {"viewport", "outliner", "timeline", "sheet", "curves", "properties", "console", "script_panel"})
+         {"viewport", "outliner", "timeline", "sheet", "curves", "properties", "console", "script_panel", "assets"})
       if (QWidget* panel = name == std::string("viewport") ? &window_.viewport() : window_.panel(name);
           panel && panel->isVisible()) {
         all << panel;
