@@ -33,6 +33,9 @@ class PartsTest : public QObject {
       button->setChecked(true);
       return *panel.findChild<PartsView*>(QString("parts_") + function);
     }
+    NumberField& at(const char* function) {
+      return *panel.findChild<ValueEditor*>(function)->findChild<NumberField*>("value");
+    }
     static QStringList titles(const PartsView& view) {
       QStringList all;
       for (const ValuePart& p : view.parts()) all << QString::fromStdString(p.title);
@@ -126,6 +129,27 @@ class PartsTest : public QObject {
     QVERIFY(view.parts()[1].off && !view.parts()[2].off);
     QTest::mouseClick(&Shown::in<QCheckBox>(view, 1, "on"), Qt::LeftButton, {}, {8, 8});
     QCOMPARE(s.text().toStdString(), film);
+  }
+
+  // Rows that are replaced while the user types in them say nothing.
+  void a_field_that_goes_says_nothing() {
+    Shown s("create ball sphere\nball.radius\n  1f 1\n  24f 3\nfilter ball.radius wobble amount=0.1\n");
+    PartsView& view = s.parts("radius");
+    auto& field = Shown::in<NumberField>(view, 1, "amount");
+    QTest::mouseClick(&field, Qt::LeftButton);
+    field.selectAll(), QTest::keyClicks(&field, "7");
+    QVERIFY(s.workspace.say(std::string("filter ball.radius none")));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(!s.text().contains('7'));
+    QCOMPARE(Shown::titles(view), QStringList({"2 events, 1f to 24f"}));
+    // The whole panel is built anew, too.
+    auto& value = s.at("radius");
+    QTest::mouseClick(&value, Qt::LeftButton);
+    value.selectAll(), QTest::keyClicks(&value, "7");
+    QVERIFY(s.workspace.say(std::string("set ball.radius = \"1 + t\"")));
+    QVERIFY(s.workspace.say(std::string("clear ball.radius 1f..24f")));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(!s.text().contains('7'));
   }
 
   void filters_change_places() {

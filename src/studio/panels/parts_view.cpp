@@ -60,7 +60,12 @@ void PartsView::refresh() {
   for (std::size_t i = 0; i < parts_.size(); ++i) show_row(i);
 }
 
+void PartsView::retire() {
+  for (QWidget* w : findChildren<QWidget*>()) w->disconnect(this);
+}
+
 void PartsView::rebuild() {
+  retire();
   for (const PartRow& row : rows_) row.box->hide(), row.box->deleteLater();
   rows_.clear();
   for (std::size_t i = 0; i < parts_.size(); ++i) {

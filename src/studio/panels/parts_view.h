@@ -22,6 +22,7 @@ class PartsView : public QWidget {
  public:
   PartsView(Workspace&, const Target& whole, QWidget* parent);
   void refresh(const Target& whole) { whole_ = whole, refresh(); }
+  void retire();  // its fields say nothing more, although it still exists
   const std::vector<ValuePart>& parts() const { return parts_; }
 
  private:

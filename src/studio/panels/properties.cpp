@@ -218,8 +218,12 @@ void Properties::rebuild() {
     }
   }
   column->addStretch(1);
-  // An editor of the old rows may have caused this, so it lives on until it has finished.
-  if (QWidget* old = area_->takeWidget()) old->hide(), old->deleteLater();
+  // An editor of the old rows may have caused this, so it lives on until it has finished. It says nothing more.
+  if (QWidget* old = area_->takeWidget()) {
+    for (QWidget* w : old->findChildren<QWidget*>()) w->disconnect(this);
+    for (PartsView* parts : old->findChildren<PartsView*>()) parts->retire();
+    old->hide(), old->deleteLater();
+  }
   area_->setWidget(inside);
 }
 

@@ -57,7 +57,7 @@ void Properties::unfold(Row& row, bool open) {
   if (open) unfolded_.push_back(name);
   if (open == static_cast<bool>(row.parts)) return;
   if (!open) {
-    row.parts->hide(), row.parts->deleteLater();
+    row.parts->retire(), row.parts->hide(), row.parts->deleteLater();
     row.parts = nullptr;
     return;
   }
