@@ -9,8 +9,10 @@ namespace betwixt::studio {
 const std::vector<KeyPlace>& key_places() {
   static const std::vector<KeyPlace> all = {
       {"everywhere", QT_TR_NOOP("Everywhere"), {}},
-      {"picture", QT_TR_NOOP("In the picture"), {"viewport"}},
-      {"objects", QT_TR_NOOP("In the picture and the outliner"), {"viewport", "outliner_tree"}},
+      {"picture", QT_TR_NOOP("In the picture"), {"viewport", "top_view", "front_view", "right_view"}},
+      {"objects",
+       QT_TR_NOOP("In the picture and the outliner"),
+       {"viewport", "top_view", "front_view", "right_view", "outliner_tree"}},
       {"moving", QT_TR_NOOP("While you move, turn or scale"), {}},
       {"outliner", QT_TR_NOOP("In the outliner"), {"outliner_tree"}},
       {"events",
@@ -71,6 +73,9 @@ const std::vector<KeyRow>& panel_keys() {
       {"events", QT_TR_NOOP("Delete events"), "Del; Backspace; X",
        QT_TR_NOOP("Removes the selected events, or the note that you clicked: `clear TARGET A..B`.")},
       {"events", QT_TR_NOOP("Reverse"), "R", QT_TR_NOOP("Plays the selected events backwards: `reverse TARGET A..B`.")},
+      {"events", "Handle type…", "V", QT_TR_NOOP("Chooses how the curve passes the selected events.")},
+      {"events", "Twerper by its picture…", "T",
+       QT_TR_NOOP("Chooses the twerper of the selected events by its picture.")},
       {"events", QT_TR_NOOP("Copy events"), "Ctrl+C", QT_TR_NOOP("Copies the events, to paste them at the playhead.")},
       {"events", QT_TR_NOOP("Paste at playhead"), "Ctrl+V",
        QT_TR_NOOP("Copies the copied events to the playhead: `copy TARGET A..B to T`.")},
