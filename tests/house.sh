@@ -85,8 +85,8 @@ verdict "a file that is not formatted by .clang-format (tools/format.sh does it)
 )"
 [ "$failed" != 0 ] || { mkdir -p build && mv "$begun" "$laid_out"; }
 rm -f "$begun"
-verdict "a file of src with more than 400 lines" \
-  "$(find src -type f -exec wc -l {} + | awk '$1 > 400 && $2 != "total" { print $2 ": " $1 }')"
+verdict "a file of src with more than 400 lines (catalogues of texts may be longer)" \
+  "$(find src -type f ! -name "*.po" -exec wc -l {} + | awk '$1 > 400 && $2 != "total" { print $2 ": " $1 }')"
 verdict "a link of a page without a target (tests/links.py)" "$(python3 tests/links.py)"
 verdict "phrases that are hard to read (tests/plain_words.py)" "$(python3 tests/plain_words.py)"
 verdict "items without a test (tests/coverage.txt)" "$(tools/coverage.sh --check 2>&1)"
