@@ -53,6 +53,14 @@ namespace {
 
 constexpr int recent_files = 10;
 
+// Returns whether a layout shows a panel.
+bool in_layout(const QString& layout, const QString& panel) {
+  return (layout == "all" && panel != "live" && panel != "server" && panel != "course") || panel == "timeline" ||
+         (layout == "live" && (panel == "live" || panel == "server")) ||
+         (layout == "animate" && (panel == "sheet" || panel == "curves" || panel == "outliner" || panel == "poses")) ||
+         (layout == "script" && (panel == "script_panel" || panel == "console"));
+}
+
 }  // namespace
 
 Window::Window(Workspace& workspace, Manner manner)
@@ -222,19 +230,15 @@ QStringList Window::layouts() { return {"all", "animate", "script", "live", "pic
 
 bool Window::set_layout(const QString& name) {
   if (!layouts().contains(name)) return false;
+  const auto show_panels = [&](const QString& layout) {
+    for (QDockWidget* dock : docks_) dock->setVisible(in_layout(layout, dock->widget()->objectName()));
+  };
+  // The kept state hides what needs much room, so that a small window does not grow when it is restored.
   if (arranged_.isEmpty())
-    arranged_ = saveState();
+    show_panels("all"), arranged_ = saveState();
   else
     restoreState(arranged_);
-  for (QDockWidget* dock : docks_) {
-    const QString panel = dock->widget()->objectName();
-    const bool shown =
-        (name == "all" && panel != "live" && panel != "server" && panel != "course") || panel == "timeline" ||
-        (name == "live" && (panel == "live" || panel == "server")) ||
-        (name == "animate" && (panel == "sheet" || panel == "curves" || panel == "outliner" || panel == "poses")) ||
-        (name == "script" && (panel == "script_panel" || panel == "console"));
-    dock->setVisible(shown);
-  }
+  show_panels(name);
   // Sizes are parts of the window. All panels of one column get their sizes in one call.
   using Shares = std::initializer_list<std::pair<const char*, double>>;
   const auto share = [&](Shares shares, Qt::Orientation way) {
