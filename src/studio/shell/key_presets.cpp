@@ -32,7 +32,7 @@ const std::vector<KeyPreset>& key_presets() {
         {"events", "Duplicate after it", "Shift+D"},
         {"sheet", "Select all events", "A"},
         {"sheet", "Show all times", "Home"},
-        {"curves", "Show all values", "Home; ."},
+        {"curves", "Show all values", ""},
         {"curves", "Select all points", "A"}}},
       {"after-effects",
        "After Effects",
