@@ -12,7 +12,7 @@ constexpr std::size_t most_rows = 1000;  // the latest steps
 QString words_of(const Session::PastStep& step) {
   if (step.line.starts_with("rewrite "))
     return HistoryPanel::tr("typed: %1").arg(text_of(step.line).section(' ', 1, 1));
-  QString words = text_of(step.line).simplified();
+  QString words = beginning_of(text_of(std::string_view(step.line).substr(0, 1000)), 500).simplified();
   if (!step.sheet.empty()) words = text_of(step.sheet) + ": " + words;
   if (step.lines > 1) words += HistoryPanel::tr(" and %1 more").arg(step.lines - 1);
   return words;
@@ -46,7 +46,7 @@ void HistoryPanel::refresh() {
   standing_ = 0;
   for (const Session::PastStep& step : steps) {
     auto* item = new QListWidgetItem(words_of(step), this);
-    item->setToolTip(tip_of(text_of(step.line)));
+    item->setToolTip(tip_of(beginning_of(text_of(std::string_view(step.line).substr(0, 4000)))));
     if (step.stands)
       standing_ = count() - 1;
     else

@@ -17,9 +17,10 @@
 namespace betwixt::studio {
 namespace {
 
-constexpr int most_lines = 5000;  // in the log
-constexpr int longest = 300;      // letters shown of one line, because a rewritten text may be a whole film
-constexpr int most_input = 10;    // visible lines of the input
+constexpr int most_lines = 5000;     // in the log
+constexpr int longest = 300;         // letters shown of one line, because a rewritten text may be a whole film
+constexpr int most_at_once = 50000;  // letters shown of one answer
+constexpr int most_input = 10;       // visible lines of the input
 
 // Returns the help for the first word of the input line, without `at TIME` and `on LAYER`; for `create` that of the
 // kind. Returns nullptr if the word has no help.
@@ -167,9 +168,10 @@ void Console::write_down(const QString& line, const QString& answer, bool refuse
     end.insertText(text, f);
   };
   if (!line.isEmpty())
-    for (const QString& l : line.split('\n')) put("› " + (l.size() > longest ? l.left(longest) + " …" : l), c.accent);
+    for (const QString& l : beginning_of(line, most_at_once).split('\n'))
+      put("› " + (l.size() > longest ? l.left(longest) + " …" : l), c.accent);
   QColor now = refused ? c.error : c.text;
-  QString said = answer;
+  QString said = beginning_of(answer, most_at_once);
   while (said.endsWith('\n')) said.chop(1);
   if (!said.isEmpty())
     for (const QString& l : said.split('\n')) put(l, now = color_of(l, now));

@@ -96,7 +96,7 @@ Window::Window(Workspace& workspace, Manner manner)
   });
   // The status bar shows the last line carried out, or its error, even if the console is hidden.
   connect(&workspace, &Workspace::said, this, [this](const QString& line, const QString& answer, bool refused) {
-    said_->setText(refused ? answer.section('\n', 0, 0) : line.section('\n', 0, 0));
+    said_->setText(beginning_of((refused ? answer : line).section('\n', 0, 0), 500));
     QPalette p;
     if (refused) p.setColor(QPalette::WindowText, colors().error);
     said_->setPalette(p);
