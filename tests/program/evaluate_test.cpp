@@ -112,7 +112,7 @@ TEST(Frame, LooksComeFromTheTracks) {
   put_event(s, {ball, fn::geometry}, event(1, box, Twerper::linear));
   put_event(s, {ball, fn::geometry}, event(2, ObjectId{}));
   s.background = Color{1, 0, 0.5};
-  s.notes.edit() = {{from_seconds(1), "half way"}};
+  s.notes.edit() = {{from_seconds(1), {from_seconds(1), "half way", {}}}};
   const Program p = compile(s);
   const Frame f = p.frame(from_seconds(1));
   const Item& item = f.items[0];
