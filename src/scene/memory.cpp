@@ -32,6 +32,7 @@ const void* elsewhere(const Value& v) {
 std::size_t all_held(const std::string& s) { return bytes_held(s); }
 std::size_t all_held(const FunctionSpec& f) { return bytes_held(f.name) + bytes_held(f.words); }
 std::size_t all_held(const NamedProcedure& p) { return bytes_held(p.name); }
+std::size_t all_held(const Note& n) { return bytes_held(n.text); }
 std::size_t all_held(const Dial& d) { return bytes_held(d.address); }
 std::size_t all_held(const Let& l) {
   const auto* list = std::get_if<LetList>(&l);

@@ -3,6 +3,7 @@
 #include "studio/poses/pose_panel.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -19,7 +20,11 @@ PosePanel::PosePanel(Workspace& workspace, QWidget* parent)
       workspace_(workspace),
       poses_(PoseActions::of(workspace)),
       name_(new QLineEdit(this)),
-      list_(new QListWidget(this)) {
+      list_(new QListWidget(this)),
+      hint_(
+          new QLabel(tr("Select a character, type a name, and press Keep pose. A double click gives a kept pose to the "
+                        "selection, at the playhead."),
+                     this)) {
   setObjectName("poses");
   setWindowTitle(tr("Poses"));
   name_->setPlaceholderText(tr("name of a new pose"));
@@ -35,7 +40,8 @@ PosePanel::PosePanel(Workspace& workspace, QWidget* parent)
       tr("Double click gives the pose to the selection, at the playhead. Right click: mirrored, in part"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
-  all->addLayout(row), all->addWidget(list_, 1);
+  hint_->setWordWrap(true);
+  all->addLayout(row), all->addWidget(hint_), all->addWidget(list_, 1);
   connect(keeps, &QPushButton::clicked, this, &PosePanel::keep);
   connect(name_, &QLineEdit::returnPressed, this, &PosePanel::keep);
   connect(list_, &QListWidget::itemActivated, this, [this] { use(false); });
@@ -53,6 +59,7 @@ void PosePanel::refresh() {
   const QString before = chosen();
   list_->clear();
   list_->addItems(poses_.kept());
+  hint_->setVisible(list_->count() == 0);
   for (int i = 0; i < list_->count(); ++i)
     if (list_->item(i)->text() == before) list_->setCurrentRow(i);
 }

@@ -8,6 +8,7 @@
 
 #include "studio/poses/pose_actions.h"
 
+class QLabel;
 class QLineEdit;
 class QListWidget;
 
@@ -34,6 +35,7 @@ class PosePanel : public QWidget {
   PoseActions& poses_;
   QLineEdit* name_;
   QListWidget* list_;
+  QLabel* hint_;  // while there are no poses
 };
 
 }  // namespace betwixt::studio

@@ -3,7 +3,8 @@
 #include "studio/shell/theme.h"
 
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 #include <algorithm>
 
 namespace betwixt::studio {
@@ -76,6 +77,24 @@ QColor swatch(const Color& c) {
 }
 const Colors& picture_colors() { return *on_pictures; }
 
+namespace {
+
+// Fusion outlines check boxes in a colour that dark windows hide.
+class SeenBoxes : public QProxyStyle {
+ public:
+  SeenBoxes() : QProxyStyle("Fusion") {}
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* p,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, p, widget);
+    if (element != PE_IndicatorCheckBox) return;
+    p->setPen(option->palette.color(QPalette::PlaceholderText));
+    p->setBrush(Qt::NoBrush);
+    p->drawRect(option->rect.adjusted(0, 0, -1, -1));
+  }
+};
+
+}  // namespace
+
 void set_theme(QApplication& app, Theme theme, bool safe) {
   on_pictures = safe ? &dark_safe : &dark;
   now = theme == Theme::dark ? on_pictures : safe ? &light_safe : &light;
@@ -98,7 +117,7 @@ void set_theme(QApplication& app, Theme theme, bool safe) {
   p.setColor(QPalette::Light, c.line), p.setColor(QPalette::Midlight, c.line);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     p.setColor(QPalette::Disabled, role, c.dim);
-  app.setStyle(QStyleFactory::create("Fusion"));
+  app.setStyle(new SeenBoxes);
   app.setPalette(p);
 }
 

@@ -100,7 +100,7 @@ void Trails::paint(QPainter& p, const Scope& s, const Way& way, int first, int l
   for (auto i = way.places.lower_bound(first); i != way.places.end() && i->first <= last; ++i) {
     const auto spot = s.spot(i->second);
     if (spot && before) {
-      p.setPen(QPen(tint(i->first - 1, 190), 1.5));
+      p.setPen(QPen(tint(i->first - 1, 190), i->first <= now ? 2.4 : 1.1));  // also for those who see no colours
       p.drawLine(*before, *spot);
     }
     before = spot;
