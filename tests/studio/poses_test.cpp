@@ -142,6 +142,23 @@ class PosesTest : public QObject {
     QVERIFY(poses.forget("bent knee") && poses.kept().isEmpty());
   }
 
+  // A pose of a moving character does not reach back: what had no events keeps its value before.
+  void a_pose_begins_at_the_playhead() {
+    Film f(QByteArray(man) + "set man/right.rotation (0 0 5deg)\n");
+    f.select("man");
+    f.workspace.go_to(f.at_time("24f"));
+    PoseActions::of(f.workspace).copy();
+    f.workspace.go_to(f.at_time("40f"));
+    PoseActions::of(f.workspace).paste(true);
+    const double degree = pi / 180;
+    QVERIFY(length(std::get<Angles>(f.value("man/right.rotation")).xyz -
+                   Vec3{-10 * degree, -20 * degree, 30 * degree}) < 1e-9);
+    for (const char* when : {"1f", "24f", "39f"}) {
+      f.workspace.go_to(f.at_time(when));
+      QVERIFY(length(std::get<Angles>(f.value("man/right.rotation")).xyz - Vec3{0, 0, 5 * degree}) < 1e-9);
+    }
+  }
+
   void what_is_no_pose_says_so() {
     Film f(man);
     f.select("man");

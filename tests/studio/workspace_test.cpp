@@ -55,6 +55,18 @@ class DeskTest : public QObject {
     put(film_, ball);
   }
 
+  void anotherFilmBeginsAtItsStartWithNothingSelected() {
+    const QString other = folder_.filePath("other.bx");
+    put(other, "range 5f 20f\ncreate box box\ncreate far box\n");
+    Workspace workspace;
+    QVERIFY(workspace.open(film_));
+    workspace.select({workspace.document().find("ball")});
+    workspace.go_to(workspace.document().rate().frame(13));
+    QVERIFY(workspace.say("open " + as_one_word(other.toStdString())));
+    QVERIFY(workspace.document().find("far") && workspace.selected().empty() && workspace.events_selected().empty());
+    QCOMPARE(workspace.time(), workspace.document().range().first);
+  }
+
   void linesGoWhereTheyBelongAndBack() {
     Workspace workspace;
     QVERIFY(workspace.open(film_));

@@ -77,6 +77,9 @@ CoursePanel::CoursePanel(Window& window)
   connect(back_, &QPushButton::clicked, this, &CoursePanel::back);
   connect(next_, &QPushButton::clicked, this, &CoursePanel::leave);
   looks_.setInterval(looks_after);
+  connect(&window_.workspace(), &Workspace::opened, this, [this] {
+    if (exercise_) leave();
+  });
   connect(&looks_, &QTimer::timeout, this, &CoursePanel::look);
 }
 
@@ -91,8 +94,8 @@ std::size_t CoursePanel::steps_of_film() const {
 
 void CoursePanel::begin(std::size_t exercise) {
   if (!window_.may_leave()) return;
-  exercise_ = &exercises().at(exercise);
-  window_.begin_film(exercise_->film);
+  window_.begin_film(exercises().at(exercise).film);
+  exercise_ = &exercises().at(exercise);  // another film has ended the exercise before
   ViewportSwitches switches = window_.viewport().switches();
   switches.tool = Tool::move, switches.handles = true, switches.auto_key = false;
   window_.viewport().set_switches(switches);

@@ -47,7 +47,7 @@ void PoseActions::copy() {
   const Pose pose = pose_of(workspace_.program(), workspace_.selected(), workspace_.time());
   if (pose.parts.empty()) return tell(tr("select what has a pose: a character, or one of its parts"));
   QApplication::clipboard()->setText(QString::fromStdString(text_of_pose(pose, workspace_.document())));
-  emit workspace_.said(tr("copied the pose of %1").arg(text_of(pose.root)), {}, false);
+  emit workspace_.said({}, tr("copied the pose of %1").arg(text_of(pose.root)) + "\n", false);
 }
 
 std::optional<Pose> PoseActions::read_text(const std::string& text) {

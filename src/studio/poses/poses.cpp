@@ -110,13 +110,16 @@ std::string written(const Document& d, const Target& t, const Value& v) {
 // Adds the lines that give a whole function a value: one line for each component if these have tracks of their own.
 void add_lines(const Document& d, const Target& whole, const Value& now, const Value& wanted, Time t, bool make_events,
                Lines& to) {
+  const Time first = d.range().first;
   const auto add = [&](const Target& target, const Value& was, const Value& is, bool keyed) {
+    if (!keyed && was == is) return;
+    // The film before keeps the value that the function had.
+    if (make_events && !keyed && t > first)
+      to.push_back(fmt::format("at {} {} {} hold", format_time(first, d), d.name(target), written(d, target, was)));
     if (keyed || make_events || was != is) to.push_back(line_for(d, target, is, t, keyed || make_events));
-    return true;
   };
   const bool keyed = made_by(d, whole, t).events;
   if (!in_components(d, whole)) {
-    if (make_events && !keyed && now == wanted) return;
     add(whole, now, wanted, keyed);
     return;
   }
@@ -179,6 +182,10 @@ Lines pose_lines(const Program& program, const Pose& pose, ObjectId onto, Time t
   Lines lines;
   const ObjectId root_id = d.find(root);
   const Mat4 world = root_id ? world_of(program, root_id, t) : Mat4{};
+  // A character that moves at all gets the pose from here on, and not for the whole film.
+  for (const Pose::Part& part : pose.parts)
+    if (const auto target = target_of(d, under(part.object, pose.root, root), part.function))
+      make_events = make_events || made_by(d, *target, t).events;
   for (const Pose::Part& part : pose.parts) {
     const auto target = target_of(d, under(part.object, pose.root, root), part.function);
     if (!target || !made_by(d, *target, t).code.empty()) continue;

@@ -28,8 +28,9 @@ struct Pose {
 Pose pose_of(const Program&, const std::vector<ObjectId>&, Time);
 // Exchanges left and right: values of man/left-arm go to man/right-arm, mirrored in the plane between the two sides.
 Pose mirrored(const Pose&, const Program&, Time);
-// Returns the lines that give the pose to an object, `onto`, or to the pose's own root if that is none. They make an
-// event where a function has events already, or everywhere with `make_events`. `share`: how far towards the pose.
+// Returns the lines that give the pose to an object, `onto`, or to the pose's own root if that is none. If any
+// of its functions has events, or with `make_events`, they make events; a function without any keeps its value before.
+// `share`: how far towards the pose.
 Lines pose_lines(const Program&, const Pose&, ObjectId onto, Time, bool make_events, double share = 1);
 
 // A pose as text of the language: "# pose of man", and lines such as `set man/arm.rotation (0 0 30deg)`.

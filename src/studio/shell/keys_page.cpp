@@ -76,6 +76,7 @@ KeysPage::KeysPage(QWidget* parent)
   below->addWidget(reset_all);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
+  says_->setMinimumHeight(2 * says_->fontMetrics().lineSpacing());
   all->addLayout(head), all->addWidget(rows_, 1), all->addLayout(below), all->addWidget(says_);
 
   Keys& keys = Keys::of_user();
@@ -116,6 +117,7 @@ void KeysPage::list() {
   const Keys& keys = Keys::of_user();
   const int current = rows_->indexOfTopLevelItem(rows_->currentItem());
   preset_->setCurrentIndex(preset_->findData(keys.preset()));
+  const QSignalBlocker quiet(rows_);  // without a row for a moment, the key field would lose the focus
   rows_->clear();
   for (std::size_t i = 0; i < keys.rows().size(); ++i) {
     const KeyRow& row = keys.rows()[i];

@@ -260,7 +260,7 @@ bool Window::set_layout(const QString& name) {
 void Window::name_film() {
   const QString file = QString::fromStdString(workspace_.session().file());
   setWindowTitle((file.isEmpty() ? tr("new film") : QFileInfo(file).fileName()) + "[*] — Betwixt");
-  setWindowModified(workspace_.session().unsaved() > 0 && workspace_.text() != first_text_);
+  setWindowModified(workspace_.session().unsaved() > 0 && !is_as_begun());
 }
 
 // ---- files

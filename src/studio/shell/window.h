@@ -57,10 +57,11 @@ class Window : public QMainWindow {
 
   // Actions.
   void open_asking();
-  bool may_leave();    // asks about unsaved changes before another film replaces this one
-  void new_film();     // lets the user choose a film to begin with
-  void choose_film();  // the same, without a question about the film that is open
-  bool save();         // asks for a name if there is none
+  bool is_as_begun() const;  // a film without a file that the user has not changed
+  bool may_leave();          // asks about unsaved changes before another film replaces this one
+  void new_film();           // lets the user choose a film to begin with
+  void choose_film();        // the same, without a question about the film that is open
+  bool save();               // asks for a name if there is none
   bool save_as();
   void make_film();
   void save_session();  // the lines of this session

@@ -18,10 +18,12 @@ const std::vector<std::string> saving{"save", "discard", "stay"};  // the choice
 }  // namespace
 
 bool Window::may_leave() {
-  if (workspace_.session().unsaved() == 0 || workspace_.text() == first_text_) return true;
+  if (workspace_.session().unsaved() == 0 || is_as_begun()) return true;
   const auto said = answer({{}, "this film is not saved", saving});
   return said && *said != "stay" && (*said != "save" || save());
 }
+
+bool Window::is_as_begun() const { return workspace_.session().file().empty() && workspace_.text() == first_text_; }
 
 void Window::new_film() {
   if (!may_leave()) return;
@@ -48,13 +50,15 @@ void Window::begin_film(const std::string& text) {
 }
 
 std::optional<std::string> Window::answer(const Session::Question& question) {
+  // A question before the first show would activate the layout of a maximised window too early: Qt crashes then.
+  if (!isVisible()) show();
   if (question.choices.size() > 2 && question.choices[0] == "recover") {
     Recovery recovery(workspace_.opening(), question.text, this);
     recovery.exec();
     return recovery.chosen();
   }
   // A film needs no saving if the user has not changed it.
-  if (workspace_.text() == first_text_ && !first_text_.empty() && question.choices == saving) return "discard";
+  if (is_as_begun() && !first_text_.empty() && question.choices == saving) return "discard";
   const auto said = ask_in_window(this, question);
   if (said != "save" || !workspace_.session().file().empty()) return said;
   return save_as() ? "discard" : "stay";  // an unnamed film: now it has been saved

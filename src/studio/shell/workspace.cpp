@@ -158,10 +158,16 @@ bool Workspace::say(const std::string& line) {
   const std::string file = session_->file();
   if (line.starts_with("open ")) opening_ = word_in(line.substr(5));
   const Session::Answer a = entered(line, [&](Session& s) { return s.enter(line); });
-  const bool done = answer(line, a);
+  const bool done = answer(line, a), saved = line.starts_with("save"), other = file != session_->file();
+  if (other && !saved) {  // the objects of the other film have the numbers of the old ones
+    selected_.clear(), events_.clear(), range_.reset(), script_line_ = 0;
+    emit selection_changed();
+    leave_out(nullptr);
+  }
   take_over();
-  if (done && (line.starts_with("save") || file != session_->file())) know_file();
-  if (file != session_->file()) line.starts_with("save") ? emit named() : emit opened();
+  if (done && (saved || other)) know_file();
+  if (other && !saved) pause(), go_to(document_.range().first);
+  if (other) saved ? emit named() : emit opened();
   if (a.quit) emit wants_to_quit();
   return done;
 }

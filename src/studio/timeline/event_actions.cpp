@@ -13,6 +13,7 @@
 #include "editor/made_by.h"
 #include "scene/document.h"
 #include "studio/curves/curve_actions.h"
+#include "studio/objects/object_lines.h"
 #include "studio/shell/text_of.h"
 #include "studio/timeline/key_lines.h"
 #include "studio/timeline/twerper_grid.h"
@@ -104,6 +105,11 @@ std::vector<Target> EventActions::free_tracks(const std::vector<ObjectId>& objec
   return where;
 }
 
+// A group is its parts, as in the sheet.
+std::vector<ObjectId> EventActions::with_parts() const {
+  return all_below_at(workspace_.document(), workspace_.selected(), workspace_.time());
+}
+
 void EventActions::insert_on(const std::vector<Target>& where) {
   if (where.empty() ||
       !workspace_.say(insert_lines(workspace_.document(), workspace_.program(), where, workspace_.time())))
@@ -116,7 +122,7 @@ void EventActions::insert_on(const std::vector<Target>& where) {
 void EventActions::insert() { insert_on(free_tracks(workspace_.selected(), true)); }
 
 void EventActions::insert_changed() {
-  insert_on(changed_tracks(workspace_.program(), free_tracks(workspace_.selected(), false), workspace_.time()));
+  insert_on(changed_tracks(workspace_.program(), free_tracks(with_parts(), false), workspace_.time()));
 }
 
 void EventActions::insert_character() {
@@ -124,11 +130,11 @@ void EventActions::insert_character() {
 }
 
 void EventActions::hold() {
-  workspace_.say(hold_lines(workspace_.program(), free_tracks(workspace_.selected(), false), workspace_.time()));
+  workspace_.say(hold_lines(workspace_.program(), free_tracks(with_parts(), false), workspace_.time()));
 }
 
 Lines EventActions::breakdown(double share) {
-  return breakdown_lines(workspace_.program(), free_tracks(workspace_.selected(), false), workspace_.time(), share);
+  return breakdown_lines(workspace_.program(), free_tracks(with_parts(), false), workspace_.time(), share);
 }
 
 void EventActions::warp(const std::function<double(double)>& share) {

@@ -47,6 +47,7 @@ class EventActions : public QObject {
  private:
   explicit EventActions(Workspace& workspace);
   std::vector<Target> free_tracks(const std::vector<ObjectId>&, bool or_position);  // those without code
+  std::vector<ObjectId> with_parts() const;
   void insert_on(const std::vector<Target>&);
   void select_copies(const std::vector<EventAt>&, Time to, ObjectId onto);
 
