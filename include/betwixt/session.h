@@ -67,6 +67,9 @@ class Session {
 
   // Opens a script. If the file does not exist, starts a new film. If `file` is "", starts a film without a file.
   Answer open(const std::string& file, Earlier = Earlier::ask);
+  // Sets the journal of a film without a file; call it before open(). A program with several such films gives each its
+  // own. Without a call it is `.betwixt.journal` in the current folder.
+  void keep_nameless_in(std::string journal);
   // Starts from a text, for programs that store the film themselves. Messages use the name `file`. The script may read
   // files in the folder of `file` and below. The file itself need not exist. There is no journal, and other sessions
   // may use the file.

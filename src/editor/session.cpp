@@ -283,6 +283,7 @@ void Session::begin(std::string text, const std::string& file) { state_->begin(s
 Session::Answer Session::enter(std::string_view line) { return state_->enter(line); }
 Session::Answer Session::enter_together(const std::vector<std::string>& lines) { return state_->together(lines); }
 Result<Document> Session::look_ahead(const std::vector<std::string>& lines) const { return state_->ahead(lines); }
+void Session::keep_nameless_in(std::string journal) { state_->nameless_journal = std::move(journal); }
 void Session::edit_in_place() { state_->go_in_place(); }
 const Diagnostics& Session::diagnostics() const { return state_->of_text; }
 void Session::keep_quiet() { state_->quiet = true; }

@@ -38,7 +38,7 @@ Session::Answer Session::State::open(const std::string& name, Earlier earlier) {
   }
   close(false);
   looks_only = false;
-  auto opened = Journal::open(journal_path(name));
+  auto opened = Journal::open(name.empty() ? nameless_journal : journal_path(name));
   if (opened) {
     journal = *std::move(opened);
     Answer found = after_earlier(std::move(o), earlier);

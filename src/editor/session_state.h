@@ -56,6 +56,7 @@ struct Session::State {
   Tally tally;
   std::optional<Fingerprint> known;  // of the file when it was last read or written; nullopt if there was none
   std::unique_ptr<Journal> journal;
+  std::string nameless_journal = journal_path("");
   std::vector<std::string> drawn;  // plots of this session, replaced without a question
   bool looks_only = false;
   bool sheet_refused = false;  // the last sheet was refused, so its rows are refused too

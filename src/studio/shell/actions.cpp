@@ -80,6 +80,9 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Render film…", "export video mp4 gif animation composition"},
     {"New", "template preset project composition scene start"},
     {"Save session…", "macro"},
+    {"Next film", "tab switch document project"},
+    {"Previous film", "tab switch document project"},
+    {"Close film", "tab document project"},
     {"Ways", "motion path trajectory trail"},
     {"Onion skin", "ghost"},
     {"Frame selection", "zoom fit view selected center"},
@@ -163,9 +166,10 @@ std::vector<ActionRow> key_rows() {
 
 std::vector<ActionRow> made_rows() {
   std::vector<ActionRow> all = {
-      {"File", "New", "Ctrl+N", "Begins a new film, empty or from a template; asks first if you have unsaved changes.",
+      {"File", "New", "Ctrl+N", "Begins a new film, empty or from a template, in a tab of its own.",
        [](Window& w) { w.new_film(); }},
-      {"File", "Open…", "Ctrl+O", "Opens another script: `open FILE`.", [](Window& w) { w.open_asking(); }},
+      {"File", "Open…", "Ctrl+O", "Opens another script, in a tab of its own: `open FILE`.",
+       [](Window& w) { w.open_asking(); }},
       {"File", "Save", "Ctrl+S", "Writes the script: `save`.", [](Window& w) { w.save(); }},
       {"File", "Save as…", "Ctrl+Shift+S", "Writes the script under another name: `save FILE`.",
        [](Window& w) { w.save_as(); }},
@@ -174,9 +178,17 @@ std::vector<ActionRow> made_rows() {
       {"File", "Save session…", "",
        "Saves the lines of this session to a file; `betwixt studio --session` runs them again.",
        [](Window& w) { w.save_session(); }},
-      {"File", "Open an example", "", "Opens a film with a ball and a hand.", [](Window& w) { w.open_example(); }},
+      {"File", "Open an example", "", "Opens a film with a ball and a hand.",
+       [](Window& w) {
+         if (Window* place = w.place_for_another()) place->open_example();
+       }},
+      {"File", "Next film", "Ctrl+Tab", "Goes to the film in the next tab.", [](Window& w) { w.go_to_film(1); }},
+      {"File", "Previous film", "Ctrl+Shift+Tab", "Goes to the film in the tab before.",
+       [](Window& w) { w.go_to_film(-1); }},
+      {"File", "Close film", "Ctrl+W", "Closes the tab of this film; asks first if you have unsaved changes.",
+       [](Window& w) { w.close_film(); }},
       {"File", "Quit", "Ctrl+Q", "Ends the program; asks first if you have unsaved changes: `quit`.",
-       [](Window& w) { w.close(); }},
+       [](Window& w) { w.window()->close(); }},
       {"Edit", "Undo", "Ctrl+Z", "Undoes the last change, without limit: `undo`.",
        [](Window& w) { w.workspace().undo(); }},
       {"Edit", "Redo", "Ctrl+Shift+Z; Ctrl+Y", "Repeats the last undone change: `redo`.",

@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QLineEdit>
+#include <QMainWindow>
 #include <QPlainTextEdit>
 #include <QTextDocumentFragment>
 #include <QWidget>
@@ -30,7 +31,8 @@ QString name_for(const QWidget& w) {
   if (const auto* edit = qobject_cast<const QLineEdit*>(&w); edit && !edit->placeholderText().isEmpty())
     return edit->placeholderText();
   for (const QWidget* up = &w; up; up = up->parentWidget())
-    if (!up->windowTitle().isEmpty() && !up->isWindow()) return up->windowTitle();
+    if (!up->windowTitle().isEmpty() && !up->isWindow() && !qobject_cast<const QMainWindow*>(up))
+      return up->windowTitle();
   return QString(w.objectName()).replace('_', ' ');
 }
 

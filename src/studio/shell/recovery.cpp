@@ -21,8 +21,9 @@
 
 namespace betwixt::studio {
 
-std::optional<std::string> recovered_text(const std::string& script) {
-  const QString journal = QString::fromStdString(journal_path(script));
+std::optional<std::string> recovered_text(const std::string& script, const std::string& nameless_journal) {
+  const bool has_own = script.empty() && !nameless_journal.empty();
+  const QString journal = QString::fromStdString(has_own ? nameless_journal : journal_path(script));
   // Beside the script, because it names other files by their place. The name is always the same, so that a step that
   // crashes the program is found at the next start.
   const QFileInfo info(QString::fromStdString(script));
@@ -44,8 +45,13 @@ std::optional<std::string> recovered_text(const std::string& script) {
   return text;
 }
 
-Recovery::Recovery(const std::string& script, const std::string& question, QWidget* parent)
-    : QDialog(parent), script_(script), counts_(new QLabel(this)), lines_(new QTextBrowser(this)) {
+Recovery::Recovery(const std::string& script, const std::string& question, QWidget* parent,
+                   const std::string& nameless_journal)
+    : QDialog(parent),
+      script_(script),
+      nameless_journal_(nameless_journal),
+      counts_(new QLabel(this)),
+      lines_(new QTextBrowser(this)) {
   setObjectName("recovery");
   setWindowTitle(tr("Recover unsaved work"));
   auto* says =
@@ -83,7 +89,7 @@ Recovery::Recovery(const std::string& script, const std::string& question, QWidg
   connect(this, &Recovery::came, this, &Recovery::show_difference, Qt::QueuedConnection);
   if (const auto there = read_whole(script_)) saved_ = *there;
   reader_ = std::thread([this] {
-    recovered_ = recovered_text(script_);
+    recovered_ = recovered_text(script_, nameless_journal_);
     emit came();
   });
 }

@@ -18,13 +18,15 @@ namespace betwixt::studio {
 
 // Returns the text that recovering would give, without a change to the script or its journal; nullopt if that fails.
 // Works on copies beside them.
-std::optional<std::string> recovered_text(const std::string& script);
+// `nameless_journal` is that of a film without a file, if it is not the usual one.
+std::optional<std::string> recovered_text(const std::string& script, const std::string& nameless_journal = {});
 
 class Recovery : public QDialog {
   Q_OBJECT
  public:
   // `question` says how much is not saved.
-  Recovery(const std::string& script, const std::string& question, QWidget* parent = nullptr);
+  Recovery(const std::string& script, const std::string& question, QWidget* parent = nullptr,
+           const std::string& nameless_journal = {});
   ~Recovery() override;
   // "recover", "discard", or nothing if the user wants to decide later.
   const std::optional<std::string>& chosen() const { return chosen_; }
@@ -37,7 +39,7 @@ class Recovery : public QDialog {
   void show_difference();
   void save_as();
 
-  const std::string script_;
+  const std::string script_, nameless_journal_;
   std::string saved_;
   std::optional<std::string> recovered_;
   std::optional<std::string> chosen_;

@@ -15,11 +15,11 @@
 #include "betwixt/language.h"
 #include "studio/course/film_chooser.h"
 #include "studio/shell/export_dialog.h"
+#include "studio/shell/films.h"
 #include "studio/shell/preferences.h"
 #include "studio/shell/preferences_window.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/theme.h"
-#include "studio/shell/window.h"
 #include "studio/shell/words.h"
 #include "studio/viewport/views.h"
 
@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
   QApplication app(own, argv);
   QApplication::setApplicationName("betwixt-studio");
   QCommandLineParser line;
-  line.addPositionalArgument("FILE", "the script");
+  line.addPositionalArgument("FILE", "the script; each further one gets a tab");
   line.addOptions({{"screenshot", "saves a screenshot of the window and ends", "OUT.png"},
                    {"at", "the time of the playhead", "TIME"},
                    {"layout", "the arrangement of the panels", "NAME"},
@@ -141,14 +141,13 @@ int main(int argc, char** argv) {
   Preferences& user = Preferences::of_user();
   if (!shows_only) user.recall();
   use_language(wanted_language());
-  Workspace workspace(options);
-  const Window::Manner manner{.bare = line.isSet("bare"), .remembers = !shows_only};
-  auto shown = std::make_unique<Window>(workspace, manner);
-  Window& window = *shown;
+  Films films(options, {.bare = line.isSet("bare"), .remembers = !shows_only});
+  Window& window = films.current();
+  Workspace& workspace = window.workspace();
   if (line.isSet("light")) window.set_light(true);
   // Shows the window while a long film is still loading.
   QObject::connect(&workspace.jobs(), &BackgroundJobs::takes_long, &window, [&] {
-    if (!shows_only) window.show();
+    if (!shows_only) films.show();
   });
   QString file = line.positionalArguments().value(0);
   if (file.isEmpty() && user.word("start") == "last") file = last_film();
@@ -170,7 +169,8 @@ int main(int argc, char** argv) {
     size = {wh.value(0).toInt(), wh.value(1).toInt()};
     if (size.width() < 100 || size.height() < 100 || size.width() > 16384 || size.height() > 16384)
       return refuse("--size: expected a size such as 1280x800");
-    if (!line.isSet("panel") || line.value("panel") == "picture") window.resize(size);
+    if (!line.isSet("panel") || line.value("panel") == "picture")
+      films.resize(size), window.resize(size);  // its layout needs the size before it is shown
   }
   if (line.isSet("layout") && !window.set_layout(line.value("layout")))
     return refuse("there is no layout '" + line.value("layout").toStdString() +
@@ -188,14 +188,14 @@ int main(int argc, char** argv) {
     for (const Target& t : *found) objects.push_back(t.object);
     workspace.select(objects);
   }
-  window.show();
+  films.show();
   if (shows_only) {
     if (line.isSet("layout")) window.set_layout(line.value("layout"));  // its shares are relative to this size
     QApplication::processEvents();
     for (Viewport* view : window.views().all()) view->await_picture();
     QApplication::processEvents();
     const QString out = line.value("screenshot"), panel = line.value("panel");
-    const QPixmap picture = panel.isEmpty() ? window.grab() : picture_of(window, panel, size);
+    const QPixmap picture = panel.isEmpty() ? films.grab() : picture_of(window, panel, size);
     if (picture.isNull()) return refuse("there is no panel '" + panel.toStdString() + "'");
     return picture.save(out) ? 0
                              : (std::fprintf(stderr, "betwixt: error: '%s' cannot be written\n", qPrintable(out)), 3);
@@ -203,6 +203,8 @@ int main(int argc, char** argv) {
   if (line.isSet("bare")) workspace.playhead().loop(line.isSet("loop"));
   if (line.isSet("mute")) window.sound().mute(true);
   if (line.isSet("bare")) workspace.play(1);
+  if (file.isEmpty() && !line.isSet("bare")) films.recover_others(earlier);
+  for (const QString& other : line.positionalArguments().mid(1)) films.open(other);
   if (begins && !line.isSet("bare") && !line.isSet("session")) window.choose_film();
   // Another language needs other windows; the film, its undo and the playhead stay.
   QObject::connect(
@@ -210,11 +212,9 @@ int main(int argc, char** argv) {
       [&](const QString& name) {
         if (name != "language") return;
         use_language(wanted_language());
-        shown->remember();
-        shown = std::make_unique<Window>(workspace, manner);
-        shown->show_film_anew();
-        shown->show();
-        shown->show_preferences("General");
+        films.current().remember();
+        films.speak_anew();
+        films.current().show_preferences("General");
       },
       Qt::QueuedConnection);
   return QApplication::exec();

@@ -6,13 +6,12 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
-#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMimeData>
+#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
@@ -20,6 +19,7 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "base/files.h"
 #include "studio/assets/asset_panel.h"
@@ -37,6 +37,7 @@
 #include "studio/shell/console.h"
 #include "studio/shell/control_names.h"
 #include "studio/shell/export_dialog.h"
+#include "studio/shell/films.h"
 #include "studio/shell/key_focus.h"
 #include "studio/shell/keys.h"
 #include "studio/shell/preferences.h"
@@ -61,6 +62,13 @@ bool in_layout(const QString& layout, const QString& panel) {
          (layout == "script" && (panel == "script_panel" || panel == "console"));
 }
 
+// Installs an event filter for the whole program, once for all windows.
+template <class Filter>
+void filter_all() {
+  static QPointer<Filter> there;
+  if (!there) qApp->installEventFilter(there = new Filter(qApp));
+}
+
 }  // namespace
 
 Window::Window(Workspace& workspace, Manner manner)
@@ -71,8 +79,7 @@ Window::Window(Workspace& workspace, Manner manner)
       sound_(new Sound(workspace, this)),
       said_(new QLabel(this)) {
   setObjectName("studio");
-  qApp->installEventFilter(new ControlNames(this));
-  qApp->installEventFilter(new KeyFocus(this));
+  filter_all<ControlNames>(), filter_all<KeyFocus>();
   setDockNestingEnabled(true);
   setAcceptDrops(true);
   resize(1280, 800);
@@ -91,8 +98,7 @@ Window::Window(Workspace& workspace, Manner manner)
   connect(&workspace, &Workspace::opened, this, &Window::note_file);
   connect(&workspace, &Workspace::named, this, &Window::note_file);
   connect(&workspace, &Workspace::wants_to_quit, this, [this] {
-    leaving_ = true;
-    QTimer::singleShot(0, this, &QWidget::close);
+    if (!std::exchange(leaving_, true)) QTimer::singleShot(0, this, [this] { window()->close(); });
   });
   // The status bar shows the last line carried out, or its error, even if the console is hidden.
   connect(&workspace, &Workspace::said, this, [this](const QString& line, const QString& answer, bool refused) {
@@ -103,7 +109,7 @@ Window::Window(Workspace& workspace, Manner manner)
   });
   show_work();
   if (manner_.bare) {  // as in the terminal player
-    connect(new QShortcut(Qt::Key_Q, this), &QShortcut::activated, this, &QWidget::close);
+    connect(new QShortcut(Qt::Key_Q, this), &QShortcut::activated, this, [this] { window()->close(); });
     connect(new QShortcut(Qt::Key_M, this), &QShortcut::activated, this,
             [this] { Preferences::of_user().set("mute", !sound_->muted()); });
   }
@@ -258,17 +264,12 @@ bool Window::set_layout(const QString& name) {
 }
 
 void Window::name_film() {
-  const QString file = QString::fromStdString(workspace_.session().file());
-  setWindowTitle((file.isEmpty() ? tr("new film") : QFileInfo(file).fileName()) + "[*] — Betwixt");
-  setWindowModified(workspace_.session().unsaved() > 0 && !is_as_begun());
+  setWindowTitle(film_name() + "[*] — Betwixt");
+  setWindowModified(!is_saved());
+  emit film_named();
 }
 
 // ---- files
-
-void Window::open_asking() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open a film"), {}, tr("Films (*.bx)"));
-  if (!file.isEmpty()) workspace_.say("open " + as_one_word(file.toStdString()));
-}
 
 bool Window::save() {
   workspace_.settle_typing();
@@ -296,8 +297,7 @@ void Window::note_file() {
 void Window::list_recent() {
   recent_->clear();
   for (const QString& file : QSettings("betwixt", "studio").value("recent").toStringList())
-    if (QFileInfo::exists(file))
-      recent_->addAction(file, this, [this, file] { workspace_.say("open " + as_one_word(file.toStdString())); });
+    if (QFileInfo::exists(file)) recent_->addAction(file, this, [this, file] { open_film(file); });
   if (recent_->isEmpty()) recent_->addAction(tr("none yet"))->setEnabled(false);
 }
 
@@ -316,16 +316,6 @@ void Window::make_film() {
   dialog->show();
 }
 
-void Window::dragEnterEvent(QDragEnterEvent* e) {
-  for (const QUrl& url : e->mimeData()->urls())
-    if (url.toLocalFile().endsWith(".bx")) e->acceptProposedAction();
-}
-
-void Window::dropEvent(QDropEvent* e) {
-  for (const QUrl& url : e->mimeData()->urls())
-    if (url.toLocalFile().endsWith(".bx")) workspace_.say("open " + as_one_word(url.toLocalFile().toStdString()));
-}
-
 void Window::closeEvent(QCloseEvent* e) {
   if (!leaving_) workspace_.say(std::string("quit"));  // asks about unsaved changes
   if (!leaving_) return e->ignore();
@@ -337,7 +327,7 @@ void Window::closeEvent(QCloseEvent* e) {
 
 void Window::remember() {
   QSettings settings("betwixt", "studio");
-  if (!manner_.bare) settings.setValue("geometry", saveGeometry()), settings.setValue("panels", saveState());
+  if (!manner_.bare) settings.setValue("geometry", window()->saveGeometry()), settings.setValue("panels", saveState());
   const ViewportSwitches& s = viewport_->switches();
   settings.setValue("safe-frames", s.safe), settings.setValue("thirds", s.thirds), settings.setValue("snaps", s.snaps);
 }
@@ -356,7 +346,8 @@ void Window::recall() {
   if (settings.contains("starting")) settings.remove("geometry"), settings.remove("panels");
   settings.setValue("starting", true);
   settings.sync();
-  restoreGeometry(settings.value("geometry").toByteArray());
+  QWidget& around = manner_.films ? *static_cast<QWidget*>(manner_.films) : *this;
+  if (!around.isVisible()) around.restoreGeometry(settings.value("geometry").toByteArray());
   // Restore the panels after the window has its size: Qt crashes if it restores them into a window that is about to be
   // maximised.
   QTimer::singleShot(0, this, [this] {

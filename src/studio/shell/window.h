@@ -17,6 +17,7 @@ class QMenu;
 namespace betwixt::studio {
 
 struct ActionRow;
+class Films;
 class Sound;
 class Viewport;
 class Views;
@@ -27,6 +28,7 @@ class Window : public QMainWindow {
   struct Manner {
     bool bare = false;       // only the picture and the ruler, to play films
     bool remembers = false;  // keeps the panel layout, the theme and recent files between runs
+    Films* films = nullptr;  // the window around this one, with a tab for each film; null: there is only this film
   };
   Window(Workspace&, Manner);
   explicit Window(Workspace& workspace) : Window(workspace, Manner()) {}
@@ -55,13 +57,23 @@ class Window : public QMainWindow {
   void ask_breakdown();
   void ask_retiming();
 
+  // The film of this window and others. Without tabs, another film replaces this one.
+  QString film_name() const;
+  bool is_saved() const;      // a film that was only begun needs no saving
+  bool is_untouched() const;  // a film without a file that the user has not changed: another one may take its place
+  bool may_leave();           // asks about unsaved changes
+  void leave();               // ends the session, without a question
+  bool has_left() const { return leaving_; }
+  void open_film(const QString& file);
+  Window* place_for_another();  // this window or that of a new tab; null if the user keeps the film here
+  void go_to_film(int by);      // the next tab or the one before
+  void close_film();
+
   // Actions.
   void open_asking();
-  bool is_as_begun() const;  // a film without a file that the user has not changed
-  bool may_leave();          // asks about unsaved changes before another film replaces this one
-  void new_film();           // lets the user choose a film to begin with
-  void choose_film();        // the same, without a question about the film that is open
-  bool save();               // asks for a name if there is none
+  void new_film();     // lets the user choose a film to begin with
+  void choose_film();  // the same, without a question about the film that is open
+  bool save();         // asks for a name if there is none
   bool save_as();
   void make_film();
   void save_session();  // the lines of this session
@@ -77,7 +89,12 @@ class Window : public QMainWindow {
   void open_example();
   void begin_film(const std::string& text);  // a new film that has this text; it needs no saving until it is changed
 
+ Q_SIGNALS:
+  void film_named();  // it has another name, or was changed or saved
+
  protected:
+  void hideEvent(QHideEvent*) override;
+  void showEvent(QShowEvent*) override;
   void closeEvent(QCloseEvent*) override;
   void dragEnterEvent(QDragEnterEvent*) override;
   void dropEvent(QDropEvent*) override;
@@ -101,6 +118,7 @@ class Window : public QMainWindow {
   Viewport* viewport_;  // the first of them
   Sound* sound_;
   std::vector<QDockWidget*> docks_;
+  std::vector<QDockWidget*> floating_;  // panels beside the window that are hidden together with it
   QMenu* recent_ = nullptr;
   QLabel* said_;
   std::string first_text_;  // of a film without a file

@@ -30,7 +30,10 @@ std::string word_in(std::string words) {
 
 }  // namespace
 
-Workspace::Workspace(const LoadOptions& options) : options_(options), program_(Program::compile(Document())) {
+Workspace::Workspace(const LoadOptions& options, const std::string& nameless_journal)
+    : options_(options),
+      nameless_journal_(nameless_journal.empty() ? journal_path("") : nameless_journal),
+      program_(Program::compile(Document())) {
   make_session();
   typing_settles_.setSingleShot(true), typing_settles_.setInterval(typing_settles_after);
   clock_.setInterval(1000 / ticks_a_second), clock_.setTimerType(Qt::PreciseTimer);
@@ -61,7 +64,12 @@ void Workspace::make_session() {
   callbacks.load_plugin = [](const std::string& file) { return use_plugin(file); };
   session_.reset();  // its journal is free for the next one
   session_ = std::make_unique<Session>(std::move(callbacks), options_);
+  session_->keep_nameless_in(nameless_journal_);
   session_->edit_in_place();
+}
+
+std::string Workspace::journal_of(const std::string& file) const {
+  return file.empty() ? nameless_journal_ : journal_path(file);
 }
 
 template <class F>
@@ -85,7 +93,7 @@ Workspace::Left Workspace::leaving() const {
     return there ? std::optional<std::string>(*there) : std::nullopt;
   };
   const std::string& file = session_->file();
-  return {file, file.empty() ? std::nullopt : content(file), content(journal_path(file))};
+  return {file, file.empty() ? std::nullopt : content(file), content(journal_of(file))};
 }
 
 // After a stop the session may be in the middle of a film. It begins again with the one that was open before: its
@@ -94,7 +102,7 @@ void Workspace::begin_again(const Left& left) {
   session_.reset();
   const auto now = read_whole(left.file);
   const bool same = left.file.empty() || (left.text && now && *now == *left.text);
-  if (same && left.journal) (void)write_whole(journal_path(left.file), *left.journal, true);
+  if (same && left.journal) (void)write_whole(journal_of(left.file), *left.journal, true);
   make_session();
   (void)asked([&](Session& s) { return s.open(left.file, Session::Earlier::recover); });
   take_over();

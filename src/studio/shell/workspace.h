@@ -42,7 +42,8 @@ struct KeptAt {
 class Workspace : public QObject {
   Q_OBJECT
  public:
-  explicit Workspace(const LoadOptions& = {});
+  // `nameless_journal` is that of a film without a file; "" is the one in the current folder.
+  explicit Workspace(const LoadOptions& = {}, const std::string& nameless_journal = {});
   ~Workspace() override;
 
   // Answers a question with one of its choices. If it is empty or returns nullopt, there is no answer and nothing is
@@ -56,6 +57,7 @@ class Workspace : public QObject {
   void look_at_file();
   // The script that is being opened, while the session asks about it.
   const std::string& opening() const { return opening_; }
+  const std::string& nameless_journal() const { return nameless_journal_; }
   Session& session() { return *session_; }
   const Session& session() const { return *session_; }
 
@@ -170,7 +172,10 @@ class Workspace : public QObject {
   Left leaving() const;
   void begin_again(const Left&);
 
+  std::string journal_of(const std::string& file) const;
+
   const LoadOptions options_;
+  const std::string nameless_journal_;
   std::unique_ptr<Session> session_;
   std::string opening_;
   BackgroundJobs jobs_;
