@@ -9,6 +9,7 @@
 #include <QtWidgets>
 
 #include "studio/film.h"
+#include "studio/shell/recovery.h"
 #include "studio/shell/theme.h"
 
 using namespace betwixt;
@@ -231,6 +232,46 @@ class FilmsTest : public QObject {
     for (Window* w : d.films.windows()) w->workspace().undo();
     QVERIFY(d.films.close());
     QVERIFY(!QFile::exists(".betwixt.journal") && !QFile::exists(".betwixt-2.journal"));
+  }
+
+  void filmsWithoutFilesComeBackAfterACrash() {
+    const QTemporaryDir folder;
+    QDir::setCurrent(folder.path());
+    QByteArray lost;
+    {
+      Workspace then({}, ".betwixt-2.journal");
+      then.open({}, Session::Earlier::discard);
+      then.say(std::string("create two box"));
+      lost = Desk::content(".betwixt-2.journal");
+    }
+    const auto crash = [&] { Desk::write(".betwixt-2.journal", lost); };
+    crash();
+    QCOMPARE(recovered_text({}, ".betwixt-2.journal"), std::optional<std::string>("create two box\n"));
+    for (const auto earlier : {Session::Earlier::recover, Session::Earlier::discard}) {
+      crash();
+      Films films;
+      films.current().workspace().open({}, Session::Earlier::discard);
+      films.recover_others(earlier);
+      const bool back = earlier == Session::Earlier::recover;
+      QCOMPARE(films.tabs().count(), back ? 2 : 1);
+      QCOMPARE(films.tabs().currentIndex(), 0);
+      if (!back) continue;
+      QCOMPARE(QByteArray::fromStdString(films.windows()[1]->workspace().text()), QByteArray("create two box\n"));
+      films.windows()[1]->workspace().undo();
+    }
+    QDir::setCurrent(QDir::tempPath());
+  }
+
+  void panelsBesideTheWindowGoWithTheirFilm() {
+    Desk d;
+    d.films.open("a.bx");
+    auto* dock = qobject_cast<QDockWidget*>(d.films.current().panel("outliner")->parentWidget());
+    dock->setFloating(true);
+    QVERIFY(dock->isVisible());
+    d.films.open("b.bx");
+    QVERIFY(!dock->isVisible());
+    d.films.go_on(1);
+    QVERIFY(dock->isVisible() && dock->isFloating());
   }
 
   void tabsAreOrderedByHand() {
