@@ -120,6 +120,8 @@ void Window::begin_film(const std::string& text) {
 
 std::optional<std::string> Window::answer(const Session::Question& question) {
   if (manner_.films) manner_.films->go_to(*this);  // you see the film that is asked about
+  // A question before the first show would activate the layout of a maximised window too early: Qt crashes then.
+  if (!window()->isVisible()) window()->show();
   if (question.choices.size() > 2 && question.choices[0] == "recover") {
     Recovery recovery(workspace_.opening(), question.text, this, workspace_.nameless_journal());
     recovery.exec();
