@@ -340,7 +340,7 @@ int play(PlayCall& call) {
       arguments.insert(arguments.end(),
                        {"--size", fmt::format("{}x{}", call.picture.size->first, call.picture.size->second)});
     arguments.insert(arguments.end(), {"--style", call.picture.otherwise.style});
-    return complain(become_studio(std::move(arguments), call.file).error(), machine_failed);
+    return complain(become_studio(std::move(arguments), {call.file}).error(), machine_failed);
   }
   const std::optional<Document> document = open_script(call.file);
   if (!document) return wrong_input;

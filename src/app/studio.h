@@ -13,7 +13,7 @@ namespace betwixt {
 
 bool has_display();  // whether windows can be opened
 bool has_studio();   // whether it has been built
-// Replaces this process by the studio. Returns only if that fails. Errors: machine.
-Status become_studio(std::vector<std::string> arguments, const std::string& file);
+// Replaces this process by the studio, with a tab for each file. Returns only if that fails. Errors: machine.
+Status become_studio(std::vector<std::string> arguments, const std::vector<std::string>& files);
 
 }  // namespace betwixt

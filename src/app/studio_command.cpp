@@ -32,6 +32,7 @@ std::string find_studio() {
 
 struct StudioCall {
   std::string file, screenshot, at, layout, size, select, panel, session;
+  std::vector<std::string> others;
   bool light = false, recover = false, discard = false;
 };
 
@@ -52,7 +53,9 @@ int studio(StudioCall& call) {
   if (call.light) arguments.emplace_back("--light");
   if (call.recover) arguments.emplace_back("--recover");
   if (call.discard) arguments.emplace_back("--discard");
-  return complain(become_studio(std::move(arguments), call.file).error(), machine_failed);
+  std::vector<std::string> files{call.file};
+  files.insert(files.end(), call.others.begin(), call.others.end());
+  return complain(become_studio(std::move(arguments), files).error(), machine_failed);
 }
 
 const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
@@ -60,36 +63,38 @@ const Enlisted enlisted_studio(studio, [](StudioCall& call) -> Subcommand {
       .rank = 25,
       .name = "studio",
       .sentence = "opens the studio, where you edit the film as a picture, a sheet, curves and text",
-      .takes = {{.name = "FILE",
-                 .sentence = "the script; a new one if it does not exist",
-                 .into = &call.file,
-                 .offer = Offer::scripts},
-                file_option("--screenshot", "OUT.png", "saves a screenshot of the window and ends; needs no display",
-                            &call.screenshot),
-                option("--at", "TIME", "the time of the playhead: 24f, 1.5s", &call.at),
-                {.name = "--layout",
-                 .value = "NAME",
-                 .sentence = "the arrangement of the panels: all, animate, script, live or picture",
-                 .into = &call.layout,
-                 .words_only = true,
-                 .words = {"all", "animate", "script", "live", "picture"}},
-                option("--size", "WxH", "the size of the window", &call.size),
-                option("--select", "PATTERN", "the selected objects: wheel*", &call.select),
-                {.name = "--panel",
-                 .value = "NAME",
-                 .sentence = "saves a screenshot of this panel only: outliner, sheet, columns, curves …",
-                 .into = &call.panel,
-                 .words = {"picture", "outliner", "timeline", "sheet", "columns", "curves", "script", "properties",
-                           "console", "history", "course", "assets", "live", "server", "export", "new", "preferences",
-                           "appearance", "keys"}},
-                flag("--light", "uses light colours", call.light),
-                file_option("--session", "SESSION.txt", "runs the lines of a file first, such as a saved session",
-                            &call.session),
-                flag("--recover", "recovers the unsaved commands of an earlier session", call.recover),
-                {.name = "--discard",
-                 .sentence = "discards the unsaved commands of an earlier session",
-                 .into = &call.discard,
-                 .excludes = "--recover"}},
+      .takes =
+          {{.name = "FILE",
+            .sentence = "the script; a new one if it does not exist",
+            .into = &call.file,
+            .offer = Offer::scripts},
+           {.name = "OTHER", .sentence = "more scripts, each in a tab", .into = &call.others, .offer = Offer::scripts},
+           file_option("--screenshot", "OUT.png", "saves a screenshot of the window and ends; needs no display",
+                       &call.screenshot),
+           option("--at", "TIME", "the time of the playhead: 24f, 1.5s", &call.at),
+           {.name = "--layout",
+            .value = "NAME",
+            .sentence = "the arrangement of the panels: all, animate, script, live or picture",
+            .into = &call.layout,
+            .words_only = true,
+            .words = {"all", "animate", "script", "live", "picture"}},
+           option("--size", "WxH", "the size of the window", &call.size),
+           option("--select", "PATTERN", "the selected objects: wheel*", &call.select),
+           {.name = "--panel",
+            .value = "NAME",
+            .sentence = "saves a screenshot of this panel only: outliner, sheet, columns, curves …",
+            .into = &call.panel,
+            .words = {"picture", "outliner", "timeline", "sheet", "columns", "curves", "script", "properties",
+                      "console", "history", "course", "assets", "live", "server", "export", "new", "preferences",
+                      "appearance", "keys"}},
+           flag("--light", "uses light colours", call.light),
+           file_option("--session", "SESSION.txt", "runs the lines of a file first, such as a saved session",
+                       &call.session),
+           flag("--recover", "recovers the unsaved commands of an earlier session", call.recover),
+           {.name = "--discard",
+            .sentence = "discards the unsaved commands of an earlier session",
+            .into = &call.discard,
+            .excludes = "--recover"}},
       .note = "The first ./betwixt studio builds it.",
       .example = "betwixt studio examples/bounce.bx",
       .manual =
@@ -107,7 +112,7 @@ bool has_display() {
 
 bool has_studio() { return !find_studio().empty(); }
 
-Status become_studio(std::vector<std::string> arguments, const std::string& file) {
+Status become_studio(std::vector<std::string> arguments, const std::vector<std::string>& files) {
   const std::string path = find_studio();
   if (path.empty())
     return fail(ErrorCode::machine, "the studio is missing",
@@ -116,7 +121,9 @@ Status become_studio(std::vector<std::string> arguments, const std::string& file
   if (load_options().read_anywhere) arguments.emplace_back("--read-anywhere");
   if (load_options().tex) arguments.emplace_back("--tex");
   for (const std::string& plugin : plugins_loaded()) arguments.insert(arguments.end(), {"--load", plugin});
-  if (!file.empty()) arguments.insert(arguments.end(), {"--", file});
+  arguments.emplace_back("--");
+  for (const std::string& file : files)
+    if (!file.empty()) arguments.push_back(file);
   std::vector<char*> raw;
   for (std::string& a : arguments) raw.push_back(a.data());
   raw.push_back(nullptr);
