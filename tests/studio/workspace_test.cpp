@@ -18,6 +18,7 @@
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
 #include "studio/viewport/viewport.h"
+#include "syntax/tokens.h"
 
 using namespace betwixt;
 using namespace betwixt::studio;
