@@ -158,7 +158,9 @@ int main(int argc, char** argv) {
                                                            : Session::Earlier::ask;
   if (!workspace.open(file, earlier)) {
     betwixt::tell_user(workspace.last_said());
-    return 1;
+    // If the user will decide later about unsaved work, the window stays, with a new film.
+    const bool asked = films.isVisible() && !file.isEmpty();
+    if (!asked || !workspace.open("", Session::Earlier::ask)) return 1;
   }
   const bool begins = file.isEmpty() && workspace.session().unsaved() == 0 && user.word("start") != "empty";
   if (begins) window.open_example();
