@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/files.h"
+#include "editor/journal.h"
 #include "exchange/pictures.h"
 #include "exchange/scene_file.h"
 #include "exchange/sounds.h"
@@ -34,6 +35,8 @@ Result<std::shared_ptr<const Outline>> set_by_tex(const std::string&, std::chron
 
 Status decode_sound(const std::string&, const Listener&, double) { return not_here("sounds are not decoded"); }
 Result<std::shared_ptr<const Sound>> read_sound(const std::string&, bool) { return std::make_shared<const Sound>(); }
+
+std::string journal_path(const std::string&) { return {}; }  // a page keeps no journal
 
 Result<Plugin> load_plugin(const std::string&) { return not_here("plug-ins are not loaded"); }
 Result<std::unique_ptr<Renderer>> make_plugin_renderer(const RenderOptions&, int) {
