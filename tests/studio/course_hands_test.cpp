@@ -185,12 +185,8 @@ class CourseHandsTest : public QObject {
     QStandardPaths::setTestModeEnabled(true);
     set_theme(*qApp, Theme::dark);
     window_ = std::make_unique<Window>(workspace_);
-    window_->setGeometry(0, 0, 1380, 880);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    window_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     hands_ = hands_on(*window_);
+    QVERIFY(hands_);
     window_->show_panel("course");
   }
 

@@ -9,24 +9,18 @@
 
 #include "betwixt/language.h"
 #include "betwixt/object.h"
-#include "studio/film.h"
 #include "studio/panels/new_parts.h"
 #include "studio/panels/properties.h"
 #include "studio/shell/number_field.h"
+#include "studio/shown_properties.h"
 
 namespace betwixt::studio {
 
 class PartsTest : public QObject {
   Q_OBJECT
 
-  struct Shown : Film {
-    Properties panel{workspace};
-    explicit Shown(const QByteArray& text, const char* selected = "ball") : Film(text) {
-      panel.resize(700, 900);
-      panel.show();
-      if (!QTest::qWaitForWindowActive(&panel)) qFatal("no window");
-      select(selected);
-    }
+  struct Shown : ShownProperties {
+    explicit Shown(const QByteArray& text, const char* selected = "ball") : ShownProperties(text, selected, 700) {}
     PartsView& parts(const char* function) {
       auto* button = panel.findChild<QToolButton*>(QString("unfold_") + function);
       if (!button) qFatal("no %s", function);

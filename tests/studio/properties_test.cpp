@@ -11,22 +11,16 @@
 
 #include "betwixt/language.h"
 #include "scene/document.h"
-#include "studio/film.h"
 #include "studio/shell/number_field.h"
+#include "studio/shown_properties.h"
 
 namespace betwixt::studio {
 
 class PropertiesTest : public QObject {
   Q_OBJECT
 
-  struct Shown : Film {
-    Properties panel{workspace};
-    explicit Shown(const QByteArray& text, const char* selected = "ball") : Film(text) {
-      panel.resize(500, 900);
-      panel.show();
-      if (!QTest::qWaitForWindowActive(&panel)) qFatal("no window");
-      select(selected);
-    }
+  struct Shown : ShownProperties {
+    explicit Shown(const QByteArray& text, const char* selected = "ball") : ShownProperties(text, selected, 500) {}
     template <class W = NumberField>
     W& at(const char* function, const char* part = "value") {
       auto* editor = panel.findChild<ValueEditor*>(function);

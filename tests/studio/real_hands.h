@@ -149,7 +149,13 @@ class DisplayHands : public Hands, QAbstractNativeEventFilter {
   std::array<int, 7> come_{};
 };
 
+// Shows a window and returns the hands that work in it; null if it does not become active.
 inline std::unique_ptr<Hands> hands_on(QWidget& window) {
+  window.setGeometry(0, 0, 1380, 880);
+  window.show();
+  if (!QTest::qWaitForWindowExposed(&window)) return nullptr;
+  window.activateWindow();
+  if (!QTest::qWaitForWindowActive(&window)) return nullptr;
   if (QGuiApplication::platformName() == "xcb") return std::make_unique<DisplayHands>(window);
   return std::make_unique<ToolkitHands>(window);
 }

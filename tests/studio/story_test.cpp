@@ -153,12 +153,8 @@ class Story : public QObject {
     connect(&window_->viewport(), &Viewport::picture_came, this, [this](const PictureMade& p) { picture_ = p.image; });
     QVERIFY(workspace_.open(f.fileName()));
     steps_ = 0;
-    window_->setGeometry(0, 0, 1380, 880);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    window_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     hands_ = hands_on(*window_);
+    QVERIFY(hands_);
     is(film);
     shows(film, 1);
   }

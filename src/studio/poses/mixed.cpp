@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "betwixt/math.h"
+#include "studio/viewport/hand.h"
 #include "track/track.h"
 #include "track/twerpers.h"
 
@@ -28,10 +29,6 @@ double six_decimals(double v) {
 }  // namespace
 
 Value mixed(const Value& a, const Value& b, double share) {
-  const auto turned = [](const Value& v) {
-    const auto* angles = std::get_if<Angles>(&v);
-    return angles ? from_angles(angles->xyz) : std::get<Quat>(v);
-  };
   const auto turns = [](const Value& v) {
     return std::holds_alternative<Angles>(v) || std::holds_alternative<Quat>(v);
   };
@@ -43,7 +40,7 @@ Value mixed(const Value& a, const Value& b, double share) {
     if (const auto* from = std::get_if<Color>(&a)) return mixed_colors(*from, std::get<Color>(b), share);
   }
   if (turns(a) && turns(b)) {
-    const Quat from = turned(a), to = turned(b);
+    const Quat from = orientation_of(a), to = orientation_of(b);
     return slerp(from, dot(from, to) < 0 ? -to : to, share);
   }
   return share < 0.5 ? a : b;

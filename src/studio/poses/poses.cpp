@@ -13,7 +13,6 @@
 #include "betwixt/math.h"
 #include "betwixt/object.h"
 #include "editor/made_by.h"
-#include "language/values.h"
 #include "scene/document.h"
 #include "scene/own_kinds.h"
 #include "studio/objects/object_lines.h"
@@ -103,10 +102,6 @@ Value in_mirror(Value v, const std::string& function, int axis) {
   return v;
 }
 
-std::string written(const Document& d, const Target& t, const Value& v) {
-  return write_value(v, spec_of(d.scene(), t.function), t.component, [&](ObjectId id) { return d.name(id); });
-}
-
 // Adds the lines that give a whole function a value: one line for each component if these have tracks of their own.
 void add_lines(const Document& d, const Target& whole, const Value& now, const Value& wanted, Time t, bool make_events,
                Lines& to) {
@@ -115,7 +110,7 @@ void add_lines(const Document& d, const Target& whole, const Value& now, const V
     if (!keyed && was == is) return;
     // The film before keeps the value that the function had.
     if (make_events && !keyed && t > first)
-      to.push_back(fmt::format("at {} {} {} hold", format_time(first, d), d.name(target), written(d, target, was)));
+      to.push_back(fmt::format("at {} {} {} hold", format_time(first, d), d.name(target), value_words(d, target, was)));
     if (keyed || make_events || was != is) to.push_back(line_for(d, target, is, t, keyed || make_events));
   };
   const bool keyed = made_by(d, whole, t).events;
@@ -204,7 +199,7 @@ std::string text_of_pose(const Pose& pose, const Document& d) {
   std::string text = std::string(head) + pose.root + "\n";
   for (const Pose::Part& part : pose.parts)
     if (const auto target = target_of(d, part.object, part.function))
-      text += fmt::format("set {} {}\n", d.name(*target), written(d, *target, part.value));
+      text += fmt::format("set {} {}\n", d.name(*target), value_words(d, *target, part.value));
   return text;
 }
 

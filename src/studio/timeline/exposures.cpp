@@ -300,11 +300,7 @@ void Exposures::paint_column(QPainter& p, std::size_t column, int first, int las
     const QRectF box = cell(column, frame);
     if (picked_.has({target, e.time})) p.fillRect(box.adjusted(1, 0, -1, -1), faint(c.accent, 0.35F));
     const auto* color = e.value ? std::get_if<Color>(e.value) : nullptr;
-    if (color)
-      p.fillRect(QRectF(box.left() + 3, box.top() + 3, box.height() - 6, box.height() - 6),
-                 QColor::fromRgbF(static_cast<float>(std::clamp(color->r, 0.0, 1.0)),
-                                  static_cast<float>(std::clamp(color->g, 0.0, 1.0)),
-                                  static_cast<float>(std::clamp(color->b, 0.0, 1.0))));
+    if (color) p.fillRect(QRectF(box.left() + 3, box.top() + 3, box.height() - 6, box.height() - 6), swatch(*color));
     p.setPen(c.text);
     const QRectF words = box.adjusted(color ? box.height() : 4, 0, -4, 0);
     const bool between = d.rate().frame(frame) != e.time;

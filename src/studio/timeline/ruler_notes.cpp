@@ -18,10 +18,6 @@ namespace {
 // The colours to choose from, by the names that the script gets.
 constexpr const char* note_colors[] = {"tomato", "orange", "gold", "limegreen", "deepskyblue", "orchid", "silver"};
 
-QColor color_of(const Color& c) {
-  return QColor::fromRgbF(static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b));
-}
-
 }  // namespace
 
 std::string Ruler::note_line(const Note& note) const {
@@ -55,7 +51,7 @@ void Ruler::paint_notes(QPainter& p) const {
     const double x = x_of(n.time);
     if (x < free) continue;
     const QRectF box = note_box(n.time);
-    const QColor color = n.color ? color_of(*n.color) : c.note;
+    const QColor color = n.color ? swatch(*n.color) : c.note;
     QColor back = color;
     back.setAlphaF(note_ == n.time ? 0.5F : 0.2F);
     p.fillRect(box, back);
@@ -112,9 +108,9 @@ void Ruler::add_colors(QMenu& menu, Time t) {
       }
       workspace_.say(lines);
     });
-    QPixmap swatch(16, 16);
-    swatch.fill(color.empty() ? colors().note : QColor(QString::fromStdString(color)));
-    action->setIcon(swatch);
+    QPixmap icon(16, 16);
+    icon.fill(color.empty() ? colors().note : QColor(QString::fromStdString(color)));
+    action->setIcon(icon);
   };
   add(tr("default"), {});
   for (const char* color : note_colors) add(color, color);

@@ -55,12 +55,6 @@ bool from_code(const Document& d, ObjectId id, std::uint16_t function) {
   return code;
 }
 
-Quat quaternion(const Value& v) {
-  if (const auto* a = std::get_if<Angles>(&v)) return from_angles(a->xyz);
-  const auto* q = std::get_if<Quat>(&v);
-  return q ? normalize(*q) : Quat{};
-}
-
 Mat4 without_length(const Mat4& m) {
   Mat4 out;
   for (int c = 0; c < 3; ++c) {
@@ -84,10 +78,6 @@ bool looks_at_something(const Program& p, ObjectId id, Time t) {
   return !at || *at;
 }
 
-std::string written(const Document& d, const Value& v, const Target& t) {
-  return write_value(v, spec_of(d.scene(), t.function), t.component, [&](ObjectId id) { return d.name(id); });
-}
-
 // Objects turn and scale about their pivots.
 Vec3 pivot_in_world(const Program& program, ObjectId id, const Mat4& world, Time time) {
   for (const FunctionView& f : functions(program.document(), id))
@@ -98,6 +88,16 @@ Vec3 pivot_in_world(const Program& program, ObjectId id, const Mat4& world, Time
 }
 
 }  // namespace
+
+Quat orientation_of(const Value& v) {
+  if (const auto* a = std::get_if<Angles>(&v)) return from_angles(a->xyz);
+  const auto* q = std::get_if<Quat>(&v);
+  return q ? normalize(*q) : Quat{};
+}
+
+std::string value_words(const Document& d, const Target& t, const Value& v) {
+  return write_value(v, spec_of(d.scene(), t.function), t.component, [&](ObjectId id) { return d.name(id); });
+}
 
 double step_below(double at_most) {
   const double power = std::pow(10, std::floor(std::log10(std::clamp(at_most, 1e-12, 1e12))));
@@ -129,7 +129,7 @@ Vec3 angles_near(Quat q, Vec3 angles) {
 }
 
 std::string line_for(const Document& d, const Target& t, const Value& v, Time time, bool make_event) {
-  const std::string value = written(d, v, t);
+  const std::string value = value_words(d, t, v);
   if (!make_event) return "set " + d.name(t) + " " + value;
   return line_of_event(d, t, time, value);
 }
@@ -158,7 +158,7 @@ Hand::Hand(const Program& program, Time time, const std::vector<ObjectId>& ids, 
     if (!d.name(id).empty() && !hangs_on(d, id, time, ids)) take(id);
   if (held_.empty()) return;
   place_ = held_.back().place;
-  const Quat q = held_.back().parent * quaternion(held_.back().rotation);
+  const Quat q = held_.back().parent * orientation_of(held_.back().rotation);
   const Mat4 m = rotation(q);
   for (int i = 0; i < 3; ++i) axes_[i] = column(m, i);
 }
@@ -188,7 +188,7 @@ void Hand::take(ObjectId id) {
   // A parent's rotation turns the object too, unless it hangs, which passes on only the position.
   if (!hangs_only(d, id, time_))
     h.parent = from_matrix(without_length(to_world));
-  else if (const auto own = inverse(rotation(quaternion(h.rotation)) * scaling(h.scale)))
+  else if (const auto own = inverse(rotation(orientation_of(h.rotation)) * scaling(h.scale)))
     h.parent = from_matrix(without_length(linear_product(**world, *own)));
   const std::uint16_t all[] = {fn::position, fn::rotation, fn::scale};
   for (int i = 0; i < 3; ++i) h.still[i] = from_code(d, id, all[i]);
@@ -271,7 +271,7 @@ std::vector<std::string> Hand::turn(Vec3 axis, double angle, double step) const 
     put_position(h, transform_vector(rotation(turned), way) - way, step, lines);
     if (h.still[1]) continue;
     const Vec3 own = transform_vector(rotation(conjugate(h.parent)), axis);
-    put_rotation(h, axis_angle(own, angle) * quaternion(h.rotation), std::pair(own, angle), lines);
+    put_rotation(h, axis_angle(own, angle) * orientation_of(h.rotation), std::pair(own, angle), lines);
   }
   return lines;
 }

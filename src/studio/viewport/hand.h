@@ -19,6 +19,11 @@ double step_below(double at_most);
 // Returns the three angles of an orientation that are nearest to `angles`, whole turns included.
 Vec3 angles_near(Quat, Vec3 angles);
 
+// Returns a value of a rotation, three angles or a quaternion, as a quaternion of unit length.
+Quat orientation_of(const Value&);
+// Returns a value as a line writes it for this target.
+std::string value_words(const Document&, const Target&, const Value&);
+
 // Returns the line that gives a target a value now: an event if the track has events or `make_event` is set. The other
 // parts of an existing event stay.
 std::string line_for(const Document&, const Target&, const Value&, Time, bool make_event);
