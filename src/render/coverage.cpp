@@ -57,8 +57,8 @@ void Area::add(float x0, float y0, float x1, float y1) {
   const auto y_at = [&](float x) { return std::clamp(y0 + (x - x0) / slope, y0, y1); };
   const auto clamped = [&](float x) { return std::clamp(x, 0.F, width_); };
   float cuts[4] = {y0, y0, y1, y1};
-  if (x0 < 0 != x1 < 0) (x0 < x1 ? cuts[1] : cuts[2]) = y_at(0);
-  if (x0 > width_ != x1 > width_) (x0 < x1 ? cuts[2] : cuts[1]) = y_at(width_);
+  if ((x0 < 0) != (x1 < 0)) (x0 < x1 ? cuts[1] : cuts[2]) = y_at(0);
+  if ((x0 > width_) != (x1 > width_)) (x0 < x1 ? cuts[2] : cuts[1]) = y_at(width_);
   const float at[4] = {clamped(x0), clamped(x0), clamped(x1), clamped(x1)};
   for (int i = 0; i < 3; ++i)
     if (at[i] < width_ || at[i + 1] < width_) add_inside(at[i], cuts[i], at[i + 1], cuts[i + 1], sign);
