@@ -64,7 +64,7 @@ def scripts(*patterns, without=()):
 
 
 def studio():
-    return panels() + [Job(name, ["tests/studio/run.sh", BUILD, name]) for name in ("window", "maximised", "pictures")]
+    return panels() + [Job(name, ["tests/studio/run.sh", BUILD, name]) for name in ("window", "maximised", "reader", "pictures")]
 
 
 def panels():

@@ -6,7 +6,7 @@
 # events.
 #   run.sh BUILD [TEST…]
 # A TEST is a program, or a name such as sheet_test. "window" runs the story in a real window. "maximised" starts the
-# studio again after a window manager has maximised it. "pictures" checks its command line.
+# studio again after a window manager has maximised it. "reader" is a screen reader. "pictures" checks its command line.
 build=$(realpath -- "${1:?usage: run.sh BUILD [TEST…]}")
 here=$(cd -P -- "$(dirname -- "$0")" && pwd)
 shift
@@ -16,7 +16,7 @@ display=
 trap '[ -z "$display" ] || kill "$display"; rm -rf "$folder"' EXIT
 export XDG_CONFIG_HOME=$folder XDG_DATA_HOME=$folder XDG_CACHE_HOME=$folder XDG_RUNTIME_DIR=$folder BETWIXT_PARSER=$build/bin/betwixt-parser
 chmod 700 "$folder"
-[ $# -gt 0 ] || set -- "$build"/bin/studio_*_test window maximised pictures
+[ $# -gt 0 ] || set -- "$build"/bin/studio_*_test window maximised reader pictures
 
 # try TEST NAME=VALUE…: runs a test program with environment variables, and adds its counts to the sums.
 try() {
@@ -41,7 +41,7 @@ open_display() {
   }
   [ -z "$display" ] || kill "$display"
   rm -f "$folder/display" && mkfifo "$folder/display"
-  Xvfb -displayfd 3 -screen 0 1400x900x24 -nolisten tcp -r 3>"$folder/display" >"$folder/xvfb.log" 2>&1 &
+  Xvfb -displayfd 3 -screen 0 1400x900x24 -nolisten tcp -r -noreset 3>"$folder/display" >"$folder/xvfb.log" 2>&1 &
   display=$!
   # Xvfb prints the number of the display when it is ready, or nothing if it cannot start.
   read -r number <"$folder/display" || {
@@ -94,6 +94,21 @@ maximised() {
   )
 }
 
+# Uses the studio as a screen reader does: on a display, and on a message bus of its own.
+reader() {
+  local number
+  /usr/bin/python3 -c 'import gi; gi.require_version("Atspi", "2.0")' 2>/dev/null || {
+    echo "without gir1.2-atspi-2.0 and python3-gi the studio is not read aloud"
+    return 0
+  }
+  open_display || return 0
+  (
+    export DISPLAY=":$number" QT_QPA_PLATFORM=xcb
+    timeout 600 dbus-run-session -- /usr/bin/python3 "$here/screen_reader.py" "$build/bin/betwixt-studio" "$folder" \
+      2>"$folder/log"
+  ) || { tail -n 5 "$folder/log" && return 1; }
+}
+
 # The command line of the studio. The toolkit has options of the same names (--session, --style), which must not apply.
 pictures() (
   cd "$folder" || exit
@@ -115,6 +130,9 @@ for test in "$@"; do
     window) in_a_window "$build/bin/studio_story_test" ;;
     maximised)
       if maximised; then passed=$((passed + 1)); else failed=$((failed + 1)) && echo 'FAIL  the studio does not start again'; fi
+      ;;
+    reader)
+      if reader; then passed=$((passed + 1)); else failed=$((failed + 1)) && echo 'FAIL  the studio, read by a screen reader'; fi
       ;;
     pictures)
       if pictures; then passed=$((passed + 1)); else failed=$((failed + 1)) && echo 'FAIL  pictures of the studio'; fi

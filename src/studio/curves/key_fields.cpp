@@ -10,6 +10,7 @@
 #include "language/values.h"
 #include "scene/document.h"
 #include "studio/curves/curve_pane.h"
+#include "studio/shell/control_names.h"
 #include "studio/shell/number_field.h"
 #include "studio/shell/text_of.h"
 #include "studio/timeline/event_actions.h"
@@ -62,7 +63,7 @@ void KeyFields::refresh() {
   const std::vector<EventAt>& events = workspace_.events_selected();
   time_->setEnabled(!events.empty());
   if (!time_->hasFocus() || !time_->isModified())
-    time_->setText(events.empty() ? QString() : text_of(workspace_.when(span(events).first)));
+    show_text(*time_, events.empty() ? QString() : text_of(workspace_.when(span(events).first)));
   const std::vector<EventAt> on = on_curve();
   std::optional<double> value;
   bool same = true;

@@ -13,6 +13,7 @@
 #include "commands/verbs.h"
 #include "language/values.h"
 #include "scene/document.h"
+#include "studio/shell/control_names.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
 #include "syntax/tokens.h"
@@ -130,7 +131,7 @@ void FilmSettings::refresh() {
     if (edit->hasFocus() && edit->isModified()) continue;
     const std::string now = said(d, rows_[i].verb);
     const QString text = text_of(now);
-    if (edit->text() != text) rows_[i].box->setEditText(text), edit->setCursorPosition(0);
+    if (edit->text() != text) show_text(*edit, text);
   }
 }
 

@@ -126,6 +126,7 @@ QVariant OutlinerModel::data(const QModelIndex& i, int role) const {
     if (role == Qt::DecorationRole && placed(k)) return eye_icon(shown(id));
     if (role == Qt::ToolTipRole && placed(k))
       return QString::fromStdString((shown(id) ? "hide " : "show ") + d.name(id));
+    if (role == Qt::AccessibleTextRole && placed(k)) return shown(id) ? tr("shown") : tr("hidden");
     return {};
   }
   const QString full = QString::fromStdString(d.name(id));
@@ -135,7 +136,7 @@ QVariant OutlinerModel::data(const QModelIndex& i, int role) const {
     return above.size() > 1 && full.startsWith(above) ? full.mid(above.size()) : full;
   }
   if (role == Qt::DecorationRole) return kind_icon(k);
-  if (role == Qt::ToolTipRole) {
+  if (role == Qt::ToolTipRole || role == Qt::AccessibleDescriptionRole) {
     const OwnKind* own = d.scene().kinds->of(id);
     return full + ", " + QString::fromStdString(a_kind(k)) +
            (own ? tr(", of the kind %1").arg(QString::fromStdString(own->name)) : QString());

@@ -13,6 +13,7 @@
 #include "betwixt/language.h"
 #include "betwixt/object.h"
 #include "editor/plain_values.h"
+#include "studio/shell/control_names.h"
 #include "studio/shell/number_field.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
@@ -204,7 +205,7 @@ void PartsView::show_row(std::size_t i) {
       if (auto* number = qobject_cast<NumberField*>(line))
         number->show_value(text);
       else if (!(line->hasFocus() && line->isModified()) && line->text() != text)
-        line->setText(text), line->setCursorPosition(0);
+        show_text(*line, text);
     }
 }
 

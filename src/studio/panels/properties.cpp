@@ -13,6 +13,7 @@
 #include "editor/made_by.h"
 #include "editor/plain_values.h"
 #include "scene/document.h"
+#include "studio/shell/control_names.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
 #include "studio/viewport/hand.h"
@@ -153,7 +154,7 @@ void Properties::refresh() {
   kind_->setVisible(static_cast<bool>(id)), icon_->setVisible(static_cast<bool>(id));
   if (id) {
     const QString name = text_of(d.name(id));
-    if (!(name_->hasFocus() && name_->isModified()) && name_->text() != name) name_->setText(name);
+    if (!(name_->hasFocus() && name_->isModified()) && name_->text() != name) show_text(*name_, name);
     const std::size_t others = workspace_.selected().size() - 1;
     kind_->setText(text_of(name_of(kind(d, id))) + (others > 0 ? tr(" and %1 more").arg(others) : QString()));
     std::vector<FunctionView> all = functions(d, id);

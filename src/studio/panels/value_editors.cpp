@@ -15,6 +15,7 @@
 #include "editor/plain_values.h"
 #include "language/values.h"
 #include "scene/functions.h"
+#include "studio/shell/control_names.h"
 #include "studio/shell/number_field.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
@@ -82,8 +83,7 @@ class Line : public QLineEdit {
   }
   void show_value(const QString& t) {
     if ((hasFocus() && isModified()) || t == text()) return;
-    setText(t);
-    setCursorPosition(0);
+    show_text(*this, t);
   }
 
  protected:
@@ -221,7 +221,7 @@ class ObjectBox : public QComboBox {
   }
   void show_value(const QString& t) {
     if (lineEdit()->hasFocus() && lineEdit()->isModified()) return;
-    setCurrentText(t);
+    if (t != currentText()) show_text(*lineEdit(), t);
   }
 
  private:

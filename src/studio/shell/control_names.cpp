@@ -45,11 +45,23 @@ bool is_control(const QWidget& w) {
          (w.focusPolicy() & Qt::TabFocus && w.metaObject()->className() != QByteArray("QScrollArea"));
 }
 
+void show_text(QLineEdit& field, const QString& text) {
+  field.setText(text);
+  field.setModified(false), field.setCursorPosition(0);
+}
+
 bool ControlNames::eventFilter(QObject* on, QEvent* e) {
+  // The toolkit takes what comes from a screen reader for a text set by the program.
+  if (auto* field = qobject_cast<QLineEdit*>(on); field && e->type() == QEvent::FocusIn)
+    connect(field, &QLineEdit::textChanged, this, &ControlNames::typed, Qt::UniqueConnection);
   if (e->type() == QEvent::Show)
     if (auto* w = qobject_cast<QWidget*>(on); w && w->accessibleName().isEmpty() && is_control(*w))
       w->setAccessibleName(name_for(*w));
   return QObject::eventFilter(on, e);
+}
+
+void ControlNames::typed() {
+  if (auto* field = qobject_cast<QLineEdit*>(sender()); field && field->hasFocus()) field->setModified(true);
 }
 
 }  // namespace betwixt::studio

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/shell/control_names.h"
+
 namespace betwixt::studio {
 namespace {
 
@@ -43,8 +45,7 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
 void NumberField::show_value(const QString& text) {
   if (held() || text == shown_) return;
   shown_ = text;
-  setText(text);
-  setCursorPosition(0);
+  show_text(*this, text);
 }
 
 QString NumberField::moved(double steps) const {

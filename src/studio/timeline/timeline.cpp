@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "betwixt/language.h"
+#include "studio/shell/control_names.h"
 #include "studio/shell/theme.h"
 #include "studio/timeline/ruler.h"
 
@@ -145,7 +146,7 @@ void Timeline::show_time() {
     return axis_.in_seconds() ? QString::number(t.seconds(), 'f', 3) + " s"
                               : QString::number(std::round(d.rate().frame_number(t) * 100) / 100);
   };
-  if (!at_->hasFocus() || !at_->isModified()) at_->setText(number(workspace_.time()));
+  if (!at_->hasFocus() || !at_->isModified()) show_text(*at_, number(workspace_.time()));
   of_->setText(tr(" of %1").arg(number(d.range().second)));
 }
 
