@@ -21,7 +21,11 @@ ROOT = os.path.dirname(HERE)
 
 def _project():
     with open(os.path.join(HERE, "pyproject.toml"), "rb") as said:
-        return tomllib.load(said)["project"]
+        project = tomllib.load(said)["project"]
+    with open(os.path.join(ROOT, "CMakeLists.txt"), encoding="utf-8") as said:
+        version = re.search(r"project\(betwixt VERSION ([0-9.]+)", said.read())
+    assert version
+    return {**project, "version": version[1]}
 
 
 def _say(words):
@@ -55,8 +59,10 @@ def _run(command):
 
 
 def _built():
-    """Builds the package and returns its folder. The build has a folder of its own, so that the next call is short. The
+    """Builds the package and returns its folder. A release names the folder of a package that is built. The build has a folder of its own, so that the next call is short. The
     usual build of the source tree may be for another Python, so it is not changed."""
+    if ready := os.environ.get("BETWIXT_BUILT_PYTHON"):
+        return ready
     build = os.path.join(ROOT, "build", f"pip-cp{sys.version_info[0]}{sys.version_info[1]}")
     try:
         os.makedirs(build, exist_ok=True)
@@ -81,7 +87,11 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     texts = {
         f"{info}/METADATA": "Metadata-Version: 2.1\n"
         + "Name: {name}\nVersion: {version}\nSummary: {description}\n".format(**project)
-        + "".join(f"Requires-Dist: {d}\n" for d in project["dependencies"]),
+        + f"License: {project['license']['text']}\nRequires-Python: {project['requires-python']}\n"
+        + "".join(
+            f"Provides-Extra: {extra}\n" + "".join(f"Requires-Dist: {d}; extra == '{extra}'\n" for d in names)
+            for extra, names in project["optional-dependencies"].items()
+        ),
         f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: betwixt\nRoot-Is-Purelib: false\nTag: {kind}\n",
     }
     name, record = f"{project['name']}-{project['version']}-{kind}.whl", ""

@@ -22,7 +22,7 @@ from mathutils import Matrix, Vector
 bl_info = {
     "name": "Betwixt",
     "author": "The Betwixt authors",
-    "version": (0, 4, 0),
+    "version": (0, 0, 0),  # tools/release.sh writes it
     "blender": (3, 4, 0),
     "location": "File > Import > Betwixt (.bx)",
     "description": "Films of the animation system Betwixt",

@@ -8,7 +8,7 @@
 
 namespace betwixt {
 
-// "betwixt 0.4.0 (81a477b)"; without the commit if it was built from an archive.
+// "betwixt 1.0.0 (81a477b)"; without the commit if it was built from an archive.
 std::string version_line();
 
 }  // namespace betwixt

@@ -18,7 +18,7 @@ import doc_pages  # noqa: E402
 import live_films  # noqa: E402
 
 PROGRAM = os.environ["BETWIXT_PROGRAM"]
-OUTSIDE = ("README.md", "CHANGELOG.md")  # pages of the site that are not in docs/
+OUTSIDE = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")  # pages of the site that are not in docs/
 films_of_page = {}  # path of a page in the site's sources -> its live films
 
 
