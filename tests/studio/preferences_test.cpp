@@ -116,6 +116,29 @@ class PreferencesTest : public QObject {
     QVERIFY(film.workspace.playhead().loops() && !window.sound().muted() && window.isAnimated());
   }
 
+  void aLaterWindowHasTheSameSizes() {
+    Film film("create ball sphere\n"), other("create ball sphere\n");
+    Window first(film.workspace);
+    first.show();
+    user().set("interface-size", 200);
+    {
+      Window later(other.workspace);
+      later.show();
+      QCoreApplication::processEvents();
+      for (const char* name : {"script", "log", "play", "at", "outliner_tree", "name"}) {
+        const auto *a = first.findChild<QWidget*>(name), *b = later.findChild<QWidget*>(name);
+        if (!a && !b) continue;
+        QVERIFY2(std::abs(a->font().pointSizeF() - b->font().pointSizeF()) < 0.01, name);
+        const auto *x = qobject_cast<const QToolButton*>(a), *y = qobject_cast<const QToolButton*>(b);
+        if (x && y) QCOMPARE(x->iconSize(), y->iconSize());
+      }
+      const auto *a = first.findChild<QDockWidget*>("history_dock"), *b = later.findChild<QDockWidget*>("history_dock");
+      QVERIFY(std::abs(a->font().pointSizeF() - b->font().pointSizeF()) < 0.01);
+      QVERIFY(std::abs(a->font().pointSizeF() - QApplication::font().pointSizeF()) < 0.01);
+    }
+    user().reset_all();
+  }
+
   void theFileKeepsTheDifferencesOnly() {
     user().set("light", true);
     user().set("interface-size", 120);

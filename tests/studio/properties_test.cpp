@@ -60,6 +60,31 @@ class PropertiesTest : public QObject {
     QVERIFY(!s.panel.findChild<ValueEditor*>("radius"));
   }
 
+  void a_narrow_field_shows_a_shorter_number_and_keeps_the_whole_one() {
+    Shown s("create ball sphere radius=1234.56789 rotation=euler(0 0 -123.456deg)\n");
+    NumberField &radius = s.at("radius"), &angle = s.at("rotation", "z");
+    s.panel.resize(1200, 900);
+    QCoreApplication::processEvents();
+    QCOMPARE(angle.text(), "-123.456deg");
+    radius.setFixedWidth(radius.minimumWidth()), angle.setFixedWidth(angle.minimumWidth());
+    QCoreApplication::processEvents();
+    for (NumberField* field : {&radius, &angle}) {
+      QVERIFY(field->fontMetrics().horizontalAdvance(field->text()) < field->width());
+      const double whole = field == &radius ? 1234.56789 : -123.456;
+      QVERIFY2(std::abs(field->text().toDouble() - whole) < 1, qPrintable(field->text()));
+    }
+    QVERIFY(angle.toolTip().contains("-123.456deg"));
+    const QString before = s.text();
+    QTest::mouseClick(&angle, Qt::LeftButton);
+    QCOMPARE(angle.text(), "-123.456deg");
+    QTest::keyClick(&angle, Qt::Key_Escape);
+    QTest::mouseClick(&radius, Qt::LeftButton);
+    radius.clearFocus();
+    QCOMPARE(s.text(), before);  // what is only looked at does not change
+    s.drag(angle, 10);
+    QVERIFY2(s.text().contains("-118deg"), qPrintable(s.text()));
+  }
+
   void a_number_is_typed() {
     Shown s("create ball sphere radius=2\n");
     s.type(s.at("radius"), "3.5");

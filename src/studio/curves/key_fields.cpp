@@ -13,6 +13,7 @@
 #include "studio/shell/control_names.h"
 #include "studio/shell/number_field.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/timeline/event_actions.h"
 #include "studio/viewport/hand.h"
 
@@ -23,12 +24,12 @@ KeyFields::KeyFields(Workspace& workspace, CurvePane& pane, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0), row->setSpacing(4);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  const int width = fontMetrics().horizontalAdvance("-0000.000f");
   for (const auto& [field, name, tip] :
        {std::tuple<QLineEdit*, const char*, QString>(
             time_, "key_time", tr("Time of the selected events: a frame number or a time. The first one comes there.")),
         {value_, "key_value", tr("Value of the selected events on the curve that you clicked last. Type, or drag.")}}) {
-    field->setObjectName(name), field->setToolTip(tip), field->setFixedWidth(width), field->setFrame(false);
+    field->setObjectName(name), field->setToolTip(tip), field->setFrame(false);
+    measure_by_text(*field, [field] { field->setFixedWidth(field->fontMetrics().horizontalAdvance("-0000.000f")); });
     auto* label = new QLabel(field == time_ ? tr("time") : tr("value"), this);
     label->setEnabled(false);
     row->addWidget(label), row->addWidget(field);

@@ -25,6 +25,7 @@
 #include "studio/objects/object_actions.h"
 #include "studio/shell/key_focus.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 #include "studio/viewport/kind_icons.h"
 
@@ -42,14 +43,16 @@ OutlinerTree::OutlinerTree(Workspace& workspace, OutlinerModel& model, QWidget* 
   setAcceptDrops(true);
   setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   setExpandsOnDoubleClick(false);
-  const int em = fontMetrics().height();
-  setIconSize({em, em});
-  setIndentation(em);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(OutlinerModel::name, QHeaderView::Stretch);
   header()->setSectionResizeMode(OutlinerModel::eye, QHeaderView::Fixed);
-  header()->setMinimumSectionSize(em);
-  header()->resizeSection(OutlinerModel::eye, em + em / 2);
+  measure_by_text(*this, [this] {
+    const int em = fontMetrics().height();
+    setIconSize({em, em});
+    setIndentation(em);
+    header()->setMinimumSectionSize(em);
+    header()->resizeSection(OutlinerModel::eye, em + em / 2);
+  });
   connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& i) { folded_.insert(model_.object(i).index); });
   connect(this, &QTreeView::expanded, this, [this](const QModelIndex& i) { folded_.erase(model_.object(i).index); });
   // A rebuilt tree keeps its open and closed rows.

@@ -16,6 +16,7 @@
 #include "studio/shell/control_names.h"
 #include "studio/shell/number_field.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 
 namespace betwixt::studio {
@@ -37,7 +38,7 @@ QToolButton* small_button(QWidget* parent, const QString& name, const QString& s
   b->setObjectName(name), b->setText(sign), b->setToolTip(tip);
   b->setAccessibleName(tip.section(':', 0, 0));
   b->setAutoRaise(true), b->setFocusPolicy(Qt::TabFocus);
-  if (sign.size() == 1) b->setFixedWidth(parent->fontMetrics().horizontalAdvance("mm"));
+  if (sign.size() == 1) measure_by_text(*b, [b] { b->setFixedWidth(b->fontMetrics().horizontalAdvance("mm")); });
   return b;
 }
 

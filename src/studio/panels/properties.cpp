@@ -86,7 +86,7 @@ Properties::Properties(Workspace& workspace, QWidget* parent)
     : QWidget(parent),
       workspace_(workspace),
       icon_(new QLabel(this)),
-      kind_(new QLabel(this)),
+      kind_(new ShortLabel(this)),
       film_(new FilmSettings(workspace)),
       film_area_(new QScrollArea(this)),
       name_(new QLineEdit(this)),
@@ -103,13 +103,12 @@ Properties::Properties(Workspace& workspace, QWidget* parent)
   for (QScrollArea* area : {area_, film_area_}) {
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   }
   auto* head = new QHBoxLayout;
   head->setContentsMargins(6, 4, 6, 2);
   head->addWidget(icon_);
-  head->addWidget(name_, 1);
-  head->addWidget(kind_);
+  head->addWidget(name_, 3);
+  head->addWidget(kind_, 2);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->setSpacing(0);
@@ -128,6 +127,17 @@ QSize Properties::sizeHint() const { return {38 * fontMetrics().horizontalAdvanc
 void Properties::showEvent(QShowEvent* e) {
   QWidget::showEvent(e);
   refresh();
+}
+
+void Properties::resizeEvent(QResizeEvent* e) {
+  QWidget::resizeEvent(e);
+  show_sources();
+}
+
+// Where values come from is shown only if there is room: the values are more important.
+void Properties::show_sources() {
+  const int narrow = 27 * fontMetrics().height();
+  for (const auto& row : rows_) row->made->setVisible(width() >= narrow);
 }
 
 ObjectId Properties::leading() const {
@@ -226,6 +236,7 @@ void Properties::rebuild() {
     old->hide(), old->deleteLater();
   }
   area_->setWidget(inside);
+  show_sources();
 }
 
 QWidget* Properties::make_section(const QString& title) {
@@ -237,7 +248,6 @@ QWidget* Properties::make_section(const QString& title) {
   grid->setVerticalSpacing(1);
   grid->setColumnStretch(2, 3);
   grid->setColumnStretch(3, 2);
-  grid->setColumnMinimumWidth(3, fontMetrics().horizontalAdvance("event"));
   grid->setColumnMinimumWidth(1, fontMetrics().horizontalAdvance("attach-position"));
   return section;
 }

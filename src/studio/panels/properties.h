@@ -24,6 +24,7 @@ class Properties : public QWidget {
 
  protected:
   void showEvent(QShowEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
 
  private:
   struct Row {
@@ -42,6 +43,7 @@ class Properties : public QWidget {
   void refresh();
   void rebuild();
   void show_row(Row&, const Value&);
+  void show_sources();
   std::vector<std::string> lines_for(const Row&, int component, const QString& text) const;
   void toggle_event(const Row&);
   void add_part_buttons(Row&, QWidget* section);

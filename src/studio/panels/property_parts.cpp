@@ -9,6 +9,7 @@
 #include "studio/panels/new_parts.h"
 #include "studio/panels/properties.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 
 namespace betwixt::studio {
 
@@ -21,7 +22,7 @@ void Properties::add_part_buttons(Row& row, QWidget* section) {
     auto* b = new QToolButton(both);
     b->setObjectName(what + name), b->setToolTip(tip), b->setAccessibleName(tip.section(':', 0, 0) + " " + name);
     b->setAutoRaise(true), b->setFocusPolicy(Qt::TabFocus);
-    b->setFixedWidth(fontMetrics().horizontalAdvance("mm"));
+    measure_by_text(*b, [b] { b->setFixedWidth(b->fontMetrics().horizontalAdvance("mm")); });
     line->addWidget(b);
     return b;
   };

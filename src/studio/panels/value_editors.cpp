@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -18,6 +17,7 @@
 #include "studio/shell/control_names.h"
 #include "studio/shell/number_field.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 
 namespace betwixt::studio {
@@ -206,7 +206,7 @@ class ObjectBox : public QComboBox {
     setInsertPolicy(QComboBox::NoInsert);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    setMinimumWidth(5 * fontMetrics().horizontalAdvance('m'));
+    measure_by_text(*this, [this] { setMinimumWidth(5 * fontMetrics().horizontalAdvance('m')); });
   }
   void showPopup() override {
     const QString now = currentText();
@@ -303,7 +303,7 @@ class CodeEditor : public ValueEditor {
   explicit CodeEditor(QWidget* parent) : ValueEditor(parent), label_(new QLabel(this)) {
     label_->setObjectName("value");
     label_->setTextFormat(Qt::PlainText);
-    label_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    label_->setFont(script_font());
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row_of(this)->addWidget(label_);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/shell/console.h"
 
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QTextBlock>
@@ -11,6 +10,7 @@
 #include "commands/line_head.h"
 #include "editor/help.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 #include "syntax/tokens.h"
 
@@ -113,7 +113,7 @@ Console::Console(Workspace& workspace, QWidget* parent) : QWidget(parent), works
   log_->setReadOnly(true);
   log_->setUndoRedoEnabled(false);
   log_->setMaximumBlockCount(most_lines);
-  log_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  log_->setFont(script_font());
   log_->setFrameShape(QFrame::NoFrame);
   help_ = new QLabel(this);
   help_->setObjectName("console_help");

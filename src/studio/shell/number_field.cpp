@@ -10,11 +10,13 @@
 #include <cmath>
 
 #include "studio/shell/control_names.h"
+#include "studio/shell/text_size.h"
 
 namespace betwixt::studio {
 namespace {
 
 constexpr double pixels_a_step = 2;
+constexpr int margin = 4;  // beside the number
 
 // Returns the step of a drag: about a hundredth of the value.
 double step_of(double value, const QString& unit) {
@@ -38,14 +40,39 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
   setAlignment(Qt::AlignRight);
   setCursor(Qt::SizeHorCursor);
   setContextMenuPolicy(Qt::NoContextMenu);
-  setMinimumWidth(fontMetrics().horizontalAdvance("-00.00"));
-  setToolTip(tr("Drag sideways, or click and type. Shift: ten times as fast, Ctrl: a tenth."));
+  measure_by_text(*this,
+                  [this] { setMinimumWidth(fontMetrics().horizontalAdvance("-00.00") + 2 * margin), abridge(); });
+  setToolTip(how_to());
 }
 
 void NumberField::show_value(const QString& text) {
   if (held() || text == shown_) return;
   shown_ = text;
-  show_text(*this, text);
+  abridge();
+}
+
+// Shows as much of the value as there is room for: without its unit, then with fewer digits. A number whose end is cut
+// off would look like another one.
+void NumberField::abridge() {
+  if (shown_.isEmpty() || held() || pressing_) return;
+  const int room = hasFocus() ? QWIDGETSIZE_MAX : width() - 2 * margin;
+  const auto fits = [&](const QString& text) { return fontMetrics().horizontalAdvance(text) <= room; };
+  QString text = shown_;
+  const qsizetype n = number_length(shown_);
+  if (!fits(text) && n > 0) text = shown_.left(n);
+  for (int digits = 6; n > 0 && digits > 0 && !fits(text); --digits)
+    text = QString::number(shown_.left(n).toDouble(), 'g', digits);
+  abridged_ = text != shown_;
+  setToolTip((abridged_ ? shown_ + "\n" : "") + how_to());
+  if (text != this->text()) show_text(*this, text);
+}
+
+void NumberField::show_whole() {
+  if (std::exchange(abridged_, false)) show_text(*this, shown_);
+}
+
+QString NumberField::how_to() {
+  return tr("Drag sideways, or click and type. Shift: ten times as fast, Ctrl: a tenth.");
 }
 
 QString NumberField::moved(double steps) const {
@@ -66,6 +93,7 @@ QString NumberField::moved(double steps) const {
 
 void NumberField::mousePressEvent(QMouseEvent* e) {
   if (editing_ || e->button() != Qt::LeftButton || isReadOnly()) return QLineEdit::mousePressEvent(e);
+  show_whole();
   pressing_ = true, pressed_ = text(), pressed_x_ = e->globalPosition().x();
 }
 
@@ -132,10 +160,21 @@ void NumberField::keyPressEvent(QKeyEvent* e) {
   }
 }
 
+void NumberField::focusInEvent(QFocusEvent* e) {
+  show_whole();
+  QLineEdit::focusInEvent(e);
+}
+
 void NumberField::focusOutEvent(QFocusEvent* e) {
   finish();
   setCursor(Qt::SizeHorCursor);
   QLineEdit::focusOutEvent(e);
+  abridge();
+}
+
+void NumberField::resizeEvent(QResizeEvent* e) {
+  QLineEdit::resizeEvent(e);
+  abridge();
 }
 
 void NumberField::paintEvent(QPaintEvent* e) {

@@ -33,15 +33,21 @@ class NumberField : public QLineEdit {
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
+  void focusInEvent(QFocusEvent*) override;
   void focusOutEvent(QFocusEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
   void paintEvent(QPaintEvent*) override;
 
  private:
+  static QString how_to();
   QString moved(double steps) const;
   void finish();
+  void abridge();
+  void show_whole();
   QString shown_, unit_, pressed_;
   double low_ = -1e300, high_ = 1e300, pressed_x_ = 0;
   bool pressing_ = false, dragging_ = false, editing_ = false;
+  bool abridged_ = false;  // shows less than the whole value, because there is no room
   QColor color_;
 };
 

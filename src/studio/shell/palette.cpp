@@ -12,6 +12,7 @@
 #include "studio/shell/actions.h"
 #include "studio/shell/keys.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
 #include "syntax/tokens.h"
@@ -54,7 +55,7 @@ Palette::Palette(Window& window)
   line_->installEventFilter(this);
   found_->setFocusPolicy(Qt::NoFocus);
   const int em = fontMetrics().height();
-  resize(44 * em, 26 * em);
+  resize_on_screen(*this, QSize(44, 26) * em);
   connect(line_, &QLineEdit::textChanged, this, &Palette::list);
   connect(line_, &QLineEdit::returnPressed, this, &Palette::run);
   connect(found_, &QListWidget::itemClicked, this, &Palette::run);

@@ -9,12 +9,14 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QStackedWidget>
 
 #include "studio/shell/keys_page.h"
 #include "studio/shell/preferences.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 
 namespace betwixt::studio {
 namespace {
@@ -52,7 +54,7 @@ PreferencesWindow::PreferencesWindow(QWidget* parent)
   middle->addWidget(names_), middle->addWidget(pages_, 1);
   auto* all = new QVBoxLayout(this);
   all->addLayout(middle, 1), all->addLayout(buttons);
-  resize(46 * em, 30 * em);
+  resize_on_screen(*this, QSize(46, 30) * em);
 }
 
 void PreferencesWindow::turn_to(const QString& page) {
@@ -61,6 +63,8 @@ void PreferencesWindow::turn_to(const QString& page) {
 }
 
 QWidget* PreferencesWindow::page_of(std::string_view name) {
+  auto* area = new QScrollArea;  // for small screens
+  area->setFrameShape(QFrame::NoFrame), area->setWidgetResizable(true);
   auto* page = new QWidget;
   auto* form = new QFormLayout(page);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -77,7 +81,8 @@ QWidget* PreferencesWindow::page_of(std::string_view name) {
     says->setForegroundRole(QPalette::PlaceholderText);
     form->addRow(says);
   }
-  return page;
+  area->setWidget(page);
+  return area;
 }
 
 // The field shows the value also when something else changes it.

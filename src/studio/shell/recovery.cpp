@@ -5,7 +5,6 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -17,6 +16,7 @@
 #include "editor/journal.h"
 #include "studio/shell/text_diff.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 
 namespace betwixt::studio {
@@ -63,7 +63,7 @@ Recovery::Recovery(const std::string& script, const std::string& question, QWidg
   counts_->setObjectName("counts");
   counts_->setText(QString::fromStdString(question));
   lines_->setObjectName("lines"), lines_->setAccessibleName(tr("Recover unsaved work"));
-  lines_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  lines_->setFont(script_font());
   lines_->setLineWrapMode(QTextEdit::NoWrap);
   auto* buttons = new QHBoxLayout;
   const auto button = [&](const char* name, const QString& text) {

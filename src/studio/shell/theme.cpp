@@ -6,6 +6,9 @@
 #include <QProxyStyle>
 #include <QStyleOption>
 #include <algorithm>
+#include <cmath>
+
+#include "studio/shell/text_size.h"
 
 namespace betwixt::studio {
 namespace {
@@ -79,10 +82,31 @@ const Colors& picture_colors() { return *on_pictures; }
 
 namespace {
 
-// Fusion outlines check boxes in a colour that dark windows hide.
+// Fusion outlines check boxes in a colour that dark windows hide, and its icons and boxes do not grow with the text.
 class SeenBoxes : public QProxyStyle {
  public:
   SeenBoxes() : QProxyStyle("Fusion") {}
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    const int size = QProxyStyle::pixelMetric(metric, option, widget);
+    switch (metric) {
+      case PM_SmallIconSize:
+      case PM_ButtonIconSize:
+      case PM_ListViewIconSize:
+      case PM_LineEditIconSize:
+      case PM_TabBarIconSize:
+      case PM_TabBarScrollButtonWidth:
+      case PM_IndicatorWidth:
+      case PM_IndicatorHeight:
+      case PM_MenuButtonIndicator:
+      case PM_ScrollBarExtent:
+      case PM_SliderThickness:
+      case PM_SliderLength:
+      case PM_SliderControlThickness:
+        return static_cast<int>(std::lround(size * size_of_all_text()));
+      default:
+        return size;
+    }
+  }
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* p,
                      const QWidget* widget) const override {
     QProxyStyle::drawPrimitive(element, option, p, widget);

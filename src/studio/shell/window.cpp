@@ -19,6 +19,7 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "base/files.h"
@@ -43,6 +44,7 @@
 #include "studio/shell/preferences.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 #include "studio/timeline/sheet.h"
 #include "studio/timeline/timeline.h"
@@ -62,6 +64,13 @@ bool in_layout(const QString& layout, const QString& panel) {
          (layout == "script" && (panel == "script_panel" || panel == "console"));
 }
 
+// Gives all text the size that the user wants, and returns it.
+double text_size_of_user() {
+  const double size = Preferences::of_user().share("interface-size");
+  size_all_text(size);
+  return size;
+}
+
 // Installs an event filter for the whole program, once for all windows.
 template <class Filter>
 void filter_all() {
@@ -74,6 +83,7 @@ void filter_all() {
 Window::Window(Workspace& workspace, Manner manner)
     : workspace_(workspace),
       manner_(manner),
+      text_size_(text_size_of_user()),
       views_(new Views(workspace, this)),
       viewport_(&views_->first()),
       sound_(new Sound(workspace, this)),
@@ -154,6 +164,7 @@ void Window::add_panels() {
   const auto add = [&](QWidget* panel, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(panel->windowTitle(), this);
     dock->setObjectName(panel->objectName() + "_dock");
+    dock->setFont(QApplication::font());  // a title has a font of its own, which follows no other
     dock->setWidget(panel);
     addDockWidget(area, dock);
     docks_.push_back(dock);
@@ -257,7 +268,9 @@ bool Window::set_layout(const QString& name) {
     if (!docks.isEmpty()) resizeDocks(docks, sizes, way);
   };
   const bool script = name == "script";
-  share({{"outliner", 0.14}, {"live", 0.24}, {"script_panel", script ? 0.42 : 0.29}}, Qt::Horizontal);
+  // The left column has room for the names of its panels.
+  const double left = std::max(0.14, std::min(0.2, 14.0 * fontMetrics().height() / width()));
+  share({{"outliner", left}, {"live", 0.24}, {"script_panel", script ? 0.42 : 0.29}}, Qt::Horizontal);
   share({{"sheet", name == "animate" ? 0.48 : 0.34}}, Qt::Vertical);
   share({{"script_panel", 0.72}, {"console", 0.28}}, Qt::Vertical);
   return true;

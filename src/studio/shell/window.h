@@ -114,6 +114,7 @@ class Window : public QMainWindow {
 
   Workspace& workspace_;
   const Manner manner_;
+  double text_size_;  // before all widgets, which measure themselves by it
   Views* views_;
   Viewport* viewport_;  // the first of them
   Sound* sound_;
@@ -123,7 +124,7 @@ class Window : public QMainWindow {
   QLabel* said_;
   std::string first_text_;  // of a film without a file
   QByteArray arranged_;     // the initial panel layout
-  double text_size_ = 1, script_size_ = 1;
+  double script_size_ = 1;
   bool leaving_ = false;
   std::vector<std::pair<QAction*, const ActionRow*>> actions_;
 };

@@ -3,6 +3,7 @@
 //
 // What the settings of the user do to a window: its colours, sizes and keys.
 #include <QApplication>
+#include <QDockWidget>
 #include <QPlainTextEdit>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "studio/shell/preferences_window.h"
 #include "studio/shell/sound.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
 
@@ -37,11 +39,11 @@ void Window::set_text_size(double size) {
 
 // Widgets with a font of their own do not follow that of the application.
 void Window::scale_text(double size) {
-  static const QFont first = QApplication::font();
   const double by = size / std::exchange(text_size_, size);
   for (QWidget* w : findChildren<QWidget*>())
     if (w->testAttribute(Qt::WA_SetFont) && w->font().pointSizeF() > 0) w->setFont(scaled(w->font(), by));
-  QApplication::setFont(scaled(first, size));
+  size_all_text(size);
+  for (QDockWidget* dock : docks_) dock->setFont(QApplication::font());
 }
 
 // Lets a setting have its effect here.

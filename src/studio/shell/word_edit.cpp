@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/shell/word_edit.h"
 
-#include <QFontDatabase>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QScreen>
@@ -11,6 +10,7 @@
 #include "editor/completion.h"
 #include "editor/help.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 
 namespace betwixt::studio {
@@ -23,7 +23,7 @@ constexpr int most_rows = 12;
 WordEdit::WordEdit(Workspace& workspace, QWidget* parent)
     : QPlainTextEdit(parent), workspace_(workspace), words_(new QTreeWidget(this)) {
   setUndoRedoEnabled(false);
-  setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  setFont(script_font());
   setFrameShape(QFrame::NoFrame);
   words_->setObjectName("words");
   words_->setWindowFlags(Qt::ToolTip);

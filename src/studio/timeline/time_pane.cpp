@@ -163,7 +163,9 @@ void TimePane::paint_ruler(QPainter& p) const {
     const bool main = !t.label.isEmpty();
     p.setPen(main ? c.dim : c.line);
     p.drawLine(QPointF(x, main ? h * 0.45 : h * 0.75), QPointF(x, h));
-    if (main) p.setPen(c.dim), p.drawText(QPointF(x + 3, fontMetrics().ascent() + 1), t.label);
+    const double wide = fontMetrics().horizontalAdvance(t.label);
+    const double at = x + 3 + wide <= width() ? x + 3 : x - 3 - wide;  // no number is cut off at the end
+    if (main) p.setPen(c.dim), p.drawText(QPointF(at, fontMetrics().ascent() + 1), t.label);
   }
   p.restore();
   p.setPen(c.line);

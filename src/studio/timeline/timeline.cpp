@@ -13,6 +13,7 @@
 
 #include "betwixt/language.h"
 #include "studio/shell/control_names.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 #include "studio/timeline/ruler.h"
 
@@ -76,7 +77,7 @@ Timeline::Timeline(Workspace& workspace, QWidget* parent)
   at_ = new QLineEdit(this);
   at_->setObjectName("at");
   at_->setAlignment(Qt::AlignRight), at_->setFocusPolicy(Qt::ClickFocus);
-  at_->setFixedWidth(12 * fontMetrics().averageCharWidth());
+  measure_by_text(*at_, [this] { at_->setFixedWidth(12 * at_->fontMetrics().averageCharWidth()); });
   at_->setToolTip(tr("The time of the playhead. Type a frame number, or a time such as 2.5s."));
   of_ = new QLabel(this);
   rate_ = new QLabel(this);
@@ -136,7 +137,8 @@ void Timeline::draw_buttons() {
 }
 
 void Timeline::changeEvent(QEvent* e) {
-  if (e->type() == QEvent::PaletteChange || e->type() == QEvent::StyleChange) draw_buttons();
+  if (e->type() == QEvent::PaletteChange || e->type() == QEvent::StyleChange || e->type() == QEvent::FontChange)
+    draw_buttons();
   QWidget::changeEvent(e);
 }
 

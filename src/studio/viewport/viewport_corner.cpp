@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/viewport/viewport.h"
 
 namespace betwixt::studio {
@@ -94,6 +95,7 @@ void Viewport::make_corner() {
   connect(styles_, &QComboBox::textActivated, this, [this](const QString& s) { set_style(s.toStdString()); });
   eye_button_ = button(eye_corner_, "eye", "", "Switches between the film's camera and a free view (0)");
   connect(eye_button_, &QToolButton::clicked, this, [this] { set_free(!is_free()); });
+  measure_by_text(*this, [this] { place_corner(); });
   show_corner();
 }
 
