@@ -94,6 +94,31 @@ class AssetsTest : public QObject {
     QVERIFY(!s.row("asset_files", "dog.obj")->isHidden());
   }
 
+  void filesThatComeAndGoAreListed() {
+    Shown s;
+    QTRY_COMPARE(s.list("asset_files").count(), 5);
+    QImage(8, 8, QImage::Format_RGB32).save(s.folder.filePath("sub/new.png"));
+    QTRY_VERIFY(s.row("asset_files", "new.png"));
+    QFile::remove(s.folder.filePath("sub/new.png"));
+    QTRY_VERIFY(!s.row("asset_files", "new.png"));
+    QCOMPARE(s.list("asset_files").count(), 5);
+  }
+
+  void posesAreNotScripts() {
+    Shown s;
+    QDir(s.folder.path()).mkdir("poses");
+    QFile pose(s.folder.filePath("poses/wave.bx"));
+    QVERIFY(pose.open(QIODevice::WriteOnly));
+    pose.write("create ball group\nset ball.rotation euler(0 45deg 0)\n");
+    pose.close();
+    QTRY_VERIFY(s.row("asset_files", "wave"));
+    QVERIFY(s.row("asset_files", "wave")->toolTip().startsWith("pose wave"));
+    QCOMPARE(asset_sort(pose.fileName()), AssetSort::pose);
+    const std::string before = s.workspace.session().file();
+    emit s.list("asset_files").itemActivated(s.row("asset_files", "wave"));
+    QCOMPARE(s.workspace.session().file(), before);  // it is not opened
+  }
+
   // A mesh looks as a film shows it; a picture is scaled; what is broken has no picture.
   void filesHavePictures() {
     Shown s;

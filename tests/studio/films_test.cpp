@@ -295,6 +295,15 @@ class FilmsTest : public QObject {
     QVERIFY(d.films.windowTitle().startsWith("a.bx"));
   }
 
+  void anotherLanguageLeavesANewFilmUntouched() {
+    Desk d;
+    d.films.current().open_example();
+    QVERIFY(d.films.current().is_untouched());
+    d.films.speak_anew();
+    QVERIFY(d.films.current().is_untouched() && d.films.current().is_saved());
+    QVERIFY(d.films.close());  // without a question
+  }
+
   void anotherLanguageKeepsTheFilms() {
     Desk d;
     d.films.open("a.bx"), d.now().say(std::string("create x box"));

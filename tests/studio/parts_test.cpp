@@ -64,6 +64,18 @@ class PartsTest : public QObject {
   };
 
  private Q_SLOTS:
+  void a_new_filter_is_shown_and_its_first_number_has_the_focus() {
+    Shown s(
+        "range 1f 48f\ncreate ball sphere\nball.position\n  1f (0 0 0)\n  24f (4 0 0)\nfilter ball.position smooth\n");
+    QVERIFY(!s.panel.findChild<PartsView*>("parts_position"));
+    s.add("position", "Filter", "noise");
+    QTRY_VERIFY(s.panel.findChild<PartsView*>("parts_position"));
+    PartsView& view = *s.panel.findChild<PartsView*>("parts_position");
+    QTRY_VERIFY(s.panel.focusWidget() && view.isAncestorOf(s.panel.focusWidget()));
+    QVERIFY2(s.panel.focusWidget()->accessibleName().startsWith("noise"),
+             qPrintable(s.panel.focusWidget()->accessibleName()));
+  }
+
   void filters_are_added_tuned_and_removed() {
     const QByteArray first =
         "rate 24\nrange 1f 48f\ncreate ball sphere  # round\nball.position\n  1f (0 0 0)\n"

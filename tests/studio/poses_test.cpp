@@ -6,7 +6,9 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QDialog>
 #include <QTest>
+#include <QTimer>
 #include <random>
 
 #include "betwixt/math.h"
@@ -15,8 +17,10 @@
 #include "studio/film.h"
 #include "studio/poses/mixed.h"
 #include "studio/poses/pose_actions.h"
+#include "studio/shell/window.h"
 #include "studio/timeline/event_actions.h"
 #include "studio/timeline/key_lines.h"
+#include "studio/viewport/viewport.h"
 #include "track/twerpers.h"
 
 namespace betwixt::studio {
@@ -38,6 +42,28 @@ constexpr const char* man =
 
 class PosesTest : public QObject {
   Q_OBJECT
+
+ private Q_SLOTS:
+  void a_window_that_tries_an_amount_stands_beside_the_picture() {
+    Film film("range 1f 48f\ncreate ball sphere\nball.position\n  1f (0 0 0)\n  24f (4 0 0)\n");
+    Window window(film.workspace);
+    window.resize(1300, 850), window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    film.select("ball");
+    film.workspace.go_to(film.at_time("12f"));
+    QRect trial;
+    QTimer::singleShot(100, &window, [&] {
+      auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      if (!dialog) return;
+      trial = dialog->geometry();
+      dialog->reject();
+    });
+    window.ask_breakdown();
+    const Viewport& view = window.viewport();
+    QVERIFY(!trial.isEmpty());
+    QVERIFY(window.geometry().contains(trial));
+    QVERIFY(!trial.intersects(QRect(view.mapToGlobal(QPoint()), view.size())));
+  }
 
   static Vec3 world(const Film& f, const char* name) {
     const Value v = f.workspace.program().read(Target(f.id(name), Query::world), f.workspace.time());

@@ -111,7 +111,7 @@ class RecoveryTest : public QObject {
         QVERIFY2(lines.contains("− create ball sphere radius=0.5") && lines.contains("+ create ball sphere radius=2"),
                  qPrintable(lines));
         QVERIFY(lines.contains("+ create hand box"));
-        QVERIFY2(question->findChild<QLabel*>("counts")->text().startsWith("2 lines added, 1"),
+        QVERIFY2(question->findChild<QLabel*>("counts")->text().startsWith("lines added: 2, lines removed: 1"),
                  qPrintable(question->findChild<QLabel*>("counts")->text()));
         question->findChild<QPushButton*>(choice)->click();
       });

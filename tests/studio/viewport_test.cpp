@@ -440,6 +440,66 @@ class ViewportTest : public QObject {
     QCOMPARE(QString::fromStdString(line), QString("create cow mesh file=\"cow.ply\" position=(0 1 0)"));
   }
 
+  void a_mesh_that_is_dropped_stands_on_what_is_below() {
+    Film f({"create floor plane size=(20 20) rotation=euler(-90deg 0 0) position=(0 1 0)",
+            "create eye camera position=(0 11 10) look-at=(0 1 0)"});
+    const auto write = [](const char* name, const char* text) {
+      QFile mesh(name);
+      if (mesh.open(QIODevice::WriteOnly)) mesh.write(text);
+    };
+    write("cow.obj", "v -1 -0.5 0\nv 1 -0.5 0\nv 0 0.5 0\nf 1 2 3\n");
+    const std::string before = f.text().toStdString();
+    QVERIFY(f.view.import_file("cow.obj", at(0, 0)));
+    QVERIFY2(f.text().endsWith("create cow mesh file=\"cow.obj\" position=(0 1.5 0)\n"), qPrintable(f.text()));
+    f.workspace.undo();
+    QCOMPARE(f.text().toStdString(), before);
+    QImage(100, 100, QImage::Format_RGB32).save("sky.png");
+    QVERIFY(f.view.line_for_file("sky.png", at(0, 0)).find(" position=(0 2.") != std::string::npos);  // stands too
+  }
+
+  void in_the_air_it_is_centred_at_the_pointer() {
+    Film f({"create eye camera position=(0 1 10) look-at=(0 5 0)"});
+    QFile mesh("cow.obj");
+    QVERIFY(mesh.open(QIODevice::WriteOnly));
+    mesh.write("v -1 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+    mesh.close();
+    QImage(100, 100, QImage::Format_RGB32).save("sky.png");
+    for (const char* file : {"cow.obj", "sky.png"}) {
+      QVERIFY(f.view.import_file(file, at(0, 0)));
+      const Document& d = f.workspace.document();
+      const Target place = find_targets(d.name(f.workspace.selected()[0]) + ".position", d)->front();
+      Vec3 middle = std::get<Vec3>(f.workspace.program().read(place, f.workspace.time()));
+      if (file == std::string("cow.obj")) middle.y += 1;
+      QVERIFY2(QLineF(*f.view.scope().spot(middle), at(0, 0)).length() < 3, file);
+      f.workspace.undo();
+    }
+  }
+
+  void far_too_large_things_come_with_a_hint() {
+    Film f({"create floor plane size=(20 20) rotation=euler(-90deg 0 0)",
+            "create eye camera position=(0 4 10) look-at=(0 0 0)"});
+    const auto write = [](const char* name, const char* size) {
+      QFile mesh(name);
+      if (mesh.open(QIODevice::WriteOnly))
+        mesh.write(QByteArray("v 0 0 0\nv S 0 0\nv 0 S 0\nf 1 2 3\n").replace("S", size));
+    };
+    write("good.obj", "2"), write("huge.obj", "1740"), write("tiny.obj", "0.002");
+    QStringList hints;
+    connect(&f.workspace, &Workspace::said, this, [&](const QString& line, const QString&, bool) {
+      if (line.startsWith('#')) hints << line;
+    });
+    QVERIFY(f.view.import_file("good.obj", at(0, 0)));
+    QCOMPARE(hints, QStringList());
+    QVERIFY(f.view.import_file("huge.obj", at(0, 0)));
+    QCOMPARE(hints.size(), 1);
+    QVERIFY2(hints[0].contains("1.74e+03 units") || hints[0].contains("1740 units"), qPrintable(hints[0]));
+    const QString line = hints[0].section('`', 1, 1);
+    QVERIFY2(f.workspace.say(line.toStdString()), qPrintable(line));
+    QVERIFY(f.view.import_file("tiny.obj", at(0, 0)));
+    QCOMPARE(hints.size(), 2);
+    QVERIFY2(hints[1].contains("set tiny.scale (1000 1000 1000)"), qPrintable(hints[1]));
+  }
+
   void one_turns_around_what_is_selected() {
     Film f({"create ball sphere", "create eye camera position=(0 2 10) look-at=(0 2 0)"});
     f.select("ball");

@@ -165,6 +165,20 @@ class WordsTest : public QObject {
     QCOMPARE(Window(film.workspace).menuBar()->actions()[0]->text(), "File");
   }
 
+  void sourcesOfValuesAreGerman() {
+    Film film(film_text + "set ball.color red\nfilter ball.position smooth width=3f\n");
+    use_language("de");
+    Window window(film.workspace);
+    window.show();
+    window.show_panel("properties");
+    film.select("ball");
+    film.workspace.go_to(film.at_time("6f"));
+    QCoreApplication::processEvents();
+    const auto made = [&](const char* of) { return window.findChild<QLabel*>(QString("made_") + of)->text(); };
+    QCOMPARE(made("color"), "gesetzt");
+    QCOMPARE(made("position"), "zwischen 1f und 12f, Filter smooth");
+  }
+
   void aWrongOrMissingCatalogueLeavesEnglish() {
     QVERIFY(catalogue_of("tlh").isEmpty());
     use_language("tlh");

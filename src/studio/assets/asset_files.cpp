@@ -65,7 +65,7 @@ QImage loudness_picture(const QString& file, QSize size) {
 AssetSort asset_sort(const QString& file) {
   const QString ending = QFileInfo(file).suffix().toLower();
   const auto in = [&](const char* endings) { return QString(endings).split(' ').contains(ending); };
-  if (ending == "bx") return AssetSort::film;
+  if (ending == "bx") return QFileInfo(file).dir().dirName() == "poses" ? AssetSort::pose : AssetSort::film;
   if (in("gltf glb dae fbx bvh svg")) return AssetSort::scene;
   if (in("ply obj stl 3ds")) return AssetSort::mesh;
   if (in("png jpg jpeg tga bmp")) return AssetSort::picture;

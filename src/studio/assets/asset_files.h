@@ -16,8 +16,8 @@
 
 namespace betwixt::studio {
 
-enum class AssetSort : std::uint8_t { none, film, scene, mesh, picture, sound };
-AssetSort asset_sort(const QString& file);  // by the ending of its name
+enum class AssetSort : std::uint8_t { none, film, pose, scene, mesh, picture, sound };
+AssetSort asset_sort(const QString& file);  // by the ending of its name; poses are scripts in a folder `poses`
 
 // Returns an unused name for the object that a file becomes: "cow", "cow2".
 std::string asset_name(const QString& file, const Document&);

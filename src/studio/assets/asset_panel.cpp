@@ -29,6 +29,7 @@ namespace betwixt::studio {
 namespace {
 
 constexpr QSize thumbnail_size(128, 96);
+constexpr qsizetype most_watched = 100;  // folders
 
 QPixmap framed(const QImage& image, QSize size) {
   QPixmap out(size);
@@ -43,7 +44,8 @@ QPixmap framed(const QImage& image, QSize size) {
 QIcon icon_of(AssetSort sort) {
   const Kind kind = sort == AssetSort::sound     ? Kind::sound
                     : sort == AssetSort::picture ? Kind::plane
-                    : sort == AssetSort::film    ? Kind::group
+                    : sort == AssetSort::film    ? Kind::camera
+                    : sort == AssetSort::pose    ? Kind::group
                                                  : Kind::mesh;
   return kind_icon(kind);
 }
@@ -149,6 +151,9 @@ AssetPanel::AssetPanel(Workspace& workspace, QWidget* parent)
   connect(search_, &QLineEdit::textChanged, this,
           [this](const QString& part) { files_->show_only(part), looks_->show_only(part); });
   connect(again, &QToolButton::clicked, this, &AssetPanel::scan);
+  settles_.setSingleShot(true), settles_.setInterval(200);
+  connect(&settles_, &QTimer::timeout, this, &AssetPanel::scan);
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, &settles_, QOverload<>::of(&QTimer::start));
   connect(&scan_, &FolderScan::over, this, &AssetPanel::list);
   connect(&pictures_, &SmallPictures::made, this, &AssetPanel::show_pictures);
   for (AssetList* l : {files_, looks_})
@@ -171,18 +176,43 @@ void AssetPanel::scan() {
   if (!isVisible()) return;
   const std::string& script = workspace_.session().file();
   folder_ = script.empty() ? QDir::currentPath() : QFileInfo(text_of(script)).absolutePath();
-  state_->setText(tr("looking in %1 …").arg(folder_));
+  if (listed_.isEmpty()) state_->setText(tr("looking in %1 …").arg(folder_));
+  if (!watcher_.directories().contains(folder_)) watcher_.addPath(folder_);  // also while it is read
   scan_.begin(folder_);
 }
 
+// Watches the folder, those in it, and those in which files were found: the panel follows what other programs do there.
+void AssetPanel::watch(const QStringList& files) {
+  QStringList folders{folder_};
+  for (const QString& name : QDir(folder_).entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+    folders << folder_ + "/" + name;
+  for (const QString& file : files)
+    if (const QString in = QFileInfo(file).absolutePath(); !folders.contains(in)) folders << in;
+  folders = folders.mid(0, most_watched);
+  QStringList gone = watcher_.directories();
+  QStringList more = folders;
+  for (const QString& folder : folders) gone.removeAll(folder);
+  for (const QString& folder : watcher_.directories()) more.removeAll(folder);
+  if (!gone.isEmpty()) watcher_.removePaths(gone);
+  if (!more.isEmpty()) watcher_.addPaths(more);
+}
+
 void AssetPanel::list(const QStringList& files) {
+  watch(files);
+  const QString now = workspace_.session().file().empty() ? QString() : text_of(workspace_.session().file());
+  if (files_->count() > 0 && listed_ == files + QStringList{now}) return show_pictures();
+  listed_ = files + QStringList{now};
   files_->clear();
   const QString script = QFileInfo(text_of(workspace_.session().file())).absoluteFilePath();
   for (const QString& name : files) {
     if (name == script) continue;
-    auto* item = new QListWidgetItem(icon_of(asset_sort(name)), QFileInfo(name).fileName(), files_);
+    const QFileInfo info(name);
+    const bool pose = asset_sort(name) == AssetSort::pose;
+    auto* item =
+        new QListWidgetItem(icon_of(asset_sort(name)), pose ? info.completeBaseName() : info.fileName(), files_);
     item->setData(AssetList::file, name);
-    item->setToolTip(QDir(folder_).relativeFilePath(name));
+    item->setToolTip(pose ? tr("pose %1: a double click gives it to the selection").arg(info.completeBaseName())
+                          : QDir(folder_).relativeFilePath(name));
   }
   files_->show_only(search_->text());
   state_->setText(files_->count() == 0

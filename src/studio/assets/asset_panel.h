@@ -5,6 +5,7 @@
 // into the picture.
 #pragma once
 
+#include <QFileSystemWatcher>
 #include <QListWidget>
 #include <QWidget>
 
@@ -49,6 +50,7 @@ class AssetPanel : public QWidget {
 
  private:
   void scan();
+  void watch(const QStringList& files);
   void list(const QStringList& files);
   void add_looks();
   void show_pictures();
@@ -62,6 +64,9 @@ class AssetPanel : public QWidget {
   AssetList *files_, *looks_;
   QLabel* state_;
   QString folder_;
+  QFileSystemWatcher watcher_;
+  QTimer settles_;  // many files may change at once
+  QStringList listed_;
 };
 
 }  // namespace betwixt::studio

@@ -62,6 +62,17 @@ void PartsView::refresh() {
   for (std::size_t i = 0; i < parts_.size(); ++i) show_row(i);
 }
 
+QWidget* PartsView::first_new_field(const std::vector<ValuePart>& before) const {
+  const auto as_before = [&](const ValuePart& p) {
+    return std::ranges::any_of(before, [&](const ValuePart& b) {
+      return b.what == p.what && b.target == p.target && b.title == p.title && b.index == p.index;
+    });
+  };
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (!as_before(parts_[i]) && !rows_[i].fields.empty() && !rows_[i].fields[0].empty()) return rows_[i].fields[0][0];
+  return nullptr;
+}
+
 void PartsView::retire() {
   for (QWidget* w : findChildren<QWidget*>()) w->disconnect(this);
 }

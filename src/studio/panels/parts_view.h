@@ -24,6 +24,8 @@ class PartsView : public QWidget {
   void refresh(const Target& whole) { whole_ = whole, refresh(); }
   void retire();  // its fields say nothing more, although it still exists
   const std::vector<ValuePart>& parts() const { return parts_; }
+  // Returns the first field of a part that was not there before; null if there is none.
+  QWidget* first_new_field(const std::vector<ValuePart>& before) const;
 
  private:
   struct PartRow {

@@ -46,9 +46,11 @@ class Properties : public QWidget {
   void show_sources();
   std::vector<std::string> lines_for(const Row&, int component, const QString& text) const;
   void toggle_event(const Row&);
+  static QString source_words(const QString&);
   void add_part_buttons(Row&, QWidget* section);
   void unfold(Row&, bool open);
-  void fill_new_parts_of(QMenu&, const Row&) const;
+  void fill_new_parts_of(QMenu&, const Row&);
+  void show_new_part(const QString& function, const std::vector<ValuePart>& before);
   void rename();
   QWidget* make_section(const QString& title);
   void add_row(QWidget* section, const FunctionView&, EditorKind);

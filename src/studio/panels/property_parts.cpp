@@ -4,6 +4,7 @@
 // The parts of a function's value in the properties: they are unfolded below it, and a menu adds further ones.
 #include <QGridLayout>
 #include <QMenu>
+#include <QTimer>
 
 #include "betwixt/object.h"
 #include "studio/panels/new_parts.h"
@@ -69,7 +70,28 @@ void Properties::unfold(Row& row, bool open) {
   row.parts->show();
 }
 
-void Properties::fill_new_parts_of(QMenu& menu, const Row& row) const {
+// Returns what makes a value, such as "between 1f and 24f, filter noise", in the language of the user. Names and times
+// stay as they are.
+QString Properties::source_words(const QString& english) {
+  QStringList all = english.split(", ", Qt::SkipEmptyParts);
+  for (QString& part : all) {
+    const QStringList words = part.split(' ');
+    const QString &first = words[0], rest = part.mid(first.size() + 1);
+    part = part == "event here"                      ? tr("event here")
+           : first == "between" && words.size() == 4 ? tr("between %1 and %2").arg(words[1], words[3])
+           : first == "since"                        ? tr("since %1").arg(rest)
+           : first == "before"                       ? tr("before %1").arg(rest)
+           : first == "layer"                        ? tr("layer %1").arg(rest)
+           : first == "filter"                       ? tr("filter %1").arg(rest)
+           : first == "set"                          ? tr("set")
+           : first == "code"                         ? tr("code")
+           : first == "velocity"                     ? tr("velocity")
+                                                     : part;
+  }
+  return all.join(", ");
+}
+
+void Properties::fill_new_parts_of(QMenu& menu, const Row& row) {
   menu.clear();
   qDeleteAll(menu.findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly));
   const Document& d = workspace_.document();
@@ -78,7 +100,30 @@ void Properties::fill_new_parts_of(QMenu& menu, const Row& row) const {
     for (const FunctionView& f : functions(d, id))
       if (f.name == row.name && f.type == row.of.type) targets.emplace_back(id, f.id);
   fill_new_parts(menu, workspace_, new_parts(d, workspace_.program(), targets, workspace_.time()));
+  // The menu tells it before the action has carried out its lines.
+  if (!targets.empty()) {
+    const Target whole(leading(), row.of.id);
+    const auto before = value_parts(d, workspace_.program(), workspace_.text(), whole, workspace_.time());
+    menu.disconnect(this);
+    connect(&menu, &QMenu::aboutToShow, this, [this, &menu, of = &row] { fill_new_parts_of(menu, *of); });
+    connect(
+        &menu, &QMenu::triggered, this, [this, name = text_of(row.name), before] { show_new_part(name, before); },
+        Qt::QueuedConnection);
+  }
   if (menu.isEmpty()) menu.addAction(tr("Nothing can be added to %1").arg(text_of(row.name)))->setEnabled(false);
+}
+
+// Unfolds the parts of a function and goes to the first field of the new one.
+void Properties::show_new_part(const QString& function, const std::vector<ValuePart>& before) {
+  for (const auto& row : rows_) {
+    if (text_of(row->name) != function) continue;
+    row->unfold->setChecked(true);
+    if (!row->parts) return;
+    QWidget* field = row->parts->first_new_field(before);
+    if (!field) return;
+    field->setFocus(Qt::TabFocusReason);
+    QTimer::singleShot(0, field, [this, field] { area_->ensureWidgetVisible(field); });  // after the layout
+  }
 }
 
 }  // namespace betwixt::studio

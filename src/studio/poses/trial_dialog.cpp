@@ -34,6 +34,7 @@ class Trial : public QDialog {
     rows_->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    stand_aside();
     look();
     const bool is = exec() == Accepted;
     workspace_.look_back();
@@ -41,6 +42,15 @@ class Trial : public QDialog {
   }
 
  private:
+  // Stands in the lower right corner of the window, so that the picture shows what the answers do.
+  void stand_aside() {
+    const QWidget* around = parentWidget() ? parentWidget()->window() : nullptr;
+    if (!around) return;
+    adjustSize();
+    const int margin = fontMetrics().height();
+    move(around->frameGeometry().bottomRight() - QPoint(width() + margin, height() + 3 * margin));
+  }
+
   Workspace& workspace_;
   const std::function<Lines()> lines_;
   QVBoxLayout* rows_;

@@ -186,8 +186,10 @@ void Films::speak_anew() {
   for (Page& p : pages_) {
     const QByteArray panels = p.window->saveState();
     const int index = stack_->indexOf(p.window);
+    const std::string begun = p.window->first_text();
     delete p.window;
     p.window = make_window(*p.workspace);
+    p.window->begun_with(begun);
     stack_->insertWidget(index, p.window);
     // After what the new window recalls.
     QTimer::singleShot(0, p.window, [w = p.window, panels] { w->restoreState(panels); });

@@ -111,7 +111,7 @@ void Recovery::show_difference() {
     html += "<span style='color:" + color.name() + "'>" + (sign + l.text).toHtmlEscaped() + "</span>\n";
   }
   lines_->setHtml(html + "</pre>");
-  counts_->setText(added + removed > 0 ? tr("%1 lines added, %2 lines removed").arg(added).arg(removed)
+  counts_->setText(added + removed > 0 ? tr("lines added: %1, lines removed: %2").arg(added).arg(removed)
                                        : tr("The saved file and the recovered text are the same."));
 }
 

@@ -87,6 +87,8 @@ class Window : public QMainWindow {
   void show_film_anew();  // for a new window on a workspace that has a film already
   // Opens the film for new users.
   void open_example();
+  const std::string& first_text() const { return first_text_; }
+  void begun_with(const std::string& text) { first_text_ = text; }  // by an earlier window on the same film
   void begin_film(const std::string& text);  // a new film that has this text; it needs no saving until it is changed
 
  Q_SIGNALS:

@@ -166,7 +166,10 @@ class Viewport : public QWidget {
   void measure_to(QPointF);
   std::vector<Vec3> measured(QPointF) const;
   void paint_measure(QPainter&, const Scope&) const;
+  std::optional<Vec3> surface_under(QPointF) const;
   Vec3 place_under(QPointF) const;
+  std::optional<Box> box_after(const std::string& line, const std::string& name) const;
+  void tell_size(ObjectId, double depth) const;
   std::vector<std::string> lines_for_drop(const QDropEvent&) const;
   void tell_refusal();
   void select_in_box(Qt::KeyboardModifiers);

@@ -7,10 +7,16 @@
 #include <QFileInfo>
 #include <QImageReader>
 #include <QMimeData>
+#include <cmath>
 
+#include "betwixt/pick.h"
 #include "language/values.h"
+#include "scene/document.h"
 #include "studio/assets/asset_files.h"
 #include "studio/assets/look_lines.h"
+#include "studio/poses/pose_actions.h"
+#include "studio/shell/text_of.h"
+#include "studio/viewport/hand.h"
 #include "studio/viewport/viewport.h"
 #include "syntax/tokens.h"
 
@@ -24,11 +30,26 @@ QStringList files_of(const QMimeData* data) {
   return out;
 }
 
+bool use_pose(Workspace& workspace, const QString& file) {
+  PoseActions& poses = PoseActions::of(workspace);
+  const auto pose = poses.read(QFileInfo(file).completeBaseName());
+  return pose && workspace.say(poses.lines(*pose, false, 1));
+}
+
+Box box_of_named(const Program& program, const std::string& name, Time t) {
+  Box box;
+  for (const Item& item : program.frame(t).items) {
+    const std::string own = program.document().name(item.id);
+    if (own == name || own.starts_with(name + "/"))
+      for (const Vec3& corner : drawn(item, 1000).corners) box.add(corner);
+  }
+  return box;
+}
+
 }  // namespace
 
-// Returns a place under the pointer: on an object; otherwise on the ground (in a flat film, on the paper); otherwise in
-// front of the eye.
-Vec3 Viewport::place_under(QPointF p) const {
+// Returns a place under the pointer: on an object; otherwise on the ground (in a flat film, on the paper).
+std::optional<Vec3> Viewport::surface_under(QPointF p) const {
   const Scope s = scope();
   const QPointF at = s.in_picture(p);
   if (const auto h = pick(frame(), s.projection, at.x(), at.y())) return h->place;
@@ -36,7 +57,38 @@ Vec3 Viewport::place_under(QPointF p) const {
   const Ray ray = s.ray(p);
   const double slope = dot(ray.along, up), t = slope == 0 ? -1 : -dot(ray.from, up) / slope;
   if (t > 0 && t < 1e4) return ray.from + t * ray.along;
-  return s.place(p, std::max(1e-3, s.depth(pivot())));
+  return std::nullopt;
+}
+
+// … otherwise in front of the eye.
+Vec3 Viewport::place_under(QPointF p) const {
+  const Scope s = scope();
+  return surface_under(p).value_or(s.place(p, std::max(1e-3, s.depth(pivot()))));
+}
+
+// Returns the box that an object and its parts fill after a line; nothing if the line fails or they show nothing.
+std::optional<Box> Viewport::box_after(const std::string& line, const std::string& name) const {
+  const auto then = workspace_.session().look_ahead({line});
+  if (!then) return std::nullopt;
+  const Box box = box_of_named(Program::compile(*then), name, workspace_.time());
+  return box.empty() ? std::nullopt : std::optional(box);
+}
+
+// Tells how to scale an object that is far too large or too small to be seen from here.
+void Viewport::tell_size(ObjectId id, double depth) const {
+  const std::string name = workspace_.name(id);
+  const Box box = box_of_named(workspace_.program(), name, workspace_.time());
+  const double size = 2 * std::max({box.half().x, box.half().y, box.half().z});
+  if (box.empty() || size <= 0 || (size < 50 * depth && size > depth / 500)) return;
+  const double by = std::pow(10, std::round(std::log10(depth / 3 / size)));
+  const std::string factor = write_number(by),
+                    line = fmt::format("set {}.scale ({} {} {})", name, factor, factor, factor);
+  const auto three_digits = [](double x) {
+    return text_of(write_number(rounded(x, std::pow(10, std::floor(std::log10(x)) - 2))));
+  };
+  emit workspace_.said("# " + tr("%1 is %2 units large; `%3` makes it %4")
+                                  .arg(text_of(name), three_digits(size), text_of(line), three_digits(size * by)),
+                       {}, false);
 }
 
 std::string Viewport::line_for_file(const QString& file, QPointF p) const {
@@ -46,6 +98,7 @@ std::string Viewport::line_for_file(const QString& file, QPointF p) const {
   if (sort == AssetSort::sound)
     return "create " + name + " sound file=" + path + " at=" + workspace_.when(workspace_.time());
   const Scope s = scope();
+  const auto surface = surface_under(p);
   Vec3 place = place_under(p);
   const double pixel = s.metres(std::max(1e-3, s.depth(place)));
   const bool flat = frame().surroundings.flat;
@@ -61,9 +114,15 @@ std::string Viewport::line_for_file(const QString& file, QPointF p) const {
     const double high = rounded(s.box.height() * pixel / 3, 10 * pixel);
     const double wide = size.height() > 0 ? rounded(high * size.width() / size.height(), pixel) : high;
     line += " plane size=(" + write_number(wide) + " " + write_number(high) + ") texture=" + path;
-    if (!flat) place.y += high / 2;
+    if (!flat && surface) place.y += high / 2;
   }
   for (int i = 0; i < 3; ++i) place[i] = rounded(place[i], pixel);
+  // What was made in another program stands on the surface, or is centred at the pointer.
+  if (!flat && (sort == AssetSort::mesh || sort == AssetSort::scene))
+    if (const auto box = box_after(line, name)) {
+      const double fine = std::pow(10, std::floor(std::log10(std::max(1e-6, box->half().y))) - 4);
+      place.y -= rounded(surface ? box->low.y : box->middle().y, fine);
+    }
   return line + (place == Vec3{} ? "" : " position=" + write_vector(place));
 }
 
@@ -74,6 +133,9 @@ void Viewport::tell_refusal() {
 
 bool Viewport::import_file(const QString& file, QPointF at) {
   if (asset_sort(file) == AssetSort::film) return workspace_.say("open " + as_one_word(file.toStdString()));
+  if (asset_sort(file) == AssetSort::pose) return use_pose(workspace_, file);
+  const Scope s = scope();
+  const double depth = std::max(1e-3, s.depth(place_under(at)));
   const std::string line = line_for_file(file, at);
   if (!workspace_.say(line)) {
     tell_refusal();
@@ -81,7 +143,7 @@ bool Viewport::import_file(const QString& file, QPointF at) {
   }
   const std::size_t from = std::string("create ").size();
   if (const ObjectId made = workspace_.document().find(line.substr(from, line.find(' ', from) - from)))
-    workspace_.select({made});
+    workspace_.select({made}), tell_size(made, depth);
   return true;
 }
 
