@@ -142,6 +142,31 @@ class KeyboardTest : public QObject {
     while (s.film.text() != first) s.film.workspace.undo();
   }
 
+  void hintsNameThePresentKeys() {
+    Studio s;
+    const auto tip = [&](const char* of) { return s.window.viewport().findChild<QToolButton*>(of)->toolTip(); };
+    QVERIFY(tip("move").contains("(W)") && tip("move").contains("press G to"));
+    keys().set_preset("after-effects");
+    QVERIFY2(tip("move").contains("(V)") && tip("move").contains("press P to"), qPrintable(tip("move")));
+    QCOMPARE(with_keys("press {Insert event at playhead}."), "press " + keys().shown("Insert event at playhead") + ".");
+    const KeyRow& row = *keys().row("picture", "Handles to move");
+    keys().set(row, {});
+    QVERIFY2(tip("move").contains("('Handles to move')"), qPrintable(tip("move")));
+    // Each hint in braces is an action.
+    QFile exercises(SOURCE_DIR "/src/studio/course/exercises.txt"), german(SOURCE_DIR "/src/studio/words/de.po");
+    static const QRegularExpression action("\\{([A-Z][^{}]+)\\}");
+    int found = 0;
+    for (QFile* file : {&exercises, &german}) {
+      QVERIFY(file->open(QIODevice::ReadOnly));
+      const QString text = QString::fromUtf8(file->readAll());
+      for (auto i = action.globalMatch(text); i.hasNext(); ++found) {
+        const std::string name = i.next().captured(1).toStdString();
+        QVERIFY2(std::ranges::any_of(keys().rows(), [&](const KeyRow& r) { return r.name == name; }), name.c_str());
+      }
+    }
+    QVERIFY(found > 10);
+  }
+
   void theFileKeepsTheDifferencesOnly() {
     keys().set(*keys().row("picture", "Move selection"), {QKeySequence("M"), QKeySequence("Ctrl+,")});
     keys().set(*keys().row("picture", "Rotate selection"), {QKeySequence("R")});  // no difference

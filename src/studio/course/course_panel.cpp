@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "studio/course/course_pointer.h"
+#include "studio/shell/keys.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/window.h"
 #include "studio/viewport/viewport.h"
@@ -53,6 +54,9 @@ CoursePanel::CoursePanel(Window& window)
     button->setObjectName(QString("exercise_%1").arg(i));
     button->setToolTip(in_words(exercises()[i].about));
     grid->addWidget(button, static_cast<int>(i) / 2, static_cast<int>(i) % 2);
+    connect(&Keys::of_user(), &Keys::changed, this, [this] {
+      if (exercise_) tell();
+    });
     connect(button, &QPushButton::clicked, this, [this, i] { begin(i); });
   }
   rows->addStretch(1);
@@ -114,11 +118,17 @@ void CoursePanel::go_to(std::size_t number) {
   const CourseStep* now = step();
   title_->setText(now ? tr("%1 — step %2 of %3").arg(in_words(exercise_->name)).arg(number + 1).arg(all)
                       : in_words(exercise_->name));
-  words_->setText(now ? in_words(now->words)
-                      : tr("Done. The film is yours: save it with ctrl-S, or choose another exercise."));
+  tell();
   show_->setEnabled(now), back_->setEnabled(number > 0);
   waits_ = back && now && is_done(*now, window_);
   look();
+}
+
+// The sentence of the step, with the keys that the user has chosen.
+void CoursePanel::tell() {
+  const CourseStep* now = step();
+  words_->setText(with_keys(now ? in_words(now->words)
+                                : tr("Done. The film is yours: save it with {Save}, or choose another exercise.")));
 }
 
 void CoursePanel::look() {

@@ -31,6 +31,7 @@ class CoursePanel : public QWidget {
   void show_me();
   void back();
   // Goes to the next step if this one is done.
+  void tell();
   void look();
   // The exercise and the step at work; nullptr if there is none, or if all steps are done.
   const Exercise* exercise() const { return exercise_; }

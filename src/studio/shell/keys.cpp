@@ -3,6 +3,7 @@
 #include "studio/shell/keys.h"
 
 #include <QKeyEvent>
+#include <QRegularExpression>
 #include <QSettings>
 #include <algorithm>
 
@@ -104,6 +105,20 @@ QString Keys::shown(std::string_view name) const {
     if (const auto all = keys(r); !all.isEmpty()) return all.front().toString(QKeySequence::NativeText);
   }
   return {};
+}
+
+QString with_keys(const QString& text) {
+  static const QRegularExpression action("\\{([^{}]+)\\}");
+  QString out;
+  qsizetype from = 0;
+  for (auto i = action.globalMatch(text); i.hasNext();) {
+    const QRegularExpressionMatch m = i.next();
+    const std::string name = m.captured(1).toStdString();
+    const QString key = Keys::of_user().shown(name);
+    out += text.mid(from, m.capturedStart() - from) + (key.isEmpty() ? "'" + word_of(name) + "'" : key);
+    from = m.capturedEnd();
+  }
+  return out + text.mid(from);
 }
 
 bool Keys::is_changed(const KeyRow& row) const {

@@ -88,6 +88,9 @@ class Keys : public QObject {
   bool remembers_ = false;
 };
 
+// Returns a text in which each "{Handles to move}" is the present key of that action; its name if it has no key.
+QString with_keys(const QString& text);
+
 // Returns the key of an event without what does not matter, such as whether it is on the keypad.
 QKeyCombination key_of(const QKeyEvent&);
 // "Ctrl+Z; Ctrl+Y" as keys, and back.

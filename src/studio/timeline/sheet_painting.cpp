@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "scene/document.h"
+#include "studio/shell/keys.h"
 #include "studio/shell/theme.h"
 #include "studio/timeline/sheet_pane.h"
 
@@ -189,9 +190,11 @@ void SheetPane::paint_content(QPainter& p) {
     p.setPen(c.dim);
     const bool nothing = !only_selected_ || workspace_.selected().empty();
     p.drawText(time_box(), Qt::AlignCenter,
-               !choice_.search.empty() ? tr("No track has this name.")
-               : nothing ? tr("There are no events yet. Select an object and press K to write one at the playhead.")
-                         : tr("The selection has no events yet. Press K to write one at the playhead."));
+               with_keys(!choice_.search.empty() ? tr("No track has this name.")
+                         : nothing ? tr("There are no events yet. Select an object and press {Insert event at "
+                                        "playhead} to write one at the playhead.")
+                                   : tr("The selection has no events yet. Press {Insert event at playhead} to write "
+                                        "one at the playhead.")));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "studio/shell/keys.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/text_size.h"
 #include "studio/viewport/viewport.h"
@@ -34,11 +35,18 @@ struct ToolRow {
   const char *name, *sign, *tip;
 };
 const ToolRow tools[] = {
-    {Tool::move, "move", "✥", "Handles to move (W); press G to move without handles: `set ball.position (1 2 3)`"},
+    {Tool::move, "move", "✥",
+     "Handles to move ({Handles to move}); press {Move selection} to move without handles: `set ball.position (1 2 "
+     "3)`"},
     {Tool::turn, "turn", "↻",
-     "Handles to rotate (E); press R to rotate without handles: `set ball.rotation euler(0 90deg 0)`"},
-    {Tool::scale, "scale", "⤢", "Handles to scale (T); press S to scale without handles: `set ball.scale (2 2 2)`"},
+     "Handles to rotate ({Handles to turn}); press {Rotate selection} to rotate without handles: `set ball.rotation "
+     "euler(0 90deg 0)`"},
+    {Tool::scale, "scale", "⤢",
+     "Handles to scale ({Handles to scale}); press {Scale selection} to scale without handles: `set ball.scale (2 2 "
+     "2)`"},
 };
+
+constexpr const char* eye_tip = "Switches between the film's camera and a free view ({Free view})";
 
 QToolButton* button(QWidget* parent, const char* name, const char* sign, const char* tip) {
   auto* b = new QToolButton(parent);
@@ -93,9 +101,16 @@ void Viewport::make_corner() {
   }
   eye_corner_->layout()->addWidget(styles_);
   connect(styles_, &QComboBox::textActivated, this, [this](const QString& s) { set_style(s.toStdString()); });
-  eye_button_ = button(eye_corner_, "eye", "", "Switches between the film's camera and a free view (0)");
+  eye_button_ = button(eye_corner_, "eye", "", eye_tip);
   connect(eye_button_, &QToolButton::clicked, this, [this] { set_free(!is_free()); });
   measure_by_text(*this, [this] { place_corner(); });
+  // Their tips name the keys that the user has chosen.
+  const auto tell_keys = [this] {
+    for (int i = 0; i < 3; ++i) tools_[i]->setToolTip(with_keys(word_of(tools[i].tip)));
+    eye_button_->setToolTip(with_keys(word_of(eye_tip)));
+  };
+  tell_keys();
+  connect(&Keys::of_user(), &Keys::changed, this, tell_keys);
   show_corner();
 }
 
