@@ -7,7 +7,7 @@
 # target, and the texts are plain.
 # shows: C106
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 3
-rooms=(base syntax algebra track scene program procedure exchange language commands editor export render film playback lsp server app studio)
+rooms=(base syntax algebra track scene program procedure exchange language commands editor compare export render film playback lsp server app studio)
 passed=0 failed=0
 # verdict WHAT FINDINGS: passes if FINDINGS is empty.
 verdict() {

@@ -18,7 +18,7 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BUILD = f"{ROOT}/build/release"
-ROOMS = "base syntax algebra track scene program procedure exchange language commands editor export render film playback lsp server".split()
+ROOMS = "base syntax algebra track scene program procedure exchange language commands editor compare export render film playback lsp server".split()
 SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "), (" != ", " == "),
          (" && ", " || "), (" || ", " && "), (" + ", " - "), (" - ", " + "), (" * ", " / "), ("true", "false"),
          ("false", "true"), ("(!", "("), (" += ", " -= "), ("std::min", "std::max"), ("std::max", "std::min"),
