@@ -44,7 +44,7 @@ int merge(const MergeCall& call) {
   if (is_stream(out)) {
     fmt::print("{}", film.text);
   } else if (const int reason = put_file(out, film.text, {.like_old = true}); reason != 0) {
-    return complain(system_error(reason, "written", out), no_merge);
+    return complain(system_error(reason, "write", out), no_merge);
   }
   report(film, name);
   return film.clean() ? merged : conflicts;
