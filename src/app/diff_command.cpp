@@ -78,7 +78,8 @@ class FramesCompared {
     FramesCompared made{old.film, now.film, *frames, call.picture.of(now.film)};
     made.options_.linear = old.film.transparent() || now.film.transparent();
     catch_stops();
-    const auto apart = frames_apart(made.old_, made.now_, made.frames_, made.options_, [] { return !stop_requested(); });
+    const auto apart =
+        frames_apart(made.old_, made.now_, made.frames_, made.options_, [] { return !stop_requested(); });
     release_stops();
     if (!apart) return apart.error();
     made.apart_ = *apart, made.runs_ = runs_of(*apart);
@@ -94,10 +95,10 @@ class FramesCompared {
     for (const FrameRun& r : runs_) {
       if (said++ == most) return all + fmt::format("\n{} more runs of frames differ", runs_.size() - most);
       const std::string by = fmt::format("by {} of 255", r.worst.by.most);
-      all += (all.empty() ? "" : "\n") +
-             (r.first == r.last ? fmt::format("frame {} differs, {}", name(r.first), by)
-                                : fmt::format("frames {}..{} differ, most at {} ({})", name(r.first), name(r.last),
-                                              name(r.worst.index), by));
+      all += (all.empty() ? "" : "\n") + (r.first == r.last
+                                              ? fmt::format("frame {} differs, {}", name(r.first), by)
+                                              : fmt::format("frames {}..{} differ, most at {} ({})", name(r.first),
+                                                            name(r.last), name(r.worst.index), by));
     }
     return all;
   }
@@ -143,18 +144,16 @@ class FramesCompared {
 
 std::string json_of(const FilmChange& c, Rate rate) {
   const auto time = [&](const char* key, std::optional<Time> t) {
-    return t ? fmt::format("\"{}\":{},", key,
-                           json_text(*t == earliest_time ? "beginning" : write_time(*t, rate)))
+    return t ? fmt::format("\"{}\":{},", key, json_text(*t == earliest_time ? "beginning" : write_time(*t, rate)))
              : std::string();
   };
   std::string events;
   for (const EventChange& e : c.events)
     events += fmt::format("{}{{{}{}\"before\":{},\"after\":{}}}", events.empty() ? "" : ",", time("was", e.was),
                           time("is", e.is), json_text(e.before), json_text(e.after));
-  return fmt::format(
-      "{{\"what\":{},\"part\":{},\"name\":{},\"before\":{},\"after\":{},\"events\":[{}],\"words\":{}}}",
-      json_text(to_string(c.what)), json_text(c.part), json_text(c.name), json_text(c.before), json_text(c.after),
-      events, json_text(c.words));
+  return fmt::format("{{\"what\":{},\"part\":{},\"name\":{},\"before\":{},\"after\":{},\"events\":[{}],\"words\":{}}}",
+                     json_text(to_string(c.what)), json_text(c.part), json_text(c.name), json_text(c.before),
+                     json_text(c.after), events, json_text(c.words));
 }
 
 int print(const DiffCall& call, const DiffSide& old, const DiffSide& now) {
@@ -213,21 +212,22 @@ const Enlisted enlisted_diff(diff, [](DiffCall& call) -> Subcommand {
   return {.rank = 72,
           .name = "diff",
           .sentence = "prints what has changed in a film, in words",
-          .takes = joined({{{.name = "FILES",
-                             .sentence = "the old and the new script",
-                             .into = &call.files,
-                             .required = true,
-                             .offer = Offer::scripts},
-                            flag("--json", "one JSON object", call.json),
-                            flag("--pictures", "also draws all frames of both, and prints which differ", call.pictures),
-                            file_option("--page", "PAGE",
-                                        "also writes a web page with the pictures that differ most, side by side",
-                                        &call.page)},
-                           picture_parameters(call.picture)}),
+          .takes = joined(
+              {{{.name = "FILES",
+                 .sentence = "the old and the new script",
+                 .into = &call.files,
+                 .required = true,
+                 .offer = Offer::scripts},
+                flag("--json", "one JSON object", call.json),
+                flag("--pictures", "also draws all frames of both, and prints which differ", call.pictures),
+                file_option("--page", "PAGE", "also writes a web page with the pictures that differ most, side by side",
+                            &call.page)},
+               picture_parameters(call.picture)}),
           .example = "betwixt diff old.bx new.bx --page difference.html",
-          .manual = "Films are compared by what they show: the order of lines, comments and layout make no difference. "
-                    "The exit code is 0 if the films are the same, 1 if they differ, and 2 if one cannot be read. As a "
-                    "diff driver of Git: git config diff.betwixt.command 'betwixt diff'"};
+          .manual =
+              "Films are compared by what they show: the order of lines, comments and layout make no difference. "
+              "The exit code is 0 if the films are the same, 1 if they differ, and 2 if one cannot be read. As a "
+              "diff driver of Git: git config diff.betwixt.command 'betwixt diff'"};
 });
 
 }  // namespace

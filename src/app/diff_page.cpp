@@ -28,8 +28,9 @@ figure { margin: 0; } img { width: 100%; display: block; } figcaption { font-siz
 Result<std::string> figure(const Picture& picture, const std::string& caption, const std::string& of) {
   const Result<std::string> png = to_png(picture);
   if (!png) return png.error();
-  return fmt::format("<figure><img alt=\"{}, {}\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
-                     caption, of, base64(*png), caption);
+  return fmt::format(
+      "<figure><img alt=\"{}, {}\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n", caption,
+      of, base64(*png), caption);
 }
 
 }  // namespace
@@ -39,7 +40,8 @@ Result<std::string> diff_page(const std::string& title, const std::vector<FilmCh
   const auto hash = sha256(look);
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; img-src data:; "
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; img-src "
+      "data:; "
       "base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{}</title>\n<style>{}</style>\n<h1>{}</h1>\n",
       base64(as_text(hash)), escaped(title), look, escaped(title));

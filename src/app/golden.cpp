@@ -110,24 +110,30 @@ class GoldenFilm {
 
  private:
   GoldenResult failed(int line, const std::string& why) {
-    result_.failures.push_back(line > 0 ? fmt::format("{}:{}: {}", file_, line, why) : fmt::format("{}: {}", file_, why));
+    result_.failures.push_back(line > 0 ? fmt::format("{}:{}: {}", file_, line, why)
+                                        : fmt::format("{}: {}", file_, why));
     return std::move(result_);
   }
-  void fails(int line, const std::string& why) { result_.failures.push_back(fmt::format("{}:{}: {}", file_, line, why)); }
+  void fails(int line, const std::string& why) {
+    result_.failures.push_back(fmt::format("{}:{}: {}", file_, line, why));
+  }
 
   void check(const ExpectedValue& e, int line) {
     const auto time = read_time(e.time, film_, "at");
     if (!time) return fails(line, time.error().message);
     const auto targets = find_targets(e.target, film_);
     if (!targets) return fails(line, targets.error().message);
-    if (targets->size() != 1) return fails(line, fmt::format("{} names {} targets, not one", e.target, targets->size()));
+    if (targets->size() != 1)
+      return fails(line, fmt::format("{} names {} targets, not one", e.target, targets->size()));
     const Target target = targets->front();
     std::vector<std::string> problems;
     const Value found = program_.read(std::vector{target}, *time, &problems).front();
     if (!problems.empty()) return fails(line, problems.front());
     if (!agrees(found, target, e))
       fails(line, fmt::format("{} at {}: expected {}{}, found {}", e.target, e.time, e.value,
-                              numbers(found).empty() || e.within == ExpectedValue().within ? "" : fmt::format(" within {}", write_number(e.within)),
+                              numbers(found).empty() || e.within == ExpectedValue().within
+                                  ? ""
+                                  : fmt::format(" within {}", write_number(e.within)),
                               plain_value(found, target, film_)));
   }
   bool agrees(const Value& found, const Target& target, const ExpectedValue& e) const {
@@ -145,7 +151,8 @@ class GoldenFilm {
       if (wanted.empty() || is.empty()) return value == found;
     } else {
       std::string plain = e.value;
-      std::ranges::replace_if(plain, [](char c) { return c == '(' || c == ')'; }, ' ');
+      std::ranges::replace_if(
+          plain, [](char c) { return c == '(' || c == ')'; }, ' ');
       std::string_view rest = plain;
       for (std::string_view word = take_piece(rest); !word.empty(); word = take_piece(rest)) {
         const auto n = number_in(word);

@@ -61,9 +61,10 @@ const Enlisted enlisted_test(run_golden, [](TestCall& call) -> Subcommand {
                      .into = &call.jobs,
                      .range = std::pair(1, 256)}},
           .example = "betwixt test films",
-          .manual = "A line of X.expect is \"at TIME TARGET VALUE [within NUMBER]\", \"frame TIME \\\"PICTURE.png\\\" "
-                    "[within NUMBER]\" or \"size WxH\" for the pictures below it. Where a picture differs, the one that "
-                    "was found and the difference are written beside it. The exit code is 1 if a check fails."};
+          .manual =
+              "A line of X.expect is \"at TIME TARGET VALUE [within NUMBER]\", \"frame TIME \\\"PICTURE.png\\\" "
+              "[within NUMBER]\" or \"size WxH\" for the pictures below it. Where a picture differs, the one that "
+              "was found and the difference are written beside it. The exit code is 1 if a check fails."};
 });
 
 }  // namespace

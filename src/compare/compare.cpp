@@ -27,6 +27,7 @@ class Comparing {
         add({What::renamed, "object", name, name, other, {}, {}, fmt::format("{} renamed to {}", name, other)});
       was_ = facts_of(renamed(old, names));
     }
+    if (old.rate() != now.rate()) follow_rate(old.rate());
   }
 
   std::vector<FilmChange> all() {
@@ -65,6 +66,22 @@ class Comparing {
   static std::string said(const Facts& facts, const FactKey& k) {
     const auto at = facts.said.find(k);
     return at == facts.said.end() ? "" : at->second;
+  }
+
+  static std::size_t count_apart(const Facts& a, const Facts& b) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(a.said, [&](const auto& f) { return said(b, f.first) != f.second; }));
+  }
+  // With another rate all events that are written in frames have moved. If that explains more than it adds, compares
+  // the frames of events and not their times.
+  void follow_rate(Rate old) {
+    Facts in_frames{{}, was_.objects};
+    for (const auto& [key, said] : was_.said) {
+      FactKey moved = key;
+      if (timed(key) && in_reach(key.time)) moved.time = now_.rate().frame(old.frame_number(key.time));
+      in_frames.said.emplace(std::move(moved), said);
+    }
+    if (count_apart(in_frames, is_) < count_apart(was_, is_)) was_ = std::move(in_frames);
   }
 
   void whole(const FactKey& k) {

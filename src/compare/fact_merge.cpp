@@ -52,31 +52,43 @@ class FactMerge {
            std::ranges::any_of(b, [&](const auto& f) { return about(f) && !a.contains(f.first); });
   }
 
-  // An object that one side removed is gone if the other left it as it was. Otherwise mine decides.
+  // An object that one side removed is gone if the other left it as it was, with all below it. Otherwise mine decides.
   void decide_objects() {
     std::set<FactKey> objects;
     for (const FactMap* facts : {&base_, &mine_, &theirs_})
       for (const auto& [key, said] : *facts)
         if (key.part == FactPart::object) objects.insert(key);
+    std::map<std::string, std::vector<FactKey>> removed_by_theirs;  // by the topmost object that went with them
     for (const FactKey& key : objects) {
       const auto b = said_in(base_, key), m = said_in(mine_, key), t = said_in(theirs_, key);
-      if (b && !m && !t) {
+      if (b && !m) {
         gone_.insert(key.object);
-      } else if (b && !m) {
-        gone_.insert(key.object);
-        if (differs(base_, theirs_, key.object)) lose_changes_of(key.object);
+        if (t && differs(base_, theirs_, key.object)) lose_changes_of(key.object);
       } else if (b && !t) {
-        if (!differs(base_, mine_, key.object)) {
-          gone_.insert(key.object);
-        } else {
-          kept_.insert(key.object);
-          out_.conflicts.push_back({key, m, key, {}});
-        }
+        removed_by_theirs[top_of(key.object)].push_back(key);
       } else if (m && t && m != t && m != b && t != b) {
         kept_.insert(key.object);  // both made another thing of the same name
         lose_changes_of(key.object);
       }
     }
+    for (const auto& [top, keys] : removed_by_theirs) {
+      const bool changed =
+          std::ranges::any_of(keys, [&](const FactKey& k) { return differs(base_, mine_, k.object); }) ||
+          std::ranges::any_of(objects, [&](const FactKey& k) {
+            return k.object.starts_with(top + "/") && !base_.contains(k) && mine_.contains(k);
+          });
+      for (const FactKey& k : keys) (changed ? kept_ : gone_).insert(k.object);
+      if (const FactKey key{FactPart::object, top, "", "", {}}; changed)
+        out_.conflicts.push_back({key, said_in(mine_, key), key, {}});
+    }
+  }
+  // Returns the topmost object above this one, or itself, that theirs has removed.
+  std::string top_of(const std::string& object) const {
+    for (std::size_t slash = object.find('/'); slash != std::string::npos; slash = object.find('/', slash + 1)) {
+      const FactKey above{FactPart::object, object.substr(0, slash), "", "", {}};
+      if (base_.contains(above) && !theirs_.contains(above)) return above.object;
+    }
+    return object;
   }
   // All that theirs changed of an object is in conflict.
   void lose_changes_of(const std::string& object) {
@@ -100,7 +112,37 @@ class FactMerge {
     return all;
   }
 
+  // Notes do not exclude each other: those of a time are merged as sets of lines.
+  void merge_notes(const FactKey& track) {
+    std::set<Time> times;
+    for (const FactMap* facts : {&base_, &mine_, &theirs_})
+      for (const auto& [time, said] : events_of(*facts, track)) times.insert(time);
+    for (const Time time : times) {
+      const FactKey key = at_time(track, time);
+      const auto b = notes_in(base_, key), m = notes_in(mine_, key), t = notes_in(theirs_, key);
+      const auto has = [](const auto& all, const std::string& one) { return std::ranges::find(all, one) != all.end(); };
+      std::string all;
+      const auto add = [&](const std::string& one) { all += (all.empty() ? "" : "\n") + one; };
+      for (const std::string& one : m)
+        if (has(t, one) || !has(b, one)) add(one);
+      for (const std::string& one : t)
+        if (!has(b, one) && !has(m, one)) add(one);
+      if (!all.empty()) out_.said.emplace(key, all);
+    }
+  }
+  static std::vector<std::string> notes_in(const FactMap& facts, const FactKey& key) {
+    std::vector<std::string> all;
+    std::string left = said_in(facts, key).value_or("");
+    while (!left.empty()) {
+      const std::size_t feed = std::min(left.find('\n'), left.size());
+      all.push_back(left.substr(0, feed));
+      left.erase(0, feed + 1);
+    }
+    return all;
+  }
+
   void merge_track(const FactKey& track) {
+    if (track.part == FactPart::note) return merge_notes(track);
     const TrackEvents base = events_of(base_, track), theirs = events_of(theirs_, track);
     TrackEvents result = events_of(mine_, track);
     std::map<Time, EventChange> mine_changed;

@@ -14,6 +14,8 @@
 #include "compare/fact_merge.h"
 #include "compare/line_merge.h"
 #include "compare/renames.h"
+#include "editor/text_rows.h"
+#include "syntax/script_text.h"
 
 namespace betwixt {
 namespace {
@@ -31,20 +33,26 @@ class FilmMerge {
       if (const std::string wrong = error_in(*text); !wrong.empty())
         return by_lines(base, mine, theirs, fmt::format("{} has an error: {}", whose, wrong));
     std::vector<MergeConflict> conflicts = follow_renames();
-    const Document theirs_film = load(theirs_).document;
+    follow_rate(conflicts);
+    mine_film_ = load(mine_).document, theirs_film_ = load(theirs_).document;
     base_facts_ = facts_of(load(base_).document);
-    mine_facts_ = facts_of(load(mine_).document);
-    theirs_facts_ = facts_of(theirs_film);
+    mine_facts_ = facts_of(mine_film_), theirs_facts_ = facts_of(theirs_film_);
     const MergedFacts wanted = merge_facts(base_facts_, mine_facts_, theirs_facts_);
     const auto regions = regions_of(base_, mine_, theirs_);
+    const bool plain = std::ranges::none_of(regions, [](const LineRegion& r) { return r.conflict && !r.base.empty(); });
     std::set<std::string> tried;
+    std::optional<Made> best;
+    // The best text is right as it is. Otherwise the shortest one has no lines that others override.
     for (const InConflict how : {InConflict::mine_theirs, InConflict::theirs_mine, InConflict::mine}) {
       const std::string text = text_of(regions, how);
-      if (tried.insert(text).second)
-        if (auto made = completed(text, wanted)) return finished(*std::move(made), wanted, theirs_film, conflicts);
+      if (!tried.insert(text).second) continue;
+      auto made = completed(text, wanted, plain);
+      if (made && made->text == text && wanted.conflicts.empty()) return finished(*std::move(made), wanted, conflicts);
+      if (made && (!best || made->text.size() < best->text.size())) best = std::move(made);
     }
-    if (tried.insert(mine_).second)
-      if (auto made = completed(mine_, wanted)) return finished(*std::move(made), wanted, theirs_film, conflicts);
+    // Without the lines of theirs, comments of theirs are lost, so this comes last.
+    if (!best && tried.insert(mine_).second) best = completed(mine_, wanted, false);
+    if (best) return finished(*std::move(best), wanted, conflicts);
     return by_lines(base, mine, theirs, "no place was found for all changes of theirs");
   }
 
@@ -100,14 +108,51 @@ class FilmMerge {
     return conflicts;
   }
 
+  // Returns the first line of a text that sets the rate; without its line feed. Empty if there is none.
+  static std::string_view rate_line(const std::string& text) {
+    for (const std::size_t at : line_starts(text))
+      if (std::string_view line = line_at(text, at); !indented(line) && first_word(line) == "rate")
+        return without_comment(line.ends_with('\n') ? line.substr(0, line.size() - 1) : line);
+    return {};
+  }
+  // Gives all three texts the same rate, if they all set one. Otherwise all events in frames would have moved.
+  void follow_rate(std::vector<MergeConflict>& conflicts) {
+    const std::string base(rate_line(base_)), mine(rate_line(mine_)), theirs(rate_line(theirs_));
+    if (base.empty() || mine.empty() || theirs.empty() || (mine == base && theirs == base)) return;
+    const std::string& rate = mine == base ? theirs : mine;
+    if (mine != base && theirs != base && mine != theirs) conflicts.push_back({"rate", mine, theirs, theirs, 0});
+    for (std::string* text : {&base_, &mine_, &theirs_}) {
+      const std::string_view line = rate_line(*text);
+      text->replace(static_cast<std::size_t>(line.data() - text->data()), line.size(), rate);
+    }
+  }
+
+  // Returns whether a row of one of the two texts makes this event. Otherwise it follows from commands such as `copy`.
+  bool written(const FactKey& k) const {
+    if (k.about == "attachment") return true;  // by commands such as `couple`
+    for (const auto& [text, film] : {std::pair(&mine_, &mine_film_), {&theirs_, &theirs_film_}}) {
+      auto found = find_targets(k.object + "." + k.about, *film);
+      if (!found || found->size() != 1) continue;
+      Target& t = found->front();
+      if (!k.layer.empty()) t.layer = film->find(k.layer);
+      for (const SheetText& sheet : rows_about(*text, *film, *found).sheets)
+        if (std::ranges::find(sheet.targets, t) != sheet.targets.end() &&
+            std::ranges::find(sheet.rows, k.time, &RowText::when) != sheet.rows.end())
+          return true;
+    }
+    return false;
+  }
+
   static const std::string* find(const std::map<FactKey, std::string>& facts, const FactKey& k) {
     const auto at = facts.find(k);
     return at == facts.end() ? nullptr : &at->second;
   }
   static bool same(const std::string* a, const std::string* b) { return a && b ? *a == *b : a == b; }
   // Returns the facts in which a film differs from the wanted one, without those that follow from both changes together
-  // (one changed a row, the other copies it): these are in none of the three films.
-  std::vector<FactKey> missing(const Facts& facts, const MergedFacts& wanted, std::set<FactKey>* together) const {
+  // (one changed a row, the other copies it): these are in none of the three films, or no row makes them.
+  std::vector<FactKey> missing(const Facts& facts, const MergedFacts& wanted, bool plain,
+                               std::set<FactKey>& together) const {
+    constexpr std::size_t most_looked_up = 200;
     std::set<FactKey> keys;
     for (const auto& [key, said] : facts.said) keys.insert(key);
     for (const auto& [key, said] : wanted.said) keys.insert(key);
@@ -118,7 +163,10 @@ class FilmMerge {
       const std::string *b = find(base_facts_.said, k), *m = find(mine_facts_.said, k),
                         *t = find(theirs_facts_.said, k);
       if (is && !same(m, t) && !same(is, b) && !same(is, m) && !same(is, t)) {
-        if (together) together->insert(k);
+        together.insert(k);
+      } else if (plain && k.part == FactPart::event && !(is && should) &&
+                 all.size() + together.size() < most_looked_up && !written(k)) {
+        together.insert(k);
       } else {
         all.push_back(k);
       }
@@ -127,14 +175,15 @@ class FilmMerge {
   }
 
   // Enters what a text lacks. Returns nullopt if the result is not the wanted film.
-  std::optional<Made> completed(const std::string& text, const MergedFacts& wanted) const {
+  // `plain`: the lines merged without a conflict.
+  std::optional<Made> completed(const std::string& text, const MergedFacts& wanted, bool plain) const {
     Loaded loaded = load(text);
     if (has_errors(loaded.diagnostics)) return std::nullopt;
     Made made{text, std::move(loaded.document), {}, {}};
     made.facts = facts_of(made.film);
     for (int round = 0; round < 2; ++round) {
       made.together.clear();
-      const std::vector<FactKey> lacks = missing(made.facts, wanted, &made.together);
+      const std::vector<FactKey> lacks = missing(made.facts, wanted, plain, made.together);
       if (lacks.empty()) return made;
       Session s = session_on(made.text);
       enter(s, lacks, made.facts, wanted);
@@ -144,7 +193,7 @@ class FilmMerge {
       made.film = std::move(loaded.document), made.facts = facts_of(made.film);
     }
     made.together.clear();
-    if (!missing(made.facts, wanted, &made.together).empty()) return std::nullopt;
+    if (!missing(made.facts, wanted, plain, made.together).empty()) return std::nullopt;
     return made;
   }
 
@@ -174,14 +223,13 @@ class FilmMerge {
     all.insert(all.end(), more.begin(), more.end());
   }
 
-  MergedFilm finished(Made made, const MergedFacts& wanted, const Document& theirs,
-                      const std::vector<MergeConflict>& renames) const {
+  MergedFilm finished(Made made, const MergedFacts& wanted, const std::vector<MergeConflict>& of_names) const {
     MergedFilm out{std::move(made.text), {}, {}, false, ""};
     std::vector<FactConflict> left;
     for (const FactConflict& c : wanted.conflicts)
       if (!made.together.contains(c.key)) left.push_back(c);
-    if (!left.empty()) note_conflicts(out.text, made.film, theirs, left, out.conflicts);
-    for (MergeConflict c : renames) {
+    if (!left.empty()) note_conflicts(out.text, made.film, theirs_film_, left, out.conflicts);
+    for (MergeConflict c : of_names) {
       if (!out.text.empty() && out.text.back() != '\n') out.text += '\n';
       c.place = 1 + static_cast<int>(std::ranges::count(out.text, '\n'));
       out.text += "# conflict: theirs: " + c.line + "\n";
@@ -216,6 +264,7 @@ class FilmMerge {
 
   std::string base_, mine_, theirs_, name_;
   LoadOptions options_;
+  Document mine_film_, theirs_film_;
   Facts base_facts_, mine_facts_, theirs_facts_;
 };
 

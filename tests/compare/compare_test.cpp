@@ -54,5 +54,10 @@ TEST(Compare, SaysWhatHasChanged) {
             Words{"ball.position: 3 events moved by 5f (from 1f, 12f, 24f)"});
 }
 
+TEST(Compare, FramesStayAtAnotherRate) {
+  EXPECT_EQ(words(with("rate 24\nrange 1f 72f\n", "rate 25\n"), with("rate 24\nrange 1f 72f\n", "rate 30\n")),
+            Words{"film: rate changed from 25 to 30"});
+}
+
 }  // namespace
 }  // namespace betwixt
