@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/names.h"
+#include "betwixt/compare.h"
 #include "betwixt/kind.h"
 #include "betwixt/language.h"
 #include "betwixt/object.h"
@@ -372,6 +373,17 @@ py::class_<Film> bind_film(py::module_& m) {
             return py::str("<Film {!r} of {} objects>").format(f.name(), f.document().names().size());
           },
           says("Returns the name of the film and the number of its objects."));
+  m.def(
+      "diff",
+      [](const Film& old, const Film& now) {
+        return unlocked([&] {
+          std::vector<std::string> words;
+          for (const FilmChange& c : compare(old.document(), now.document())) words.push_back(c.words);
+          return words;
+        });
+      },
+      py::arg("old"), py::arg("now"),
+      says("Returns what has changed from one film to another, in words, as `betwixt diff` prints it."));
   return film;
 }
 

@@ -32,6 +32,7 @@ from ._core import (
     Picture,
     Poses,
     Track,
+    diff,
     send,
     styles,
 )
@@ -39,7 +40,7 @@ from ._errors import Error, Warning
 from ._player import Player
 
 __all__ = ["Camera", "Channel", "Diagnostic", "Error", "Event", "Film", "Frame", "Item", "KeyPiece", "Light", "Made",
-           "Mesh", "MeshPart", "ObjectKeys", "Picture", "Player", "Poses", "Track", "Warning", "load", "loads",
+           "Mesh", "MeshPart", "ObjectKeys", "Picture", "Player", "Poses", "Track", "Warning", "diff", "load", "loads",
            "send", "styles"]
 __version__ = _core.version
 

@@ -49,7 +49,11 @@ Result<std::string> diff_page(const std::string& title, const std::vector<FilmCh
   if (!changes.empty()) page += "<ul>\n";
   for (const FilmChange& c : changes) page += fmt::format("<li>{}</li>\n", escaped(c.words));
   if (!changes.empty()) page += "</ul>\n";
-  page += fmt::format("<p>{}</p>\n", escaped(frames));
+  for (std::size_t at = 0; at <= frames.size();) {
+    const std::size_t feed = std::min(frames.find('\n', at), frames.size());
+    page += fmt::format("<p>{}</p>\n", escaped(frames.substr(at, feed - at)));
+    at = feed + 1;
+  }
   for (const DiffPicture& p : pictures) {
     page += fmt::format("<h2>{}</h2>\n<div class=\"row\">\n", escaped(p.title));
     const Picture difference = picture_of_difference(p.old, p.now);

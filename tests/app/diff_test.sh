@@ -49,6 +49,7 @@ done
 check 'all pictures are the same' 0 'all 24 frames are the same to the byte' diff old.bx remark.bx --pictures
 check 'a page' 1 '' diff old.bx new.bx --page page.html
 is 'three pictures' "$(grep -c 'src="data:image/png;base64,' page.html)" 3
+is 'a paragraph about frames' "$(grep -c '^<p>frames 12..19 differ, most at' page.html)" 1
 is 'no script' "$(grep -ci '<script' page.html)" 0
 has 'its policy' "$(cat page.html)" "default-src 'none'"
 

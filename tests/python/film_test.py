@@ -236,6 +236,14 @@ class Errors(unittest.TestCase):
         self.assertEqual(os.path.basename(caught.filename), "film_test.py")
         self.assertEqual(film.objects, ["ball"])
 
+    def test_the_differences_of_two_films_are_words(self):
+        old = betwixt.loads("create ball sphere\nball.radius\n  1f 1\n  12f 2\n")
+        now = betwixt.loads(old.text)
+        self.assertEqual(betwixt.diff(old, now), [])
+        now.say("at 12f ball.radius 3")
+        self.assertEqual(betwixt.diff(old, now), ["ball.radius: event at 12f changed from 2 to 3"])
+        self.assertRaises(TypeError, betwixt.diff, old, old.text)
+
     def test_wrong_calls(self):
         film = betwixt.loads(LINE)
         for call, code, message in (
