@@ -6,21 +6,12 @@
 
 #include <string>
 
+#include "base/error_words.h"
 #include "base/utf8.h"
 #include "says.h"
 
 namespace betwixt::python {
 namespace {
-
-std::string_view word_of(ErrorCode code) {
-  static constexpr std::string_view words[] = {"syntax", "name", "type", "range", "file", "machine"};
-  return words[static_cast<std::size_t>(code)];
-}
-
-std::string_view word_of(Severity severity) {
-  static constexpr std::string_view words[] = {"notice", "warning", "error"};
-  return words[static_cast<std::size_t>(severity)];
-}
 
 // Returns a text of a file for Python. Bytes that are not UTF-8 become U+FFFD.
 py::str shown(std::string_view text) {

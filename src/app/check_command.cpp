@@ -8,6 +8,8 @@
 #include "app/command.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
+#include "base/error_words.h"
+#include "base/json.h"
 #include "base/tell_user.h"
 #include "base/utf8.h"
 
@@ -18,8 +20,27 @@ std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}
 
 struct CheckCall {
   std::string file;
-  bool counts = false;
+  bool counts = false, json = false;
 };
+
+std::string json_of(const Diagnostic& d) {
+  const Error& e = d.what;
+  return fmt::format(
+      "{{\"severity\": \"{}\", \"code\": \"{}\", \"file\": {}, \"line\": {}, \"column\": {}, \"length\": {}, "
+      "\"message\": {}, \"hint\": {}, \"instead\": {}}}",
+      word_of(d.severity), word_of(e.code), json_text(e.place.file), e.place.line, e.place.column, e.place.length,
+      json_words(e.message), json_words(e.hint), json_words(e.instead));
+}
+
+// Prints one object: whether the film loads, and all messages, each with its place.
+void print_json(const Diagnostics& all, const std::vector<std::string>& warnings, const Document& d, bool fine) {
+  std::string list;
+  for (const Diagnostic& one : all) list += (list.empty() ? "\n  " : ",\n  ") + json_of(one);
+  for (const std::string& text : warnings)
+    list += (list.empty() ? "\n  " : ",\n  ") + json_of({Severity::warning, fail(ErrorCode::range, text), {}, 0});
+  fmt::print("{{\"ok\": {}, \"objects\": {}, \"frames\": {}, \"messages\": [{}{}]}}\n", fine, d.names().size(),
+             d.frame_count(), list, list.empty() ? "" : "\n");
+}
 
 int check(const CheckCall& call) {
   const std::string &file = call.file, name = is_stream(file) ? "<stdin>" : file;
@@ -27,17 +48,27 @@ int check(const CheckCall& call) {
   const Loaded loaded = load_script(file);
   std::size_t errors = 0, warnings = 0;
   for (const Diagnostic& d : loaded.diagnostics) {
-    tell_user(d);
+    if (!call.json) tell_user(d);
     errors += d.severity == Severity::error;
     warnings += d.severity == Severity::warning;
   }
+  Diagnostics all = loaded.diagnostics;
+  std::vector<std::string> others;
   if (errors == 0) {
     const auto [first, last] = loaded.document.range();
     const Findings found =
         look_through(Program::compile(loaded.document), file, first, last, loaded.document.frame_count());
-    for (const Diagnostic& d : found.errors) tell_user(d);
-    for (const std::string& p : found.warnings) tell_user(fmt::format("{}: warning: {}\n", name, p));
+    if (!call.json) {
+      for (const Diagnostic& d : found.errors) tell_user(d);
+      for (const std::string& p : found.warnings) tell_user(fmt::format("{}: warning: {}\n", name, p));
+    }
+    all.insert(all.end(), found.errors.begin(), found.errors.end());
+    others = found.warnings;
     errors += found.errors.size(), warnings += found.warnings.size();
+  }
+  if (call.json) {
+    print_json(all, others, loaded.document, errors == 0);
+    return errors ? wrong_input : all_done;
   }
   if (errors + warnings > 0)
     fmt::print(stderr, "{}, {}\n", counted(errors, "error"), counted(warnings, "warning"));
@@ -52,7 +83,8 @@ const Enlisted enlisted_check(check, [](CheckCall& call) -> Subcommand {
           .name = "check",
           .sentence = "prints all errors and warnings of a script, and those that appear only in its frames",
           .takes = {script_parameter(call.file),
-                    flag("-v,--verbose", "prints for each command how many objects its pattern matched", call.counts)},
+                    flag("-v,--verbose", "prints for each command how many objects its pattern matched", call.counts),
+                    flag("--json", "prints one JSON object with all messages and their places", call.json)},
           .example = "betwixt check examples/bounce.bx",
           .manual = "It checks up to 60 frames. The exit code is 1 if there is an error."};
 });

@@ -19,6 +19,7 @@ namespace {
 
 struct HelpCall {
   std::string word, print;
+  bool json = false;
 };
 
 // Lists all commands and the next steps.
@@ -39,6 +40,7 @@ std::string to_print(const std::string& what) {
   if (what == "textmate") return textmate_grammar();
   if (what == "reference") return language_reference();
   if (what == "command-line") return command_line_reference();
+  if (what == "llms") return words_for_assistants();
   return manual_page();
 }
 
@@ -55,6 +57,7 @@ int say(const std::string& text) {
 
 int help(const HelpCall& call) {
   if (!call.print.empty()) return say(to_print(call.print));
+  if (call.json) return say(words_json());
   if (call.word.empty()) return say(overview());
   std::vector<std::string_view> known = words_with_help();
   for (const Subcommand& s : subcommands())
@@ -67,22 +70,24 @@ int help(const HelpCall& call) {
 }
 
 const Enlisted enlisted_help(help, [](HelpCall& call) -> Subcommand {
-  return {.rank = 120,
-          .name = "help",
-          .sentence = "explains a command, or a word of the language",
-          .takes = {{.name = "WORD",
-                     .sentence = "a command or a word; by default all commands are listed",
-                     .into = &call.word,
-                     .words = words_of_the_language(),
-                     .offer = Offer::commands},
-                    {.name = "--print",
-                     .value = "WHAT",
-                     .sentence = "a completion, a page of documentation, or colours of scripts for an editor",
-                     .into = &call.print,
-                     .hidden = true,
-                     .words_only = true,
-                     .words = {"bash", "zsh", "fish", "manual", "reference", "command-line", "vim", "textmate"}}},
-          .example = "betwixt help copy"};
+  return {
+      .rank = 120,
+      .name = "help",
+      .sentence = "explains a command, or a word of the language",
+      .takes = {{.name = "WORD",
+                 .sentence = "a command or a word; by default all commands are listed",
+                 .into = &call.word,
+                 .words = words_of_the_language(),
+                 .offer = Offer::commands},
+                flag("--json", "prints all words and commands as one JSON object", call.json),
+                {.name = "--print",
+                 .value = "WHAT",
+                 .sentence = "a completion, a page of documentation, or colours of scripts for an editor",
+                 .into = &call.print,
+                 .hidden = true,
+                 .words_only = true,
+                 .words = {"bash", "zsh", "fish", "manual", "reference", "command-line", "vim", "textmate", "llms"}}},
+      .example = "betwixt help copy"};
 });
 
 }  // namespace

@@ -10,5 +10,7 @@ namespace betwixt {
 
 std::string language_reference();      // docs/reference.md
 std::string command_line_reference();  // docs/command-line.md
+std::string words_json();              // `betwixt help --json`: all words and commands, as one object
+std::string words_for_assistants();    // llms.txt
 
 }  // namespace betwixt

@@ -18,7 +18,7 @@ command -v groff >/dev/null && is 'the manual page' "$(groff -man -ww -z manual 
 
 # All of them know the options of --help.
 commands=$("$program" help | sed -nE '/^Commands/,/^$/s/^  ([a-z]+) .*/\1/p')
-is 'commands' "$(wc -w <<<"$commands")" 21
+is 'commands' "$(wc -w <<<"$commands")" 22
 for command in $commands; do
   for option in $("$program" "$command" --help | sed -nE 's/^  (-[a-z],)?(--[a-z-]+).*/\2/p'); do
     for what in bash zsh fish manual; do
@@ -55,6 +55,6 @@ completes 'betwixt render f' folder
 completes 'betwixt eval ball.bx --at 2'
 completes 'betwixt help gro' ground group
 completes 'betwixt help re' reach reach-chain reach-pole reach-share record rectangle redo regular release remove rename render replace reverse revert rewrite
-completes 'betwixt help -' --color --help --load --read-anywhere --tex
+completes 'betwixt help -' --color --help --json --load --read-anywhere --tex
 for what in zsh fish; do is "$what completes words of the language" "$(grep -cw quantise $what)" 1; done
 summary
