@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/command.h"
@@ -23,12 +23,12 @@
 #include "betwixt/session.h"
 #include "editor/help.h"
 #include "editor/plain_values.h"
+#include "export/json.h"
 #include "language/values.h"
 
 namespace betwixt {
 namespace {
 
-using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_line = 32U << 20U;
