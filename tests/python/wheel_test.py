@@ -32,6 +32,7 @@ class Wheel(unittest.TestCase):
         os.makedirs(f"{self.tree}/bin")
         for name in ("build_wheel.py", "pyproject.toml"):
             shutil.copy(os.path.join(ROOT, "python", name), f"{self.tree}/python")
+        shutil.copy(os.path.join(ROOT, "CMakeLists.txt"), self.tree)
         with open(f"{self.tree}/bin/cmake", "w") as cmake:
             cmake.write(CMAKE)
         os.chmod(f"{self.tree}/bin/cmake", 0o755)

@@ -223,13 +223,13 @@ class CourseHandsTest : public QObject {
                      drag(sheet, sheet.place(1, first).toPoint() - QPoint(9, 6),
                           sheet.place(1, last).toPoint() + QPoint(9, 6));
                    }},
-                  {"Press ctrl-C",
+                  {"{Copy events}",
                    [&] {
                      key(sheet, "Ctrl+C");
                      click(*part<OutlinerTree>("outliner_tree").viewport(), in_tree("man/left-leg"));
                    }},
-                  {"press ctrl-V", [&] { key(sheet, "Ctrl+V"); }},
-                  {"Press K", [&] { key(window_->viewport(), "K"); }}});
+                  {"{Paste at playhead}", [&] { key(sheet, "Ctrl+V"); }},
+                  {"{Insert event at playhead}", [&] { key(window_->viewport(), "K"); }}});
     QVERIFY2(actions_ <= 40, qPrintable(QString::number(actions_)));
   }
 
@@ -274,7 +274,7 @@ class CourseHandsTest : public QObject {
                      QWidget& done = *dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
                      click(done, done.rect().center());
                    }},
-                  {"press K", [&] { key(window_->viewport(), "K"); }}});
+                  {"{Insert event at playhead}", [&] { key(window_->viewport(), "K"); }}});
     QVERIFY2(actions_ <= 30, qPrintable(QString::number(actions_)));
   }
 };
