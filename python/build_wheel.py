@@ -88,10 +88,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         f"{info}/METADATA": "Metadata-Version: 2.1\n"
         + "Name: {name}\nVersion: {version}\nSummary: {description}\n".format(**project)
         + f"License: {project['license']['text']}\nRequires-Python: {project['requires-python']}\n"
-        + "".join(
-            f"Provides-Extra: {extra}\n" + "".join(f"Requires-Dist: {d}; extra == '{extra}'\n" for d in names)
-            for extra, names in project["optional-dependencies"].items()
-        ),
+        + "".join(f"Requires-Dist: {d}\n" for d in project["dependencies"]),
         f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: betwixt\nRoot-Is-Purelib: false\nTag: {kind}\n",
     }
     name, record = f"{project['name']}-{project['version']}-{kind}.whl", ""
