@@ -14,6 +14,7 @@
 #include "editor/plain_values.h"
 #include "film/frames_apart.h"
 #include "language/values.h"
+#include "scene/appearance.h"
 #include "scene/document.h"
 #include "syntax/script_text.h"
 
@@ -27,14 +28,6 @@ std::optional<double> number_in(std::string_view word) {
   const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), n);
   return wrong == std::errc() && end == word.data() + word.size() ? std::optional(n) : std::nullopt;
 }
-std::optional<std::pair<int, int>> size_in(std::string_view word) {
-  const std::size_t x = word.find('x');
-  if (x == std::string_view::npos) return std::nullopt;
-  const auto w = number_in(word.substr(0, x)), h = number_in(word.substr(x + 1));
-  if (!w || !h || *w < 1 || *h < 1 || *w > 8192 || *h > 8192) return std::nullopt;
-  return std::pair(static_cast<int>(*w), static_cast<int>(*h));
-}
-
 // Reads one line. Errors: syntax.
 class ExpectationReader {
  public:
@@ -45,7 +38,7 @@ class ExpectationReader {
     const std::string_view word = take_piece(rest);
     if (word.empty()) return std::optional<Expectation>();
     if (word == "size") {
-      size_ = size_in(take_piece(rest));
+      size_ = parse_size(take_piece(rest));
       if (!size_) return wrong("size needs two numbers, as in size 320x180");
       return std::optional<Expectation>();
     }

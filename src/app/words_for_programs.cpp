@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "app/first_film.h"
 #include "app/reference.h"
 #include "app/subcommand.h"
 #include "base/json.h"
@@ -15,11 +16,6 @@
 
 namespace betwixt {
 namespace {
-
-constexpr std::string_view group_words[] = {"shell",    "command", "row",    "kind",
-                                            "function", "twerper", "filter", "option"};
-
-std::string_view word_of(HelpGroup group) { return group_words[static_cast<std::size_t>(group)]; }
 
 std::string field(std::string_view name, std::string_view value, bool last = false) {
   return fmt::format("\"{}\": {}{}", name, json_words(value), last ? "" : ", ");
@@ -84,10 +80,10 @@ std::string words_for_assistants() {
       "`betwixt help --json` gives all of them. `betwixt check FILE --json` gives all errors with their places and "
       "corrections. `betwixt frame FILE --at 24f -o FILE.png` draws a picture, `betwixt render FILE -o FILE.mp4` makes "
       "the film. `betwixt mcp` is a server of the Model Context Protocol.\n\n"
-      "## A film\n\n```\nrate 24\nrange 1f 72f\ncreate ball sphere radius=1 color=gold\ncreate lamp light position=(5 "
-      "10 8) range=60\ncreate eye camera position=(12 0 42) look-at=(12 0 0) lens=35mm\nball.position\n  1f   (0 10 "
-      "0)\n  12f  (4 1 0)    linear\n  24f  (8 10 0)   ease-in=4f ease-out=4f\ncopy ball.position 1f..24f to 24f shift "
-      "(8 0 0) times 2\nat 24f note \"first bounce ends\"\n```\n\n"
+      "## A film\n\n```\n";
+  out += bounce_bx;
+  out +=
+      "```\n\n"
       "## Rules\n\n"
       "- One command is one line. `#` begins a comment.\n"
       "- `NAME.function` is a target. Indented rows below it are its events: a time, a value, a twerper "

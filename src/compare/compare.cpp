@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/utf8.h"
 #include "compare/events_apart.h"
 #include "compare/facts.h"
 #include "compare/renames.h"
@@ -45,7 +46,7 @@ class Comparing {
       if (!stays) {
         if (key.part == FactPart::object) whole(key);
         ++i;
-      } else if (timed(key)) {
+      } else if (key.timed()) {
         std::size_t end = i + 1;
         while (end < sorted.size() && sorted[end].track() == key.track()) ++end;
         track(key.track());
@@ -59,9 +60,6 @@ class Comparing {
   }
 
  private:
-  static bool timed(const FactKey& k) {
-    return k.part == FactPart::event || k.part == FactPart::camera || k.part == FactPart::note;
-  }
   void add(FilmChange c) { changes_.push_back(std::move(c)); }
   static std::string said(const Facts& facts, const FactKey& k) {
     const auto at = facts.said.find(k);
@@ -78,7 +76,7 @@ class Comparing {
     Facts in_frames{{}, was_.objects};
     for (const auto& [key, said] : was_.said) {
       FactKey moved = key;
-      if (timed(key) && in_reach(key.time)) moved.time = now_.rate().frame(old.frame_number(key.time));
+      if (key.timed() && in_reach(key.time)) moved.time = now_.rate().frame(old.frame_number(key.time));
       in_frames.said.emplace(std::move(moved), said);
     }
     if (count_apart(in_frames, is_) < count_apart(was_, is_)) was_ = std::move(in_frames);
@@ -105,15 +103,9 @@ class Comparing {
     add({what, std::string(word_of(k.part)), k.name(), before, after, {}, {}, words(k, what, before, after)});
   }
   static std::string in_short(const std::string& said) {
-    constexpr std::size_t most = 60;
-    const std::string line = said.substr(0, said.find('\n'));
-    if (line.size() > most) return line.substr(0, utf8_cut(line, most)) + " …";
-    return line.size() < said.size() ? line + " …" : line;
-  }
-  // Returns the largest place at or before `most` at which a character begins.
-  static std::size_t utf8_cut(std::string_view text, std::size_t most) {
-    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;
-    return most;
+    const std::string_view line = std::string_view(said).substr(0, said.find('\n'));
+    const std::string_view begin = first_characters(line, 60);
+    return std::string(begin) + (begin.size() < said.size() ? " …" : "");
   }
   // Returns the rest of a command after the words that the name of its fact says already.
   static std::string argument(const FactKey& k, const std::string& said) {
@@ -152,14 +144,6 @@ class Comparing {
     }
   }
 
-  TrackEvents events(const Facts& facts, const FactKey& track) const {
-    TrackEvents all;
-    for (auto at = facts.said.lower_bound(first_of(track)); at != facts.said.end() && at->first.track() == track; ++at)
-      all.emplace(at->first.time, at->second);
-    return all;
-  }
-  static FactKey first_of(FactKey track) { return track.time = earliest_time, track; }
-
   std::string at(Time t) const { return t == earliest_time ? "the beginning" : write_time(t, now_.rate()); }
   std::string length(Time t) const {
     const double frames = now_.rate().frame_number(t) - 1;
@@ -177,7 +161,7 @@ class Comparing {
   // Groups the changed events of a track by what happened to them.
   void track(const FactKey& k) {
     std::map<std::pair<What, Time>, std::vector<EventChange>> groups;
-    for (EventChange& e : events_apart(events(was_, k), events(is_, k))) {
+    for (EventChange& e : events_apart(events_of(was_.said, k), events_of(is_.said, k))) {
       const bool moved = e.was && e.is && *e.was != *e.is;
       const What what = !e.was ? What::added : !e.is ? What::removed : moved ? What::moved : What::changed;
       groups[{what, moved ? *e.is - *e.was : Time{}}].push_back(std::move(e));

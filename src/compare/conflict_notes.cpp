@@ -52,9 +52,8 @@ class ConflictNotes {
 
  private:
   std::string words(const FactKey& k, const std::optional<std::string>& said) const {
-    const bool timed = k.part == FactPart::event || k.part == FactPart::camera || k.part == FactPart::note;
-    if (!said) return timed ? "removed at " + time(k.time) : "removed";
-    return timed ? time(k.time) + " " + *said : *said;
+    if (!said) return k.timed() ? "removed at " + time(k.time) : "removed";
+    return k.timed() ? time(k.time) + " " + *said : *said;
   }
   std::string time(Time t) const { return t == earliest_time ? "the beginning" : write_time(t, theirs_.rate()); }
 

@@ -4,15 +4,12 @@
 // Which events of a track became which.
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
 #include "betwixt/compare.h"
+#include "compare/facts.h"
 
 namespace betwixt {
-
-using TrackEvents = std::map<Time, std::string>;  // the row of each, without its time
 
 // Returns the events that differ, by their old times. An event that is gone and one with the same row that came are one
 // event that moved; several that moved together are found first.

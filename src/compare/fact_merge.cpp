@@ -16,9 +16,6 @@ std::optional<std::string> said_in(const FactMap& facts, const FactKey& k) {
   const auto at = facts.find(k);
   return at == facts.end() ? std::nullopt : std::optional(at->second);
 }
-bool has_times(const FactKey& k) {
-  return k.part == FactPart::event || k.part == FactPart::camera || k.part == FactPart::note;
-}
 FactKey at_time(FactKey track, Time t) { return track.time = t, track; }
 
 class FactMerge {
@@ -32,7 +29,7 @@ class FactMerge {
     for (const FactMap* facts : {&base_, &mine_, &theirs_})
       for (const auto& [key, said] : *facts) {
         if (gone_.contains(key.object) || kept_.contains(key.object)) continue;
-        if (has_times(key))
+        if (key.timed())
           tracks.insert(key.track());
         else
           plain.insert(key);
@@ -102,14 +99,6 @@ class FactMerge {
     const auto& result = m == b ? t : m;
     if (result) out_.said.emplace(key, *result);
     if (m != b && t != b && m != t) out_.conflicts.push_back({key, m, key, t});
-  }
-
-  static TrackEvents events_of(const FactMap& facts, const FactKey& track) {
-    TrackEvents all;
-    for (auto at = facts.lower_bound(at_time(track, earliest_time)); at != facts.end() && at->first.track() == track;
-         ++at)
-      all.emplace(at->first.time, at->second);
-    return all;
   }
 
   // Notes do not exclude each other: those of a time are merged as sets of lines.

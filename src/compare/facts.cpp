@@ -196,6 +196,14 @@ std::string FactKey::name() const {
 
 Facts facts_of(const Document& d) { return FactFinder(d).all(); }
 
+TrackEvents events_of(const std::map<FactKey, std::string>& said, FactKey track) {
+  TrackEvents all;
+  track.time = earliest_time;
+  for (auto at = said.lower_bound(track); at != said.end() && at->first.track() == track.track(); ++at)
+    all.emplace(at->first.time, at->second);
+  return all;
+}
+
 std::vector<std::string> commands_for(const FactKey& k, const std::string& said, const Document& d) {
   const std::string on = k.layer.empty() ? "" : "on " + k.layer + " ", target = k.object + "." + k.about;
   const std::string at = k.time == earliest_time ? "" : "at " + write_time(k.time, d.rate()) + " ";

@@ -41,6 +41,7 @@ struct FactKey {
   std::string name() const;
   // The same key without its time: the track.
   FactKey track() const { return {part, object, about, layer, {}}; }
+  bool timed() const { return part == FactPart::event || part == FactPart::camera || part == FactPart::note; }
   friend auto operator<=>(const FactKey&, const FactKey&) = default;
 };
 
@@ -50,6 +51,10 @@ struct Facts {
   friend bool operator==(const Facts&, const Facts&) = default;
 };
 Facts facts_of(const Document&);
+
+using TrackEvents = std::map<Time, std::string>;  // the row of each, without its time
+// Returns the events, cuts or notes of a track.
+TrackEvents events_of(const std::map<FactKey, std::string>& said, FactKey track);
 
 // Returns the commands that make this fact true in a film where its object exists. Empty if none can.
 std::vector<std::string> commands_for(const FactKey&, const std::string& said, const Document&);

@@ -83,7 +83,7 @@ class Regions {
       : base_(lines_of_text(base)), mine_(lines_of_text(mine)), theirs_(lines_of_text(theirs)) {}
 
   std::vector<LineRegion> all() {
-    const std::vector<int> to_mine = Matching(base_, mine_).take(), to_theirs = Matching(base_, theirs_).take();
+    const std::vector<int> to_mine = equal_lines(base_, mine_), to_theirs = equal_lines(base_, theirs_);
     std::size_t b = 0, m = 0, t = 0;
     while (b < base_.size() || m < mine_.size() || t < theirs_.size()) {
       std::size_t next = b;
@@ -144,6 +144,8 @@ void put_own_comments(std::string& text, const LineRegion& r) {
 }
 
 }  // namespace
+
+std::vector<int> equal_lines(const Lines& a, const Lines& b) { return Matching(a, b).take(); }
 
 std::vector<LineRegion> regions_of(std::string_view base, std::string_view mine, std::string_view theirs) {
   return Regions(base, mine, theirs).all();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Merges two changes of a text line by line.
+// Compares texts, and merges two changes of a text, line by line.
 #pragma once
 
 #include <string>
@@ -9,6 +9,10 @@
 #include <vector>
 
 namespace betwixt {
+
+// Returns for each line of `a` the place of its equal in `b`, or -1: a longest common subsequence. If there are
+// thousands of differences, the part with the rest of them has no equals.
+std::vector<int> equal_lines(const std::vector<std::string_view>& a, const std::vector<std::string_view>& b);
 
 // A run of lines in the three texts, each with its line ending.
 struct LineRegion {

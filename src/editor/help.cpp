@@ -75,6 +75,9 @@ constexpr GroupRow groups[] = {
     {option, "options", "Options of events and attachments"},
 };
 
+// In the order of the enumeration.
+const GroupRow& row_of(HelpGroup group) { return groups[static_cast<std::size_t>(group)]; }
+
 void list_group(const GroupRow& row, std::string& out) {
   out += fmt::format("{}\n", row.title);
   for (const HelpEntry& e : help_entries())
@@ -130,6 +133,8 @@ std::string written_parameters(const FilterSpec& f) {
 }
 
 }  // namespace
+
+std::string_view word_of(HelpGroup group) { return row_of(group).word; }
 
 std::span<const HelpEntry> help_entries() {
   static const std::vector<HelpEntry> all = [] {

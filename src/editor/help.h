@@ -15,6 +15,7 @@
 namespace betwixt {
 
 enum class HelpGroup { shell, verb, row, kind, function, twerper, filter, option };
+std::string_view word_of(HelpGroup);  // "kinds": `help kinds` lists them
 
 struct HelpEntry {
   HelpGroup group;

@@ -38,6 +38,8 @@ std::optional<EventView> event_after(const Document& d, const TrackView& track, 
   return found;
 }
 
+using What = ValueSource::What;
+
 std::string code_of(const Value* v) {
   const auto* p = v ? std::get_if<Procedure>(v) : nullptr;
   return p ? std::string(procedure(*p).source) : std::string();
@@ -53,19 +55,19 @@ std::vector<TrackView> own_tracks(const Document& d, const Target& t) {
 const Object* object_of(const Document& d, const Target& t) { return find_object(d.scene(), t.object); }
 
 // Adds what else affects the value, beside the track.
-void add_besides(const Document& d, const Target& t, std::vector<std::string>& all) {
+void add_besides(const Document& d, const Target& t, std::vector<ValueSource>& all) {
   const Object* o = object_of(d, t);
   if (!o) return;
   for (const Slot& slot : o->slots) {
     if (slot.function != t.function) continue;
     if (slot.layer) {
-      all.push_back("layer " + d.name(slot.layer));
+      all.push_back({What::layer, d.name(slot.layer)});
       continue;
     }
     const Strand& v = slot.velocity;
     if (!v.track->events.empty() || std::ranges::any_of(v.components, [](const auto& c) { return !c->events.empty(); }))
-      all.emplace_back("velocity");
-    for (const Filter& f : slot.filters) all.push_back("filter " + f.name);
+      all.push_back({What::velocity});
+    for (const Filter& f : slot.filters) all.push_back({What::filter, f.name});
   }
 }
 
@@ -82,7 +84,7 @@ std::pair<std::optional<Time>, std::optional<Time>> events_beside(const Document
 
 MadeBy made_by(const Document& d, const Target& t, Time at) {
   MadeBy made;
-  std::vector<std::string> all;
+  std::vector<ValueSource>& all = made.sources;
   const auto when = [&](Time time) { return format_time(time, d); };
   for (const TrackView& v : own_tracks(d, t)) {
     made.events = true;
@@ -95,22 +97,21 @@ MadeBy made_by(const Document& d, const Target& t, Time at) {
   const Object* o = object_of(d, t);
   const Slot* slot = o ? o->find(t.function) : nullptr;
   if (made.event_here) {
-    all.emplace_back("event here");
+    all.push_back({What::event_here});
   } else if (made.events) {
     const auto [before, after] = events_beside(d, t, at);
-    all.push_back(before && after ? fmt::format("between {} and {}", when(*before), when(*after))
-                  : before        ? "since " + when(*before)
-                                  : "before " + when(*after));
+    all.push_back(before && after ? ValueSource{What::between, when(*before), when(*after)}
+                  : before        ? ValueSource{What::since, when(*before)}
+                                  : ValueSource{What::before, when(*after)});
   } else if (slot && slot->set) {
     made.code = code_of(&*slot->set);
-    if (made.code.empty()) all.emplace_back("set");
+    if (made.code.empty()) all.push_back({What::set});
   } else {
     made.code = code_of(&spec_of(d.scene(), t.function).rest);
   }
-  if (!made.code.empty()) all.emplace_back("code");
+  if (!made.code.empty()) all.push_back({What::code});
   add_besides(d, t, all);
   made.said = !all.empty();
-  made.words = fmt::format("{}", fmt::join(all, ", "));
   return made;
 }
 

@@ -7,17 +7,25 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "betwixt/document.h"
 
 namespace betwixt {
 
+// Something that takes part in a value.
+struct ValueSource {
+  enum class What : std::uint8_t { event_here, between, since, before, set, code, velocity, layer, filter };
+  What what;
+  std::string name = {}, until = {};  // of a layer or filter; of events the time, and the second one of `between`
+  friend bool operator==(const ValueSource&, const ValueSource&) = default;
+};
 struct MadeBy {
-  bool said = false;        // if false, it has its rest value
-  bool events = false;      // it has any, on the whole or on its components
-  bool event_here = false;  // … at this time
-  std::string code;         // the author's code if it computes the value, or ""
-  std::string words;        // "between 1f and 24f, filter noise"; "" at rest
+  bool said = false;                 // if false, it has its rest value
+  bool events = false;               // it has any, on the whole or on its components
+  bool event_here = false;           // … at this time
+  std::string code;                  // the author's code if it computes the value, or ""
+  std::vector<ValueSource> sources;  // the track first; empty at rest
 };
 // The target must be a whole function of an object.
 MadeBy made_by(const Document&, const Target&, Time);

@@ -130,10 +130,10 @@ def json_of_commands(program, folder):
     verdict("check --json of a good film", json.loads(made.stdout) == {"ok": True, "objects": 1, "frames": 10, "messages": []}, made.stdout)
     said = json.loads(run("help", "--json").stdout)
     words = {(w["group"], w["word"]): w for w in said["words"]}
-    color = words[("function", "color")]
+    color = words[("functions", "color")]
     verdict("help --json: a function", color["default"] == "white" and color["sentence"] and color["of"], color)
     verdict("help --json: commands", {"render", "frame", "mcp"} <= {c["name"] for c in said["commands"]})
-    verdict("help --json: groups", {w["group"] for w in said["words"]} >= {"command", "kind", "twerper", "filter", "option"})
+    verdict("help --json: groups", {w["group"] for w in said["words"]} >= {"commands", "kinds", "twerpers", "filters", "options"})
 
 
 for part in (makes_a_film, must_not, json_of_commands):

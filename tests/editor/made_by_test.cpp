@@ -16,7 +16,18 @@ struct Film {
   explicit Film(const std::string& lines) : d(load_text("rate 24\ncreate ball sphere\n" + lines, "film.bx").document) {}
   Target of(const char* target) const { return find_targets(target, d)->front(); }
   Time at(const char* time) const { return *parse_time(time, d); }
-  std::string words(const char* target, const char* time) const { return made_by(d, of(target), at(time)).words; }
+  // The sources of a value, such as "between 24f 48f, filter noise".
+  std::string words(const char* target, const char* time) const {
+    constexpr std::string_view names[] = {"event here", "between",  "since", "before", "set",
+                                          "code",       "velocity", "layer", "filter"};
+    std::string all;
+    for (const ValueSource& s : made_by(d, of(target), at(time)).sources) {
+      all += (all.empty() ? "" : ", ") + std::string(names[static_cast<std::size_t>(s.what)]);
+      for (const std::string& name : {s.name, s.until})
+        if (!name.empty()) all += " " + name;
+    }
+    return all;
+  }
 };
 
 TEST(MadeBy, RestSetAndEvents) {
@@ -25,7 +36,7 @@ TEST(MadeBy, RestSetAndEvents) {
   EXPECT_FALSE(made_by(f.d, f.of("ball.color"), Time{}).said);
   EXPECT_EQ(f.words("ball.radius", "1f"), "set");
   EXPECT_EQ(f.words("ball.position", "24f"), "event here");
-  EXPECT_EQ(f.words("ball.position", "30f"), "between 24f and 48f");
+  EXPECT_EQ(f.words("ball.position", "30f"), "between 24f 48f");
   EXPECT_EQ(f.words("ball.position", "50f"), "since 48f");
   EXPECT_EQ(f.words("ball.position", "0f"), "before 1f");
 }
@@ -39,7 +50,7 @@ TEST(MadeBy, WhatStandsBeside) {
   EXPECT_EQ(made_by(f.d, f.of("ball.color"), Time{}).code, "rgb(t, 0, 0)");
   EXPECT_EQ(f.words("ball.radius", "1f"), "velocity, filter noise");
   EXPECT_EQ(f.words("ball.scale", "20f"), "event here");
-  EXPECT_EQ(f.words("ball.scale", "15f"), "between 10f and 20f");
+  EXPECT_EQ(f.words("ball.scale", "15f"), "between 10f 20f");
   EXPECT_TRUE(in_components(f.d, f.of("ball.scale")));
   EXPECT_FALSE(in_components(f.d, f.of("ball.position")));
 }

@@ -309,7 +309,7 @@ void Properties::show_row(Row& row, const Value& now) {
   const std::string name = d.name(t);
   row.diamond->setToolTip(text_of(made.event_here ? "clear " + name + " " + workspace_.when(workspace_.time())
                                                   : "at " + workspace_.when(workspace_.time()) + " " + name + " …"));
-  const QString words = source_words(text_of(made.words));
+  const QString words = words_of(made.sources);
   if (row.made->text() != words) row.made->setText(words);
   row.made->setToolTip(tip_of(made.code.empty() ? words : text_of(made.code)));
   row.unfold->setVisible(made.said || row.parts);

@@ -14,6 +14,10 @@
 #include "studio/panels/parts_view.h"
 #include "studio/panels/value_editors.h"
 
+namespace betwixt {
+struct ValueSource;
+}
+
 namespace betwixt::studio {
 
 class Properties : public QWidget {
@@ -46,7 +50,7 @@ class Properties : public QWidget {
   void show_sources();
   std::vector<std::string> lines_for(const Row&, int component, const QString& text) const;
   void toggle_event(const Row&);
-  static QString source_words(const QString&);
+  static QString words_of(const std::vector<ValueSource>&);
   void add_part_buttons(Row&, QWidget* section);
   void unfold(Row&, bool open);
   void fill_new_parts_of(QMenu&, const Row&);

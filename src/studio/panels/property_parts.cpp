@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "betwixt/object.h"
+#include "editor/made_by.h"
 #include "studio/panels/new_parts.h"
 #include "studio/panels/properties.h"
 #include "studio/shell/text_of.h"
@@ -70,24 +71,35 @@ void Properties::unfold(Row& row, bool open) {
   row.parts->show();
 }
 
-// Returns what makes a value, such as "between 1f and 24f, filter noise", in the language of the user. Names and times
-// stay as they are.
-QString Properties::source_words(const QString& english) {
-  QStringList all = english.split(", ", Qt::SkipEmptyParts);
-  for (QString& part : all) {
-    const QStringList words = part.split(' ');
-    const QString &first = words[0], rest = part.mid(first.size() + 1);
-    part = part == "event here"                      ? tr("event here")
-           : first == "between" && words.size() == 4 ? tr("between %1 and %2").arg(words[1], words[3])
-           : first == "since"                        ? tr("since %1").arg(rest)
-           : first == "before"                       ? tr("before %1").arg(rest)
-           : first == "layer"                        ? tr("layer %1").arg(rest)
-           : first == "filter"                       ? tr("filter %1").arg(rest)
-           : first == "set"                          ? tr("set")
-           : first == "code"                         ? tr("code")
-           : first == "velocity"                     ? tr("velocity")
-                                                     : part;
-  }
+// Returns what makes a value, such as "between 1f and 24f, filter noise", in the language of the user.
+QString Properties::words_of(const std::vector<ValueSource>& sources) {
+  using What = ValueSource::What;
+  const auto one = [](const ValueSource& s) {
+    const QString name = text_of(s.name);
+    switch (s.what) {
+      case What::event_here:
+        return tr("event here");
+      case What::between:
+        return tr("between %1 and %2").arg(name, text_of(s.until));
+      case What::since:
+        return tr("since %1").arg(name);
+      case What::before:
+        return tr("before %1").arg(name);
+      case What::set:
+        return tr("set");
+      case What::code:
+        return tr("code");
+      case What::velocity:
+        return tr("velocity");
+      case What::layer:
+        return tr("layer %1").arg(name);
+      case What::filter:
+        return tr("filter %1").arg(name);
+    }
+    return QString();
+  };
+  QStringList all;
+  for (const ValueSource& s : sources) all << one(s);
   return all.join(", ");
 }
 

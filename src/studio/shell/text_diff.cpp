@@ -2,56 +2,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/shell/text_diff.h"
 
-#include <QStringList>
 #include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "compare/line_merge.h"
+#include "studio/shell/text_of.h"
 
 namespace betwixt::studio {
 namespace {
 
 using Sign = DiffLine::Sign;
-constexpr qsizetype most_pairs =
-    4'000'000;  // above that, all lines between the first and the last change count as changed
-
-// The changes between two runs of lines, by their longest common subsequence.
-std::vector<DiffLine> changes_between(const QStringList& before, const QStringList& after) {
-  std::vector<DiffLine> all;
-  const qsizetype n = before.size(), m = after.size();
-  if (n * m > most_pairs) {
-    for (const QString& l : before) all.push_back({Sign::removed, l});
-    for (const QString& l : after) all.push_back({Sign::added, l});
-    return all;
+std::vector<std::string_view> lines_of(const std::string& text) {
+  std::vector<std::string_view> all;
+  std::string_view left = text;
+  for (;;) {
+    const std::size_t feed = left.find('\n');
+    all.push_back(left.substr(0, feed));
+    if (feed == left.npos) return all;
+    left.remove_prefix(feed + 1);
   }
-  std::vector<int> common(static_cast<std::size_t>((n + 1) * (m + 1)));
-  const auto at = [&](qsizetype i, qsizetype k) -> int& { return common[static_cast<std::size_t>(i * (m + 1) + k)]; };
-  for (qsizetype i = n - 1; i >= 0; --i)
-    for (qsizetype k = m - 1; k >= 0; --k)
-      at(i, k) = before[i] == after[k] ? at(i + 1, k + 1) + 1 : std::max(at(i + 1, k), at(i, k + 1));
-  qsizetype i = 0, k = 0;
-  while (i < n || k < m) {
-    if (i < n && k < m && before[i] == after[k])
-      all.push_back({Sign::same, before[i++]}), ++k;
-    else if (i < n && (k == m || at(i + 1, k) >= at(i, k + 1)))
-      all.push_back({Sign::removed, before[i++]});
-    else
-      all.push_back({Sign::added, after[k++]});
-  }
-  return all;
 }
 
 }  // namespace
 
 std::vector<DiffLine> text_diff(const QString& before, const QString& after, int around) {
-  const QStringList a = before.split('\n'), b = after.split('\n');
-  qsizetype head = 0, tail = 0;
-  const qsizetype least = std::min(a.size(), b.size());
-  while (head < least && a[head] == b[head]) ++head;
-  while (tail < least - head && a[a.size() - 1 - tail] == b[b.size() - 1 - tail]) ++tail;
-  if (head == a.size() && head == b.size()) return {};
+  if (before == after) return {};
+  const std::string was = before.toStdString(), is = after.toStdString();
+  const auto a = lines_of(was), b = lines_of(is);
+  const std::vector<int> equal = equal_lines(a, b);
   std::vector<DiffLine> all;
-  for (qsizetype i = 0; i < head; ++i) all.push_back({Sign::same, a[i]});
-  for (DiffLine& l : changes_between(a.mid(head, a.size() - head - tail), b.mid(head, b.size() - head - tail)))
-    all.push_back(std::move(l));
-  for (qsizetype i = a.size() - tail; i < a.size(); ++i) all.push_back({Sign::same, a[i]});
+  const auto add = [&](Sign sign, std::string_view line) { all.push_back({sign, text_of(line)}); };
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (equal[i] < 0) {
+      add(Sign::removed, a[i]);
+      continue;
+    }
+    while (k < static_cast<std::size_t>(equal[i])) add(Sign::added, b[k++]);
+    add(Sign::same, a[i]), ++k;
+  }
+  while (k < b.size()) add(Sign::added, b[k++]);
   // Only the lines around a change stay.
   std::vector<bool> near(all.size());
   const auto count = static_cast<qsizetype>(all.size());
