@@ -23,21 +23,23 @@ struct CheckCall {
   bool counts = false, json = false;
 };
 
-std::string json_of(const Diagnostic& d) {
-  const Error& e = d.what;
+// `code` is empty for a warning that only frames give: it is a text without a place.
+std::string json_of(Severity severity, std::string_view code, const Error& e) {
   return fmt::format(
       "{{\"severity\": \"{}\", \"code\": \"{}\", \"file\": {}, \"line\": {}, \"column\": {}, \"length\": {}, "
       "\"message\": {}, \"hint\": {}, \"instead\": {}}}",
-      word_of(d.severity), word_of(e.code), json_text(e.place.file), e.place.line, e.place.column, e.place.length,
+      word_of(severity), code, json_text(e.place.file), e.place.line, e.place.column, e.place.length,
       json_words(e.message), json_words(e.hint), json_words(e.instead));
 }
 
 // Prints one object: whether the film loads, and all messages, each with its place.
 void print_json(const Diagnostics& all, const std::vector<std::string>& warnings, const Document& d, bool fine) {
   std::string list;
-  for (const Diagnostic& one : all) list += (list.empty() ? "\n  " : ",\n  ") + json_of(one);
+  for (const Diagnostic& one : all)
+    list += (list.empty() ? "\n  " : ",\n  ") + json_of(one.severity, word_of(one.what.code), one.what);
   for (const std::string& text : warnings)
-    list += (list.empty() ? "\n  " : ",\n  ") + json_of({Severity::warning, fail(ErrorCode::range, text), {}, 0});
+    list +=
+        (list.empty() ? "\n  " : ",\n  ") + json_of(Severity::warning, "", {.message = text, .hint = "", .place = {}});
   fmt::print("{{\"ok\": {}, \"objects\": {}, \"frames\": {}, \"messages\": [{}{}]}}\n", fine, d.names().size(),
              d.frame_count(), list, list.empty() ? "" : "\n");
 }
