@@ -41,7 +41,23 @@ enum class Kind : std::uint8_t {
   curve,
   trace,
   line,
-  sound  // not visible
+  sound,  // not visible
+  axes,   // these four have no shape: the objects below them are their pieces
+  number_line,
+  polar_axes,
+  plane_grid,
+  plot,
+  area,
+  riemann,
+  tangent,
+  vector_field,
+  bars,  // these three and the next but one have no shape
+  columns,
+  pie,
+  bar,
+  table,
+  matrix,
+  brace
 };
 
 // The style of letters besides their font. `typed` is the number of visible letters; it counts blanks and line ends.
@@ -76,7 +92,11 @@ struct OwnFont;  // src/scene/own_font.h
 //   gear     sides: teeth, module: metres of pitch diameter for each; involutes of 20 degrees
 //   arrow    from the origin to `size`, width
 //   trace    points, width: the line that a point has drawn
+//   plot tangent  points, width      area riemann vector_field  points: rings, one behind the other; they may be broken
+//   bar      size x by y, growing from its side at x or y = 0
+//   brace    from the origin to `size`, its tip `height` to the right of the way
 //   curve    through its points, smooth (Catmull-Rom) or straight, closed or not; width as for polyline
+// In a list of points, one that is not finite lifts the pen: the line or ring ends before it, and another begins after.
 // Flat shapes and texts may be filled, and may have a stroke centred on their contours. The corners and ends of the
 // stroke are pointed or round. Of a stroke, a line or an arc, only the part from `trim_from` to `trim_to` is drawn;
 // these are shares of the length of each contour. This part has dashes of `dash` metres with gaps of `gap` metres.

@@ -116,10 +116,17 @@ bool new_name(Cursor&, std::string_view& out, std::string_view kind, std::string
 bool free_name(Command&, const std::string& name, std::string_view about);
 // Fails if display lists draw the object, because only their rows can change it.
 bool own(Command&, ObjectId, std::string_view about);
-// Reads key=value … of a new object. `said` receives the functions that were set.
-bool parameters(Command&, Object&, std::vector<FunctionId>* said = nullptr);
+// Reads key=value … of a new object. `said` receives the functions that were set, `furniture` what its kind takes
+// besides (see furnishing.h).
+struct Furniture;
+bool parameters(Command&, Object&, std::vector<FunctionId>* said = nullptr, Furniture* = nullptr);
 // Adds an object, and couples it to its parent if it has one.
 ObjectId add_child(Scene&, Object, ObjectId parent);
+
+// ---- names.cpp
+
+// Reads a number, an angle, a length, a time, a vector, a pair, a colour or a text.
+bool let_item(Command&, LetItem& out);
 
 // ---- scenes.cpp
 

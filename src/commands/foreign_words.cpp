@@ -58,8 +58,6 @@ constexpr std::string_view to_swarm =
     "move them";
 constexpr std::string_view to_words =
     "text shows words: create caption text text=\"Once\"; at 24f caption.text \"Then\"";
-constexpr std::string_view to_cells =
-    "arrange lays texts out as a table: create cell{1..6} text text=\"…\", then arrange cell* in grid columns=3";
 constexpr std::string_view to_graph =
     "a graph is a curve through points: create g curve points=((0 0) (1 2) (2 1)); code can give them";
 constexpr std::string_view to_mask =
@@ -100,7 +98,6 @@ constexpr ForeignWord all_foreign_words[] = {
     {"caption", to_words, "text typed"},
     {"subtitle", to_words, "text typed"},
     {"label", to_words, "text typed"},
-    {"table", to_cells, "arrange text"},
     {"graph", to_graph, "curve polyline"},
     {"chart", to_graph, "curve polyline"},
     {"mask", to_mask, "polygon trim display"},

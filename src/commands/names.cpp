@@ -37,34 +37,6 @@ bool alias(Command& k) {
   return true;
 }
 
-// Reads a number, an angle, a length, a time, a vector, a pair, a colour or a text.
-bool let_item(Command& k, LetItem& out) {
-  Cursor& c = k.cursor;
-  ValueReader reader = values(k);
-  c.space();
-  if (c.peek() == '(' && reader.is_vector()) {
-    Vec3 v;
-    if (!reader.point(v)) return false;
-    return out = v, true;
-  }
-  if (c.peek() == '"') {
-    std::string text;
-    return c.text(text) && (out = Text(std::move(text)), true);
-  }
-  if (const auto known = let_here(c)) return out = *known, true;
-  if (c.error) return false;
-  const std::string_view word = c.peek_word();
-  const bool color_begins = word == "rgb" || word == "hsv";
-  if (!color_begins && (c.peek() == '(' || reader.looks_like_number() || formula_begins(c))) {
-    Quantity q;
-    if (!formula(c, q)) return false;
-    return out = q, true;
-  }
-  Color color;
-  if (!reader.color(color)) return false;
-  return out = color, true;
-}
-
 // Returns whether the brackets hold more than one formula.
 bool begins_list(const Cursor& c) {
   Cursor ahead = c;
@@ -193,6 +165,33 @@ constexpr Verb names_rows[] = {
 };
 
 }  // namespace
+
+bool let_item(Command& k, LetItem& out) {
+  Cursor& c = k.cursor;
+  ValueReader reader = values(k);
+  c.space();
+  if (c.peek() == '(' && reader.is_vector()) {
+    Vec3 v;
+    if (!reader.point(v)) return false;
+    return out = v, true;
+  }
+  if (c.peek() == '"') {
+    std::string text;
+    return c.text(text) && (out = Text(std::move(text)), true);
+  }
+  if (const auto known = let_here(c)) return out = *known, true;
+  if (c.error) return false;
+  const std::string_view word = c.peek_word();
+  const bool color_begins = word == "rgb" || word == "hsv";
+  if (!color_begins && (c.peek() == '(' || reader.looks_like_number() || formula_begins(c))) {
+    Quantity q;
+    if (!formula(c, q)) return false;
+    return out = q, true;
+  }
+  Color color;
+  if (!reader.color(color)) return false;
+  return out = color, true;
+}
 
 std::span<const Verb> names_verbs() { return names_rows; }
 

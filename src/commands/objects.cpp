@@ -12,6 +12,7 @@
 #include "commands/command.h"
 #include "commands/following.h"
 #include "commands/foreign_words.h"
+#include "commands/furnishing.h"
 #include "commands/own_kinds.h"
 #include "commands/plugins.h"
 
@@ -127,7 +128,8 @@ bool create(Command& k) {
     }
     object.kind = *kind;
   }
-  if (!parameters(k, object, &said)) return false;
+  Furniture furniture;
+  if (!parameters(k, object, &said, &furniture)) return false;
   if (object.kind == Kind::mesh && !object.find(fn::file))
     return c.fail(ErrorCode::syntax, "a mesh needs its file", kind_word, "as in file=\"cow.obj\"");
   if (object.kind == Kind::sound && !object.find(fn::sound_file))
@@ -140,14 +142,15 @@ bool create(Command& k) {
   if (s.objects.size() + names->size() * (1 + parts.size()) > most_objects)
     return c.fail(ErrorCode::range, fmt::format("a film can have at most {} objects", most_objects), word);
   for (std::size_t i = 0; i < names->size(); ++i)
-    if (!parent_by_name(k, (*names)[i], word, parents[i])) return false;
+    if (!parent_by_name(k, (*names)[i], word, parents[i]) || !put_on_axes(k, object, parents[i], word)) return false;
   if (original) return create_like(k, like, *names, parents, word);
+  Rollback rollback(s);
   for (std::size_t i = 0; i < names->size(); ++i) {
     Cancellation::check();
     object.name = (*names)[i];
-    add_child(s, object, parents[i]);
+    if (!furnish(k, add_child(s, object, parents[i]), furniture, kind_word)) return false;
   }
-  return true;
+  return rollback.keep(), true;
 }
 
 // Adds everything below the objects that are about to be removed.
@@ -249,7 +252,7 @@ bool own(Command& k, ObjectId id, std::string_view about) {
                 about, fmt::format("edit {}, or a list that it calls", s.main));
 }
 
-bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
+bool parameters(Command& k, Object& object, std::vector<FunctionId>* said, Furniture* furnished) {
   auto& [s, c, time, layer, script] = k;
   std::string_view styled;
   while (!c.at_line_end()) {
@@ -268,6 +271,8 @@ bool parameters(Command& k, Object& object, std::vector<FunctionId>* said) {
     const std::string_view name = key.substr(0, dot);
     const auto f = find_function(s, object.kind, name);
     if (!f) {
+      if (furnished && furniture(k, object.kind, key, *furnished)) continue;
+      if (c.error) return false;
       return c.fail(ErrorCode::name, fmt::format("{} has no '{}'", a_kind(object.kind), name.substr(0, 40)), name,
                     did_you_mean(name, function_names(s, object.kind)));
     }

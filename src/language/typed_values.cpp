@@ -37,7 +37,9 @@ struct TypedReader {
   bool vector(Value& out) {
     Vec3 v;
     const int n = component_count(type);
-    if (!values.vector(n, v, spec.unit)) return false;
+    // In the plane a place needs two numbers. The sides of a box are three.
+    const bool open = spec.open || (spec.unit == Unit::metres && spec.name != "size");
+    if (!values.vector(n, v, spec.unit, open)) return false;
     for (int i = 0; i < n; ++i)
       if (!in_range(v[i])) return false;
     out = v;
@@ -110,6 +112,8 @@ struct TypedReader {
     if (c.error) return false;
     if (named) {
       s = **named;
+    } else if (spec.written == "\"FORMULA\"" && values.scene.names.find(c.peek_word())) {
+      s = c.word();  // the name of a plot
     } else if (spec.words.empty() && (values.looks_like_number() || formula_begins(c))) {
       double number = 0;  // its digits
       if (!values.scalar(number)) return false;

@@ -133,7 +133,7 @@ bool ValueReader::looks_like_number() const {
   return !w.empty() && (w[0] == '-' || w[0] == '+' || w[0] == '.' || (w[0] >= '0' && w[0] <= '9'));
 }
 
-bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
+bool ValueReader::vector(int numbers, Vec3& out, Unit unit, bool open) {
   c.space();
   const char* start = c.at;
   if (const auto named = let<Vec3>()) return out = *named, true;
@@ -168,7 +168,7 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
   for (int i = 0; i < (translates() ? 3 : numbers); ++i) {
     c.space();
     if (c.peek() == ')') {
-      if (i >= 2 && translates()) break;
+      if (i >= 2 && (open || translates())) break;
       return c.fail(ErrorCode::type, fmt::format("expected {} numbers here, not {}", numbers, i),
                     {start, static_cast<std::size_t>(c.at + 1 - start)});
     }
@@ -191,7 +191,7 @@ bool ValueReader::vector(int numbers, Vec3& out, Unit unit) {
     return c.fail_here(ErrorCode::type, fmt::format("expected only {} numbers here", numbers));
   if (numbers == 2) out.z = 0;
   if (!c.close()) return false;
-  if (given != numbers) translate(start, write_vector(out, numbers));
+  if (given != numbers && !open) translate(start, write_vector(out, numbers));
   return true;
 }
 

@@ -31,7 +31,8 @@ struct ValueReader {
   // Reads a value for a function, or for one component of it.
   bool value(const FunctionSpec& spec, int component, Value& out, FunctionId f = 0xffff);
   bool color(Color& out);
-  bool vector(int numbers, Vec3& out, Unit unit = Unit::none);
+  // `open`: the third number may be left out; it is then 0.
+  bool vector(int numbers, Vec3& out, Unit unit = Unit::none, bool open = false);
   bool scalar(double& out, Unit unit = Unit::none);
   bool angle(double& radians);
   bool in_unit(const Quantity&, Unit, double& out, std::string_view about);

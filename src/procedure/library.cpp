@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "procedure/arithmetic.h"
+#include "procedure/axes_library.h"
 #include "procedure/machine.h"
 #include "procedure/queries.h"
 
@@ -278,6 +279,16 @@ void open_library(lua_State* l, Machine& m) {
   lua_setfield(l, -2, "__index");
   lua_pop(l, 2);
   lua_setfield(l, -2, "string");
+
+  const auto table = [l](const char* name, const luaL_Reg* functions) {
+    lua_newtable(l);
+    luaL_setfuncs(l, functions, 0);
+    protect(l, no_library_writing);
+    lua_setfield(l, -2, name);
+  };
+  table("axes", axes_functions);
+  table("plot", plot_functions);
+  table("chart", chart_functions);
 
   // The order of lookup: the globals of this call, the library, the procedures.
   lua_createtable(l, 0, 1);

@@ -32,4 +32,7 @@ Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source);
 // Returns whether the name already has a meaning in every procedure, which would hide a procedure of that name.
 bool known_to_lua(std::string_view name);
 
+// Returns why a formula of a plot cannot be used, or "". "x^2 = y" is an equation.
+std::string formula_problem(const std::string& formula);
+
 }  // namespace betwixt

@@ -136,7 +136,13 @@ Result<Value> list_value(lua_State* l, int index) {
   for (lua_Unsigned i = 1; i <= count; ++i) {
     lua_rawgeti(l, index, static_cast<lua_Integer>(i));
     double n[16];
-    const bool simple = lua_type(l, -1) != LUA_TTABLE || read(l, -1, n) != Kind::none;  // lists cannot be nested
+    const Kind kind = lua_type(l, -1) == LUA_TTABLE ? read(l, -1, n) : Kind::none;
+    if (kind == Kind::vector && (finite({n, 3}) || n[0] == HUGE_VAL)) {  // vec(huge, …) lifts the pen
+      points.push_back(n[0] == HUGE_VAL ? Vec3{HUGE_VAL, HUGE_VAL, HUGE_VAL} : Vec3{n[0], n[1], n[2]});
+      lua_pop(l, 1);
+      continue;
+    }
+    const bool simple = lua_type(l, -1) != LUA_TTABLE || kind != Kind::none;  // lists cannot be nested
     auto one = simple ? to_value(l, lua_gettop(l)) : Result<Value>(Value(0.0));
     lua_pop(l, 1);
     if (!one) return one;

@@ -6,6 +6,7 @@
 
 #include "base/cancellation.h"
 #include "program/constant_code.h"
+#include "program/on_axes.h"
 
 namespace betwixt {
 namespace {
@@ -89,7 +90,16 @@ void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<Function
     if (at == own.end() || *at != fn::display) own.insert(at, fn::display);
   }
   if (collides(o, fn::position) && own.front() != fn::position) own.insert(own.begin(), fn::position);
+  const bool on_axes = !o.removed && axes_of(scene, o) && !has_points(o.kind);
+  if (on_axes) own.insert(std::lower_bound(own.begin(), own.end(), fn::placed), fn::placed);
   for (const FunctionId f : own) {
+    if (f == fn::placed) {
+      Slot slot;
+      slot.function = f, slot.set = placed_by_axes();
+      compiled.bindings.push_back(bind_live(compiled, i, f, &slot));
+      alone = false;
+      continue;
+    }
     if (o.hidden && f == fn::display) {
       compiled.bindings.push_back(bind_constant(compiled, f, false, Type::boolean));
       continue;

@@ -64,7 +64,9 @@ struct NodeCompiler {
     n.object = object;
     n.kind = o.kind;
     const auto offset = [&](FunctionId f) { return compiled.find(object, f).offset; };
-    n.position = offset(fn::position), n.rotation = offset(fn::rotation), n.scale = offset(fn::scale);
+    n.on_axes = compiled.find(object, fn::placed).live >= 0;
+    n.position = offset(n.on_axes ? fn::placed : fn::position), n.rotation = offset(fn::rotation),
+    n.scale = offset(fn::scale);
     n.pivot = offset(fn::pivot), n.attach = offset(fn::attach_position), n.display = offset(fn::display),
     n.color = offset(fn::color);
     n.orientation = compiled.find(object, fn::rotation).orientation;

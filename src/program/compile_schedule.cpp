@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "program/compile.h"
+#include "program/on_axes.h"
 
 namespace betwixt {
 namespace {
@@ -154,7 +155,7 @@ struct ScheduleCompiler {
   }
 
   bool form_varies(std::uint32_t object) const {
-    if (scene.objects[object].kind == Kind::trace) return true;
+    if (scene.objects[object].kind == Kind::trace || points_by_axes(scene, scene.objects[object])) return true;
     for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i)
       if (const Binding& b = compiled.bindings[i]; b.varies() && spec_of(scene, b.function).shape) return true;
     return false;
@@ -238,6 +239,8 @@ struct ScheduleCompiler {
         compiled.traces = true;
         schedule.lives.push_back({&compiled.defaults[fn::trace_of], affects::form, i, false});
       }
+      if (points_by_axes(scene, scene.objects[n.object]))
+        schedule.lives.push_back({&compiled.defaults[fn::on_axes], affects::form, i, false});
       if (auto skin = compile_skin(compiled, i)) {
         d.skin = static_cast<std::int32_t>(compiled.skins.size());
         compiled.skins.push_back(*std::move(skin));

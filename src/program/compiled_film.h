@@ -141,6 +141,7 @@ struct Node {
   std::uint32_t position = 0, rotation = 0, scale = 0, pivot = 0, attach = 0, display = 0, color = 0;
   std::int32_t around = -1, drive = -1;  // indices into CompiledFilm::sitings
   std::int32_t moving = -1;              // index into CompiledFilm::movings
+  bool on_axes = false;                  // axes place it
   bool transform = false;                // has a transform
   bool looks = false;                    // turned by look-at or roll
   bool bends = false;                    // may be turned by inverse kinematics

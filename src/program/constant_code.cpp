@@ -29,6 +29,7 @@ class Timeless final : public Questions {
   }
   Result<Value> value(std::string_view, double, std::uint64_t&) override { return no(); }
   Result<Vec3> place(std::string_view, double, double, std::uint64_t&) override { return no(); }
+  Status axes(std::string_view, double, AxesSpace&, std::uint64_t&) override { return no(); }
   Result<State> state(std::string_view, double, std::uint64_t&) override { return no(); }
 
  private:

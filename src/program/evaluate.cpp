@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "program/deferred_evaluation.h"
+#include "program/on_axes.h"
 #include "program/traces.h"
 
 namespace betwixt {
@@ -108,6 +109,7 @@ Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbe
   for (const FunctionId f : described->second)
     spec_of(scene, f).shape(s, shape_part(find(object, f), t, numbers, asking), scene);
   if (s.kind == Kind::trace) s.points = trace(*this, object, t, asking);
+  if (points_by_axes(scene, scene.objects[object])) s.points = placed_points(*this, object, s.points, t, asking);
   return s;
 }
 

@@ -86,7 +86,7 @@ OwnTransform own_transform_at(const Program::Compiled& compiled, const Node& n, 
     said.turn = n.orientation ? Quat{x[0], x[1], x[2], x[3]} : from_angles(vec3(x));
     said.scale = numbers(fn::scale);
   }
-  said.pivot = numbers(fn::pivot), said.position = numbers(fn::position);
+  said.pivot = numbers(fn::pivot), said.position = numbers(n.on_axes ? fn::placed : fn::position);
   said.attach = numbers(fn::attach_position);
   said.own = driven(compiled, n, t, asking), said.motion = moved(compiled, n, t, asking);
   return said;
@@ -236,8 +236,8 @@ Vec3 place_of(const Program::Compiled& c, std::uint32_t node, Time t, Asking& as
 double place_of(const Program::Compiled& c, std::uint32_t node, Time t, Asking& asking, int component) {
   const Node& n = c.nodes[node];
   const Binding& position = c.find(n.object, fn::position);
-  const bool bare = position.live >= 0 && c.parted(position.live, component) && turns_in_place(c, n) && !n.bends &&
-                    n.moving < 0 && n.around < 0;
+  const bool bare = position.live >= 0 && !n.on_axes && c.parted(position.live, component) && turns_in_place(c, n) &&
+                    !n.bends && n.moving < 0 && n.around < 0;
   if (bare && held(c, node, t, asking).kind == AttachmentKind::detach)
     if (const Value v = c.live_value(position.live, t, asking, component); const auto* d = std::get_if<double>(&v))
       return *d + 0.0;  // turns -0 into 0, as matrices do

@@ -9,6 +9,7 @@
 
 #include "base/cancellation.h"
 #include "program/along.h"
+#include "program/on_axes.h"
 #include "program/steps.h"
 #include "scene/kinds.h"
 
@@ -59,6 +60,19 @@ Result<Value> FilmQuestions::value(std::string_view text, double seconds, std::u
 
 Result<Vec3> FilmQuestions::place(std::string_view line, double share, double seconds, std::uint64_t& cost) {
   return ask(*this, cost, [&] { return place_on(c, line, share, seconds, asking); });
+}
+
+Status FilmQuestions::axes(std::string_view name, double seconds, AxesSpace& out, std::uint64_t& cost) {
+  const auto found = ask(*this, cost, [&]() -> Result<AxesSpace> {
+    if (!std::isfinite(seconds) || std::abs(seconds) > longest_seconds)
+      return fail(ErrorCode::range, "the time is out of range");
+    const ObjectId id = name.empty() ? object : scene().names.find(name);
+    if (!id) return fail(ErrorCode::name, fmt::format("there is no object '{}'", name));
+    return axes_space(c, id, from_seconds(seconds), asking);
+  });
+  if (!found) return found.error();
+  out = *found;
+  return Nothing{};
 }
 
 Result<State> FilmQuestions::state(std::string_view name, double seconds, std::uint64_t& cost) {

@@ -24,6 +24,7 @@ struct FilmQuestions : Questions {
   const Routine* procedure(std::string_view name) override;
   Result<Value> value(std::string_view target, double seconds, std::uint64_t& cost) override;
   Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) override;
+  Status axes(std::string_view object, double seconds, AxesSpace& out, std::uint64_t& cost) override;
   Result<State> state(std::string_view name, double seconds, std::uint64_t& cost) override;
 
  private:

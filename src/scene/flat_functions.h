@@ -24,21 +24,23 @@ void put_measure(Shape& s, const Value& v, const Scene&) {
   s.*measure = std::get<double>(v);
 }
 
-constexpr std::uint32_t bits_of(std::initializer_list<Kind> kinds) {
-  std::uint32_t all = 0;
+constexpr KindBits bits_of(std::initializer_list<Kind> kinds) {
+  KindBits all = 0;
   for (const Kind k : kinds) all |= bit(k);
   return all;
 }
 // The kinds that can have a depth, besides texts.
-inline constexpr std::uint32_t flat_kinds = bits_of({Kind::disc, Kind::polygon, Kind::rectangle, Kind::ring, Kind::arc,
-                                                     Kind::regular, Kind::star, Kind::gear, Kind::arrow});
-inline constexpr std::uint32_t drawn_kinds = flat_kinds | bit(Kind::text);
-inline constexpr std::uint32_t line_kinds = bits_of({Kind::polyline, Kind::curve, Kind::trace, Kind::line});
+inline constexpr KindBits flat_kinds =
+    bits_of({Kind::disc, Kind::polygon, Kind::rectangle, Kind::ring, Kind::arc, Kind::regular, Kind::star, Kind::gear,
+             Kind::arrow, Kind::area, Kind::riemann, Kind::vector_field, Kind::bar, Kind::brace});
+inline constexpr KindBits drawn_kinds = flat_kinds | bit(Kind::text);
+inline constexpr KindBits line_kinds =
+    bits_of({Kind::polyline, Kind::curve, Kind::trace, Kind::line, Kind::plot, Kind::tangent});
 
 inline const FunctionSpec flat_functions[] = {
     measure({.name = "corner",
              .rest = 0.0,
-             .kinds = bit(Kind::rectangle),
+             .kinds = bit(Kind::rectangle) | bit(Kind::bar),
              .shape = put_measure<&Shape::corner>,
              .sentence = "The radius of a rectangle's corners.",
              .example = "create card rectangle\nset card.corner 0.1"}),

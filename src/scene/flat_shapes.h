@@ -27,5 +27,12 @@ Contours star_contours(const Shape&);
 // Returns teeth with involute flanks, so that two gears of one module turn each other evenly (Euler 1765).
 Contours gear_contours(const Shape&);
 Contours arrow_contours(const Shape&);
+// Returns the rings of a list of points in which a point that is not finite ends a ring.
+Contours broken_contours(const Shape&);
+// Returns a rectangle that grows from the origin along its longer growth: size x by y, either may be negative.
+Contours bar_contours(const Shape&);
+Contours brace_contours(const Shape&);
+// Splits points where one is not finite.
+std::vector<std::vector<Vec3>> unbroken(const std::vector<Vec3>&);
 
 }  // namespace betwixt

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/aiming_functions.h"
+#include "scene/axes_functions.h"
 #include "scene/camera_functions.h"
 #include "scene/collision_functions.h"
 #include "scene/document.h"
@@ -33,7 +34,7 @@ bool has_word(std::string_view words, std::string_view word) {
   return false;
 }
 
-constexpr std::uint32_t shared = 0;  // of all kinds whose rows name it
+constexpr KindBits shared = 0;  // of all kinds whose rows name it
 
 // In the order of `fn`. Append new ones; they need a name there only if the program asks for them by name.
 const FunctionSpec function_rows[] = {
@@ -191,7 +192,7 @@ const FunctionSpec function_rows[] = {
      .example = "create line polyline\nset line.points ((0 0) (1 1))"},
     measure({.name = "width",
              .rest = 0.05,
-             .kinds = bit(Kind::polyline) | bit(Kind::curve) | bit(Kind::trace) | bit(Kind::line),
+             .kinds = line_kinds,
              .shape = put_measure<&Shape::width>,
              .sentence = "How thick a line is: its diameter.",
              .example = "create line polyline\nset line.width 0.2"}),
@@ -348,6 +349,7 @@ std::vector<FunctionSpec> make_functions() {
   made.insert(made.end(), std::begin(camera_functions), std::end(camera_functions));
   made.insert(made.end(), std::begin(rig_functions), std::end(rig_functions));
   made.insert(made.end(), std::begin(collision_functions), std::end(collision_functions));
+  made.insert(made.end(), std::begin(axes_functions), std::end(axes_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
   for (FunctionSpec& f : made) {

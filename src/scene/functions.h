@@ -16,9 +16,10 @@
 namespace betwixt {
 
 using FunctionId = std::uint16_t;
-constexpr std::uint32_t bit(Kind k) { return 1u << static_cast<unsigned>(k); }
+using KindBits = std::uint64_t;
+constexpr KindBits bit(Kind k) { return KindBits{1} << static_cast<unsigned>(k); }
 
-constexpr std::uint32_t all_kinds = 0xffffffff;
+constexpr KindBits all_kinds = ~KindBits{0};
 
 // The value `none` of an optional colour.
 inline constexpr Color no_color{-1, -1, -1};
@@ -26,8 +27,8 @@ inline constexpr Color no_color{-1, -1, -1};
 struct FunctionSpec {
   std::string name = {};
   Type type = Type::scalar;
-  Value rest = {};                  // the default
-  std::uint32_t kinds = all_kinds;  // a bit per Kind; all: those that have a place
+  Value rest = {};             // the default
+  KindBits kinds = all_kinds;  // a bit per Kind; all: those that have a place
   Unit unit = Unit::none;
   std::string words = {};             // the valid words of a text: "point|sun"
   double low = -1e300, high = 1e300;  // the range of valid numbers
@@ -35,6 +36,7 @@ struct FunctionSpec {
   void (*shape)(Shape&, const Value&, const Scene&) = nullptr;
   bool by_script = false;                                      // read once, with the script: code cannot compute it
   bool place = false;                                          // whether it affects the place or visibility of objects
+  bool open = false;                                           // of a vector: its third number may be left out
   std::string_view sentence = {}, written = {}, example = {};  // for help; each row has its own sentence
   // Returns whether contacts can depend on it.
   bool matters_to_contacts() const { return place || shape != nullptr; }
@@ -47,6 +49,9 @@ std::vector<std::string_view> choices(const FunctionSpec&);
 // The built-in ones, in the order of their ids, those of `fn` first.
 std::span<const FunctionSpec> built_in_functions();
 std::optional<FunctionId> find_built_in(Kind kind, std::string_view name);
+
+// Returns whether objects of the kind have points, which axes place instead of the position.
+inline bool has_points(Kind kind) { return find_built_in(kind, "points").has_value(); }
 
 // Ids of functions that the program needs by name.
 namespace fn {
@@ -120,6 +125,9 @@ enum : FunctionId {
   collision,
   bounciness,
   velocity_space,
+  on_axes,
+  placed,
+  bare,
   count
 };
 }

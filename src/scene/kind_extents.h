@@ -37,11 +37,11 @@ inline Extent of_ring(const Shape& s) { return centred_on_origin({s.radius + s.t
 // Returns the lines as drawn, with trim and dashes; closed ones end where they begin.
 inline std::vector<std::vector<Vec3>> drawn_lines(const Shape& s) {
   std::vector<std::vector<Vec3>> all;
-  const Line line = line_of(s);
-  for (DrawnPart& part : stretches(line.points, line.closed, dashes_of(s))) {
-    if (part.closed && part.points.size() > 1) part.points.push_back(part.points.front());
-    all.push_back(std::move(part.points));
-  }
+  for (const Line& line : lines_of(s))
+    for (DrawnPart& part : stretches(line.points, line.closed, dashes_of(s))) {
+      if (part.closed && part.points.size() > 1) part.points.push_back(part.points.front());
+      all.push_back(std::move(part.points));
+    }
   return all;
 }
 inline Extent of_line(const Shape& s) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/flat_shapes.h"
 #include "scene/kinds.h"
 #include "scene/primitives.h"
 
@@ -42,6 +43,8 @@ Line line_of(const Shape& s) {
   switch (s.kind) {
     case Kind::polyline:
     case Kind::trace:
+    case Kind::plot:
+    case Kind::tangent:
       return {sane_points(s), false};
     case Kind::curve:
       return {s.smooth ? through(sane_points(s), s.closed) : sane_points(s), s.closed};
@@ -59,6 +62,17 @@ Line line_of(const Shape& s) {
   if (!contours) return {};
   auto all = contours(s);
   return all.empty() ? Line{} : Line{std::move(all[0]), true};
+}
+
+std::vector<Line> lines_of(const Shape& s) {
+  if (std::all_of(s.points->begin(), s.points->end(), [](Vec3 p) { return sane(p); })) return {line_of(s)};
+  std::vector<Line> all;
+  for (auto& piece : unbroken(*s.points)) {
+    Shape one = s;
+    one.points = Points(std::move(piece)), one.closed = false;
+    all.push_back(line_of(one));
+  }
+  return all;
 }
 
 std::vector<Vec3> through(const std::vector<Vec3>& points, bool closed) {

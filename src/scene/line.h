@@ -11,7 +11,7 @@
 namespace betwixt {
 
 // Points in object space; closed: from the last one to the first. Empty: the shape has no line.
-//   polyline, trace its points             curve    through its points, smooth or straight
+//   polyline, trace, plot, tangent: its points        curve    through its points, smooth or straight
 //   arc      its middle             arrow    from its position to its tip; line as well
 //   polygon, disc, and the other flat shapes: their (outer) contour, anticlockwise from where it begins
 struct Line {
@@ -19,6 +19,8 @@ struct Line {
   bool closed = false;
 };
 Line line_of(const Shape&);
+// Returns the pieces of a line that has a break (see Shape): one for most shapes.
+std::vector<Line> lines_of(const Shape&);
 bool has_line(Kind);
 
 // A line with its length.

@@ -8,6 +8,7 @@
 #include "base/cancellation.h"
 #include "base/memory.h"
 #include "scene/document.h"
+#include "scene/own_font.h"
 #include "scene/own_kinds.h"
 #include "scene/rig.h"
 #include "track/procedure.h"

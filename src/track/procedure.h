@@ -42,6 +42,7 @@ struct TweenSegment {
 using Parameters = std::vector<std::pair<std::string, Value>>;
 
 class Routine;
+struct AxesSpace;  // src/scene/axes.h
 
 // The reads of a procedure while it runs. `cost` grows by the steps (instructions and the like) that the result took,
 // even if it was known already; the caller adds it to its own.
@@ -60,6 +61,8 @@ class Questions {
   virtual Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) = 0;
   // Returns a procedure of role `value` or `steps` by its name, or null.
   virtual const Routine* procedure(std::string_view name) = 0;
+  // Finds the coordinates of axes, or of the axes that an object is on, at a time. "": of the object itself.
+  virtual Status axes(std::string_view object, double seconds, AxesSpace& out, std::uint64_t& cost) = 0;
   // Returns the state of a stepped procedure (role `steps`) at a time.
   virtual Result<State> state(std::string_view name, double seconds, std::uint64_t& cost) = 0;
 };

@@ -66,7 +66,6 @@ TEST(Newcomer, Words_from_elsewhere_lead_to_what_there_is) {
                                     {"svg", "create logo scene file=\"logo.svg\""},
                                     {"particles", "create p{1..200} sphere"},
                                     {"caption", "create caption text"},
-                                    {"table", "arrange cell* in grid"},
                                     {"graph", "curve points="},
                                     {"mask", "trim"},
                                     {"blend", "twerper"},

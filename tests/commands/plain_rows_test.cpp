@@ -16,7 +16,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr std::string_view film = "rate 24\ncreate {a,b,c} sphere\nlet two = 2\n";
+constexpr std::string_view rows_film = "rate 24\ncreate {a,b,c} sphere\nlet two = 2\n";
 
 const Words times{"1f",      "7f",       "12f",  "12.5f",        "0f",    "-3f", "0.25s",    "500ms",
                   "00:01.5", "(2+3)*1f", "i*3f", "1f+24f/(2+i)", "i1*2f", "30t", "1000000f", "3",
@@ -93,7 +93,7 @@ TEST(PlainRows, MeanWhatTheCommandAtMeans) {
   for (int round = 0; round < 3000; ++round) {
     const std::string_view target = one_of(targets);
     const bool wide = target.ends_with("position") || target.ends_with("scale") || target.ends_with("velocity");
-    std::string rows(film), commands(film);
+    std::string rows(rows_film), commands(rows_film);
     rows += fmt::format("{}\n", target), commands += fmt::format("{}\n", target);
     for (int n = 0; n < 4; ++n) {
       // Most rows are plain, so that others stand between them.

@@ -58,14 +58,13 @@ TEST(Reader, LineAndCaret) {
 
 TEST(Reader, AllOfAFileInItsOrder) {
   const Loaded l = read(
-      "rat 24\ncreate ball sphere\n\nball.postion\n  1f (0 0 0)\n  what is this\n\n  9f junk\nball.position\n  1f (0 "
-      "0)\n"
+      "rat 24\ncreate ball sphere\n\nball.postion\n  1f (0 0 0)\n  what is this\n\n  9f junk\nball.position\n  1f (0)\n"
       "  2f (1 1 1) liner\n  3 (1 1 1)\n  x (1 1 1)\n  4f (4 4 4)\nset ball.radius\ncreate ball box\nballs\n  1f 2\n  "
       "2f 3\n");
   EXPECT_EQ(all_told(l), (std::vector<std::string>{
                              "name 1:1 rat",
                              "name 4:6 postion",
-                             "type 10:6 (0 0)",
+                             "type 10:6 (0)",
                              "name 11:14 liner",
                              "type 12:3 3",
                              "syntax 13:3 x",

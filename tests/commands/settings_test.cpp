@@ -107,9 +107,9 @@ TEST(Settings, PolicyTranslatesTypesUnitsAndSizes) {
 // shows: G27
 TEST(Settings, PolicyIgnoresTypesUnitsAndSizes) {
   for (const char* line :
-       {"set b.rotation.x 90", "set b.radius 45deg", "set b.rotation 10", "set b.position (1 2)",
-        "set b.position (1 2 3 4)", "set b.color 0.5", "set b.display 0", "set b.shininess 25%", "set word.text 5deg",
-        "at 3f b.position 7", "copy a*.position 1f..9f to 9f on c*.position", "rotate b.rotation 1f..9f 90 y",
+       {"set b.rotation.x 90", "set b.radius 45deg", "set b.rotation 10", "set b.position (1 2 3 4)", "set b.color 0.5",
+        "set b.display 0", "set b.shininess 25%", "set word.text 5deg", "at 3f b.position 7",
+        "copy a*.position 1f..9f to 9f on c*.position", "rotate b.rotation 1f..9f 90 y",
         "copy b.radius 1f..9f to 9f shift 2deg", "create d sphere radius=on", "move b.radius 1f..9f by 2deg"}) {
     const std::string head =
         "create b sphere\ncreate a{1..3} sphere\ncreate c{1..2} sphere\ncreate word text text=\"a\"\n"

@@ -44,6 +44,7 @@ verdict 'the manual and the completions' inside 'test -s /usr/share/man/man1/bet
 verdict 'a mistake is told with its place' inside 'printf "create ball spere\n" >wrong.bx; ! betwixt check wrong.bx 2>said && grep -q "wrong.bx:1:" said'
 verdict 'the studio is installed' inside "$get ./betwixt-studio_*.deb"
 verdict 'a picture of the studio' inside 'QT_QPA_PLATFORM=offscreen betwixt studio /usr/share/betwixt/examples/bounce.bx --discard --screenshot studio.png && test -s studio.png'
+verdict 'the studio finds the program that makes films' inside 'test -x /usr/libexec/betwixt/../../bin/betwixt'
 verdict 'the Python module is installed' inside "$get ./python3-betwixt_*.deb"
 verdict 'it gives values' inside 'cd / && /usr/bin/python3 -c "
 import betwixt

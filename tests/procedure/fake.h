@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "scene/axes.h"
 #include "track/procedure.h"
 
 namespace betwixt {
@@ -36,6 +37,11 @@ struct FakeQuestions : Questions {
     return Vec3{share, seconds, 0};
   }
   Result<State> state(std::string_view, double seconds, std::uint64_t&) override { return State{Value(seconds)}; }
+  Status axes(std::string_view object, double, AxesSpace& out, std::uint64_t&) override {
+    if (object == "nowhere") return fail(ErrorCode::name, "there is no object 'nowhere'");
+    return out = space, Nothing{};
+  }
+  AxesSpace space;
   const Routine* procedure(std::string_view name) override {
     const auto p = procedures.find(name);
     return p == procedures.end() ? nullptr : p->second.get();

@@ -37,6 +37,14 @@ QString quoted(const QString& s) {
   return plain.match(s).hasMatch() ? s : "'" + QString(s).replace("'", "'\\''") + "'";
 }
 
+// Returns the program that makes films: beside the studio, as it is built, or in ../../bin, as it is installed.
+QString program_beside() {
+  const QDir here(QCoreApplication::applicationDirPath());
+  for (const char* place : {"betwixt", "../../bin/betwixt", "../bin/betwixt"})
+    if (QFileInfo(here.filePath(place)).isExecutable()) return here.filePath(place);
+  return "betwixt";  // that of PATH
+}
+
 }  // namespace
 
 ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(parent), workspace_(workspace) {
@@ -174,7 +182,7 @@ void ExportDialog::start() {
     w->setEnabled(false);
   progress_->setVisible(true), progress_->setRange(0, 0);
   start_->setEnabled(false), cancel_->setText(tr("Stop"));
-  process_.start(QCoreApplication::applicationDirPath() + "/betwixt", arguments(text_->fileName()) << "--progress");
+  process_.start(program_beside(), arguments(text_->fileName()) << "--progress");
 }
 
 void ExportDialog::read() {

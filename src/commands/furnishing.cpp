@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/furnishing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands/furniture_rows.h"
+#include "commands/reader.h"
+#include "language/formula.h"
+#include "procedure/lua.h"
+#include "program/on_axes.h"
+#include "scene/kinds.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::size_t most_cells = 10'000;
+
+// Reads (item item …); with `nested` also ((item …) (item …)).
+bool items(Command& k, std::vector<LetList>& rows, bool nested) {
+  Cursor& c = k.cursor;
+  c.space();
+  const char* const start = c.at;
+  if (c.peek() != '(') return c.fail_here(ErrorCode::syntax, "a list in brackets is missing here", "as in of=(3 1 4)");
+  Cursor ahead = c;
+  const bool several = nested && ahead.open() && (ahead.space(), ahead.peek() == '(');
+  if (several && !c.open()) return false;
+  std::size_t count = 0;
+  do {
+    LetList row;
+    if (!c.open()) return false;
+    for (c.space(); c.at < c.end && c.peek() != ')'; c.space()) {
+      LetItem one;
+      if (!let_item(k, one)) return false;
+      row.push_back(std::move(one));
+      if (++count > most_cells)
+        return c.fail(ErrorCode::range, fmt::format("there can be at most {} values", most_cells), c.since(start));
+    }
+    if (!c.close()) return false;
+    rows.push_back(std::move(row));
+    c.space();
+  } while (several && c.at < c.end && c.peek() == '(');
+  if (several && !c.close()) return false;
+  if (count == 0) return c.fail(ErrorCode::syntax, "the list must have at least one value", c.since(start));
+  return true;
+}
+
+// Fails with the place in the formula if it has an error.
+bool formula_is_good(Command& k, const Object& o, std::string_view name, std::string_view about) {
+  const auto f = find_built_in(o.kind, name);
+  const Slot* slot = f ? o.find(*f) : nullptr;
+  const auto* text = slot && slot->set ? std::get_if<Text>(&*slot->set) : nullptr;
+  if (!text) return true;
+  const std::string problem = formula_problem(**text);
+  if (problem.empty()) return true;
+  // The place: that of the word that the message names, or of the whole formula.
+  const std::string_view line = k.script.source.text;
+  std::string_view place = about;
+  if (const auto at = line.find(**text); !(*text)->empty() && at != std::string_view::npos) {
+    place = line.substr(at, (*text)->size());
+    const auto near = problem.find("near '");
+    const auto end = near == std::string::npos ? near : problem.find('\'', near + 6);
+    if (end != std::string::npos)
+      if (const auto in = place.rfind(problem.substr(near + 6, end - near - 6)); in != std::string_view::npos)
+        place = place.substr(in, end - near - 6);
+  }
+  return k.cursor.fail(ErrorCode::syntax, fmt::format("the formula has an error: {}", problem), place);
+}
+
+}  // namespace
+
+bool carry_out_lines(Command& k, const std::string& lines, std::string_view about) {
+  Diagnostics said;
+  LoadOptions options = k.script.options;
+  options.now.reset();
+  Script inner(k.scene, said, options);
+  inner.depth = k.script.depth + 1;
+  inner.root = k.script.root;
+  read_text(k.scene, inner, lines, k.script.source.name);
+  for (const Diagnostic& d : said)
+    if (d.severity == Severity::error) return k.cursor.fail(d.what.code, d.what.message, about, d.what.hint);
+  return true;
+}
+
+bool furniture(Command& k, Kind kind, std::string_view key, Furniture& out) {
+  const FurnitureRow* row = furniture_of(kind);
+  Cursor& c = k.cursor;
+  if (!row || row->takes == Takes::nothing) return false;
+  if (key == "of") {
+    out.of_at = key;
+    return items(k, out.rows, row->takes == Takes::cells);
+  }
+  if (key != "keys" || row->takes != Takes::numbers) return false;
+  std::vector<LetList> keys;
+  if (!items(k, keys, false)) return false;
+  for (const LetItem& one : keys[0])
+    if (!std::holds_alternative<Text>(one))
+      return c.fail(ErrorCode::type, "keys are texts in quotes", key, "as in keys=(\"Ann\" \"Bob\")");
+  out.keys = std::move(keys[0]);
+  return true;
+}
+
+bool furnish(Command& k, ObjectId id, const Furniture& said, std::string_view about) {
+  const Object& o = k.scene.objects[id.index];
+  const FurnitureRow* row = furniture_of(o.kind);
+  if (!row) return true;
+  if (const Slot* bare = o.find(fn::bare); bare && bare->set && bare->set == Value(true)) return true;
+  for (const std::string_view formula : {"of", "base"})
+    if (!formula_is_good(k, o, formula, about)) return false;
+  if (row->needs_axes && !axes_of(k.scene, o))
+    return k.cursor.fail(ErrorCode::syntax, fmt::format("{} needs axes", a_kind(o.kind)), about,
+                         "create axes first, then write on=NAME, as in on=ax");
+  if (row->takes != Takes::nothing && said.rows.empty())
+    return k.cursor.fail(ErrorCode::syntax, fmt::format("{} needs its values", a_kind(o.kind)), about,
+                         row->takes == Takes::cells ? "as in of=((1 2) (3 4))" : "as in of=(3 1 4)");
+  Furnishing to{k.scene, id, o.name, said, {}, {}, {}};
+  row->make(to);
+  if (!to.problem.empty())
+    return k.cursor.fail(ErrorCode::range, to.problem, said.of_at.empty() ? about : said.of_at, to.hint);
+  if (!to.lines.empty() && !carry_out_lines(k, to.lines, about)) return false;
+  // Whoever writes the film writes the pieces too.
+  k.scene.objects.edit(id.index).slot(fn::bare).set = true;
+  return true;
+}
+
+bool put_on_axes(Command& k, Object& o, ObjectId& parent, std::string_view about) {
+  const Slot* slot = o.find(fn::on_axes);
+  const auto* id = slot && slot->set ? std::get_if<ObjectId>(&*slot->set) : nullptr;
+  if (!id || !*id) return true;
+  const Object& axes = k.scene.objects[id->index];
+  if (!has_coordinates(axes.kind))
+    return k.cursor.fail(ErrorCode::type,
+                         fmt::format("'{}' is {}, which has no coordinates", axes.name, a_kind(axes.kind)), about,
+                         "on= takes axes, a number-line, polar-axes or a plane-grid");
+  if (!parent) parent = *id;
+  return true;
+}
+
+}  // namespace betwixt

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Kinds that own children: `create` makes their pieces too, by lines of the language.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands/command.h"
+#include "scene/quantity.h"
+
+namespace betwixt {
+
+// What `create` reads besides display functions, for the kinds that take it: of=(3 1 4) keys=("Ann" "Bob").
+struct Furniture {
+  std::vector<LetList> rows;  // of `of`: one row, or several for tables
+  LetList keys;
+  std::string_view of_at, formula_at;  // their places in the line
+};
+// Reads `of` or `keys` after its =, if the kind takes it. Returns false with an error, or without one if it does not.
+bool furniture(Command&, Kind, std::string_view key, Furniture&);
+
+// Makes the pieces of an object that exists. Changes the scene even if it fails.
+bool furnish(Command&, ObjectId, const Furniture&, std::string_view about);
+// Carries out lines of the language, as a command of the author's own does. Changes the scene even if it fails.
+bool carry_out_lines(Command&, const std::string& lines, std::string_view about);
+// Couples an object to its axes, if it has no parent and is on some.
+bool put_on_axes(Command&, Object&, ObjectId& parent, std::string_view about);
+
+}  // namespace betwixt

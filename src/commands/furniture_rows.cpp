@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/furniture_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "language/formula.h"
+#include "language/values.h"
+#include "scene/axes.h"
+#include "scene/names.h"
+
+namespace betwixt {
+namespace {
+
+// Twelve colours that differ in lightness too, and can be read on dark and on light.
+constexpr std::array<std::string_view, 12> colors{"#4aa8ff", "#ffb02e", "#35c77a", "#ff6b6b", "#b58cff", "#2ccfd6",
+                                                  "#ff8fc7", "#a6d82e", "#ff9248", "#7d9bff", "#e3c14a", "#5ed3a8"};
+
+// ---- Axes
+
+void labels(Furnishing& f, char axis, double length, std::string_view align) {
+  const std::string all = fmt::format("{}/{}/{{1..{}}}", f.name, axis, most_labels(length));
+  f.line("create {} text size={} color={} align={}", all, write_number(f.number("digits")), label_color, align);
+  f.line("set {}.text = \"axes.label('{}', '{}', i)\"", all, f.name, axis);
+  f.line("set {}.position = \"axes.label_place('{}', '{}', i)\"", all, f.name, axis);
+  f.line("set {}.display = \"value('{}.numbers')\"", all, f.name);
+}
+
+void axis(Furnishing& f, char axis, double length, std::string_view align) {
+  f.line("create {}/{} polyline width=0.03 color={}", f.name, axis, line_color);
+  f.line("set {0}/{1}.points = \"axes.line('{0}', '{1}')\"", f.name, axis);
+  if (length > 0) labels(f, axis, length, align);
+}
+
+void grid(Furnishing& f) {
+  f.line("create {}/grid polyline width=0.015 color={}", f.name, grid_color);
+  f.line("set {0}/grid.points = \"axes.grid('{0}')\"", f.name);
+  f.line("set {0}/grid.display = \"value('{0}.grid')\"", f.name);
+}
+
+void title(Furnishing& f, char axis) {
+  const std::string text = f.text(fmt::format("{}-title", axis));
+  if (text.empty()) return;
+  const bool up = axis == 'y';
+  f.line("create {}/{}/title text size={} color={} align={}", f.name, axis, write_number(1.15 * f.number("digits")),
+         label_color, up ? "centre" : "left");
+  f.line("set {0}/{1}/title.text = \"value('{0}.{1}-title')\"", f.name, axis);
+  f.line("set {0}/{1}/title.position = \"axes.tip('{0}', '{1}') + vec({2})\"", f.name, axis,
+         up ? "0, 0.2" : "0.2, -0.1");
+}
+
+// Returns false if an axis has no length.
+bool good_axis(Furnishing& f, std::string_view name, std::string_view scale = {}) {
+  const Vec3 v = f.vector(name);
+  Axis a{v.x, v.y, v.z, AxisScale::linear};
+  if (!scale.empty() && f.text(scale) == "log") a.scale = AxisScale::log;
+  if (a.good() && v.z >= 0) return true;
+  f.problem = v.z < 0 ? fmt::format("the step of {} must not be below 0", name)
+              : a.scale == AxisScale::log && (v.x <= 0 || v.y <= 0)
+                  ? fmt::format("{} has a logarithmic scale, so both its ends must be above 0", name)
+                  : fmt::format("the two ends of {} must be different", name);
+  f.hint = a.scale == AxisScale::log ? fmt::format("as in {}=(1 1000)", name) : fmt::format("as in {}=(0 10)", name);
+  return false;
+}
+
+void make_axes(Furnishing& f) {
+  const Vec3 size = f.vector("size");
+  if (!good_axis(f, "x", "x-scale") || !good_axis(f, "y", "y-scale")) return;
+  if (size.z > 0 && !good_axis(f, "z")) return;
+  grid(f);
+  axis(f, 'x', size.x, "centre");
+  axis(f, 'y', size.y, "right");
+  if (size.z > 0) axis(f, 'z', 0, "centre");
+  title(f, 'x');
+  title(f, 'y');
+}
+
+void make_number_line(Furnishing& f) {
+  if (!good_axis(f, "x", "x-scale")) return;
+  axis(f, 'x', f.number("length"), "centre");
+  title(f, 'x');
+}
+
+void make_polar_axes(Furnishing& f) {
+  if (!good_axis(f, "r")) return;
+  f.line("create {}/grid polyline width=0.015 color={}", f.name, grid_color);
+  f.line("set {0}/grid.points = \"axes.grid('{0}')\"", f.name);
+  axis(f, 'x', f.number("radius"), "centre");
+  const double away = f.number("radius") + 1.6 * f.number("digits");
+  for (int degrees = 30; degrees < 360; degrees += 30)
+    f.line("create {}/{}deg text text=\"{}°\" size={} color={} position=({} {})", f.name, "a" + std::to_string(degrees),
+           degrees, write_number(f.number("digits")), label_color, write_number(away * std::cos(degrees * pi / 180)),
+           write_number(away * std::sin(degrees * pi / 180) - 0.36 * f.number("digits")));
+}
+
+void make_plane_grid(Furnishing& f) {
+  if (!good_axis(f, "x") || !good_axis(f, "y")) return;
+  const Vec3 size = f.vector("size");
+  const std::string name = f.name;
+  f.line("create {}/grid polyline width=0.025 color={}", name, colors[0]);
+  f.line("set {0}/grid.points = \"axes.grid('{0}')\"", name);
+  for (const auto& [word, color] : {std::pair{"right", colors[2]}, {"up", colors[3]}}) {
+    f.line("create {}/{} arrow width=0.07 color={} position=(0 0 0.01)", name, word, color);
+    f.line("set {0}/{1}.to = \"axes.place('{0}', vec({2}))\"", name, word, word[0] == 'r' ? "1, 0" : "0, 1");
+  }
+  (void)size;
+}
+
+// ---- Plots
+
+std::size_t plots_before(const Furnishing& f) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < f.id.index; ++i) {
+    const Object& o = f.scene.objects[static_cast<std::uint32_t>(i)];
+    count += !o.removed && o.kind == Kind::plot ? 1 : 0;
+  }
+  return count;
+}
+
+void color(Furnishing& f, std::string_view what) {
+  if (!f.colored()) f.line("set {}.color {}", f.name, what);
+}
+
+// Returns the colour of the plot that a formula names, or one of the palette.
+void color_like(Furnishing& f, std::string_view otherwise) {
+  if (f.colored()) return;
+  const ObjectId named = f.scene.names.find(f.text("of"));
+  const Object* o = named ? &f.scene.objects[named.index] : nullptr;
+  const Slot* slot = o && o->kind == Kind::plot ? o->find(fn::color) : nullptr;
+  if (const auto* c = slot && slot->set ? std::get_if<Color>(&*slot->set) : nullptr)
+    f.line("set {}.color rgb({} {} {})", f.name, write_number(c->r), write_number(c->g), write_number(c->b));
+  else
+    color(f, otherwise);
+}
+
+void make_plot(Furnishing& f) {
+  f.line("set {}.points = \"plot.curve()\"", f.name);
+  color(f, colors[plots_before(f) % colors.size()]);
+}
+void make_area(Furnishing& f) {
+  f.line("set {}.points = \"plot.area()\"", f.name);
+  color_like(f, colors[0]);
+  if (!f.says("transparency")) f.line("set {}.transparency 0.6", f.name);
+}
+void make_riemann(Furnishing& f) {
+  f.line("set {}.points = \"plot.riemann()\"", f.name);
+  color_like(f, colors[0]);
+  if (!f.says("transparency")) f.line("set {}.transparency 0.35", f.name);
+  if (!f.says("stroke")) f.line("set {}.stroke #10141c", f.name);
+  if (!f.says("stroke-width")) f.line("set {}.stroke-width 0.02", f.name);
+}
+void make_tangent(Furnishing& f) {
+  f.line("set {}.points = \"plot.tangent()\"", f.name);
+  color(f, colors[1]);
+}
+void make_field(Furnishing& f) {
+  f.line("set {}.points = \"plot.field()\"", f.name);
+  color(f, colors[5]);
+}
+
+}  // namespace
+
+std::string_view palette(std::size_t n) { return colors[n % colors.size()]; }
+
+std::string key_word(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-')
+      out += c;
+    else if (c == ' ' && !out.empty())
+      out += '-';
+  while (out.ends_with('-')) out.pop_back();
+  return out;
+}
+
+Value Furnishing::value(std::string_view function) const {
+  const auto f = find_built_in(object().kind, function);
+  const Slot* slot = object().find(*f);
+  const FunctionSpec& spec = spec_of(scene, *f);
+  return slot && slot->set && slot->set->index() == spec.rest.index() ? *slot->set : spec.rest;
+}
+std::string Furnishing::text(std::string_view function) const { return *std::get<Text>(value(function)); }
+bool Furnishing::says(std::string_view function) const {
+  const auto f = find_built_in(object().kind, function);
+  const Slot* slot = f ? object().find(*f) : nullptr;
+  return slot && slot->set;
+}
+bool Furnishing::colored() const { return says("color"); }
+
+const FurnitureRow* furniture_of(Kind kind) {
+  static constexpr FurnitureRow rows[] = {
+      {Kind::axes, Takes::nothing, false, make_axes},
+      {Kind::number_line, Takes::nothing, false, make_number_line},
+      {Kind::polar_axes, Takes::nothing, false, make_polar_axes},
+      {Kind::plane_grid, Takes::nothing, false, make_plane_grid},
+      {Kind::plot, Takes::nothing, true, make_plot},
+      {Kind::area, Takes::nothing, true, make_area},
+      {Kind::riemann, Takes::nothing, true, make_riemann},
+      {Kind::tangent, Takes::nothing, true, make_tangent},
+      {Kind::vector_field, Takes::nothing, true, make_field},
+      {Kind::bars, Takes::numbers, false, make_bars},
+      {Kind::columns, Takes::numbers, false, make_columns},
+      {Kind::pie, Takes::numbers, false, make_pie},
+      {Kind::table, Takes::cells, false, make_table},
+      {Kind::matrix, Takes::cells, false, make_matrix},
+  };
+  for (const FurnitureRow& row : rows)
+    if (row.kind == kind) return &row;
+  return nullptr;
+}
+
+}  // namespace betwixt

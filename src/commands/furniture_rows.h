@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The kinds that own children, a row each: the lines that make their pieces.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "commands/furnishing.h"
+
+namespace betwixt {
+
+// What a kind takes at `create` besides its functions.
+enum class Takes : std::uint8_t { nothing, numbers, cells };
+
+struct Furnishing {
+  Scene& scene;
+  ObjectId id;
+  const std::string name;
+  const Furniture& said;
+  std::string lines;
+  std::string problem, hint;  // set if it cannot be made
+
+  const Object& object() const { return scene.objects[id.index]; }
+  template <class... A>
+  void line(fmt::format_string<A...> format, A&&... arguments) {
+    lines += fmt::format(format, std::forward<A>(arguments)...) + "\n";
+  }
+  // Returns the value that is set, or the default.
+  Value value(std::string_view function) const;
+  Vec3 vector(std::string_view function) const { return std::get<Vec3>(value(function)); }
+  double number(std::string_view function) const { return std::get<double>(value(function)); }
+  std::string text(std::string_view function) const;
+  bool says(std::string_view function) const;  // whether the author has set it
+  bool colored() const;
+};
+
+struct FurnitureRow {
+  Kind kind;
+  Takes takes = Takes::nothing;
+  bool needs_axes = false;
+  void (*make)(Furnishing&) = nullptr;
+};
+const FurnitureRow* furniture_of(Kind);
+
+// chart_rows.cpp
+void make_bars(Furnishing&);
+void make_columns(Furnishing&);
+void make_pie(Furnishing&);
+void make_table(Furnishing&);
+void make_matrix(Furnishing&);
+
+// The colours of what has no colour of its own.
+inline constexpr std::string_view line_color = "#8b95a7", label_color = "#c3cad6", grid_color = "#39424f";
+// Returns the color number n of the palette, from 0; it begins again after the last.
+std::string_view palette(std::size_t n);
+std::string key_word(const std::string& text);  // a name made of a text; "" if nothing of it can be in a name
+
+}  // namespace betwixt

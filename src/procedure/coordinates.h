@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the functions of axes, plots and charts share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "procedure/machine.h"
+#include "scene/axes.h"
+
+namespace betwixt::lua {
+
+// Finds the axes that the first argument names. "": those of the object whose value it is. Returns why not, or "".
+std::string find_axes(lua_State*, Machine&, AxesSpace&);
+std::string find_axes(Machine&, std::string_view name, AxesSpace&);
+void push_points(lua_State*, const std::vector<Vec3>&);
+
+// Returns the difference of the two sides of an equation, and any other formula as it is.
+std::string as_difference(const std::string& formula);
+// Pushes a formula as a function of x and y, which knows t and all names of code. Returns why it cannot, or "".
+std::string push_formula(lua_State*, Machine&, const std::string& formula);
+
+}  // namespace betwixt::lua

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program/on_axes.h"
+
+#include <fmt/format.h>
+
+#include "program/asking.h"
+#include "track/procedure.h"
+
+namespace betwixt {
+namespace {
+
+// Reads functions of axes at one time.
+struct AxesReader {
+  const Program::Compiled& c;
+  const ObjectId id;
+  const Kind kind;
+  const Time t;
+  Asking& asking;
+
+  std::optional<FunctionId> function(std::string_view name) const { return find_built_in(kind, name); }
+  Vec3 vector(std::string_view name) const {
+    const Target target{id, *function(name)};
+    asking.note_read(target);
+    const Value v = c.read(target, t, asking);
+    const auto* p = std::get_if<Vec3>(&v);
+    return p ? *p : Vec3{};
+  }
+  double number(std::string_view name) const {
+    const Target target{id, *function(name)};
+    asking.note_read(target);
+    const Value v = c.read(target, t, asking);
+    const auto* d = std::get_if<double>(&v);
+    return d ? *d : 0;
+  }
+  Axis axis(std::string_view name, std::string_view scale = {}) const {
+    const Vec3 v = vector(name);
+    Axis out{v.x, v.y, v.z, AxisScale::linear};
+    if (!scale.empty()) {
+      const Value word = c.read(Target{id, *function(scale)}, t, asking);
+      if (const auto* text = std::get_if<Text>(&word))
+        out.scale = **text == "log" ? AxisScale::log : **text == "time" ? AxisScale::time : AxisScale::linear;
+    }
+    return out;
+  }
+
+  AxesSpace space() const {
+    AxesSpace out;
+    out.kind = kind, out.digits = number("digits");
+    switch (kind) {
+      case Kind::number_line:
+        out.x = axis("x", "x-scale"), out.size = {number("length"), 0, 0};
+        break;
+      case Kind::polar_axes:
+        out.x = axis("r"), out.size = {2 * number("radius"), 2 * number("radius"), 0};
+        break;
+      case Kind::plane_grid:
+        out.x = axis("x"), out.y = axis("y"), out.size = vector("size");
+        out.right = vector("right"), out.up = vector("up");
+        break;
+      default:
+        out.x = axis("x", "x-scale"), out.y = axis("y", "y-scale"), out.size = vector("size");
+        if (out.size.z > 0) out.z = axis("z");
+        break;
+    }
+    return out;
+  }
+};
+
+class PlacedByAxes final : public Routine {
+ public:
+  PlacedByAxes() { language = "built in", source = "axes.place('', value('.position'))", varies = true; }
+  Result<Value> value(Questions& q, const std::vector<Value>&, std::uint64_t& cost) const override {
+    AxesSpace space;
+    if (const Status found = q.axes("", q.seconds(), space, cost); !found) return found.error();
+    const Result<Value> numbers = q.value(".position", q.seconds(), cost);
+    if (!numbers) return numbers.error();
+    const Vec3 place = space.place(std::get<Vec3>(*numbers));
+    if (!std::isfinite(place.x + place.y + place.z))
+      return fail(ErrorCode::range, "its position is not on its axes: a logarithmic axis has numbers above 0 only");
+    return Value(place);
+  }
+};
+
+}  // namespace
+
+ObjectId axes_of(const Scene& scene, const Object& o) {
+  const Slot* slot = o.find(fn::on_axes);
+  const auto* id = slot && slot->set ? std::get_if<ObjectId>(&*slot->set) : nullptr;
+  const Object* axes = id ? find_object(scene, *id) : nullptr;
+  return axes && has_coordinates(axes->kind) ? *id : ObjectId{};
+}
+
+Result<AxesSpace> axes_space(const Program::Compiled& c, ObjectId id, Time t, Asking& asking) {
+  const Scene& scene = c.document.scene();
+  const Object* o = find_object(scene, id);
+  if (o && !has_coordinates(o->kind)) id = axes_of(scene, *o), o = find_object(scene, id);
+  if (!o) return fail(ErrorCode::name, "it is not on axes: write on=NAME, the name of axes, where you create it");
+  return AxesReader{c, id, o->kind, t, asking}.space();
+}
+
+bool points_by_axes(const Scene& scene, const Object& o) {
+  const bool plain =
+      o.kind == Kind::polyline || o.kind == Kind::curve || o.kind == Kind::polygon || o.kind == Kind::points;
+  return plain && axes_of(scene, o);
+}
+
+Points placed_points(const Program::Compiled& c, std::uint32_t object, const Points& numbers, Time t, Asking& asking) {
+  const auto space = axes_space(c, {object}, t, asking);
+  if (!space) return numbers;
+  std::vector<Vec3> places;
+  places.reserve(numbers->size());
+  for (const Vec3 p : *numbers) places.push_back(space->place(p));
+  return Points(std::move(places));
+}
+
+const Value& placed_by_axes() {
+  static const Value code = Procedure{std::make_shared<const PlacedByAxes>()};
+  return code;
+}
+
+}  // namespace betwixt
