@@ -7,7 +7,7 @@
 #   tools/gallery.sh PROGRAM   makes the page and its pictures
 #   tools/gallery.sh --check   fails if the page differs from the examples
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
-films='pendulum-wave 60 bars 80 gears 40 spirograph 200 sine 110 ride 100 swarm 100 letters 60 unfold 55 walk 60 fourier 170 race 170'
+films='pendulum-wave 60 bars 80 gears 40 spirograph 200 sine 110 ride 100 swarm 100 letters 60 completing-the-square 130 unfold 55 walk 60 fourier 170 race 170'
 
 page() {
   printf '# Gallery\n\nShort films, each with its whole script. `./test` renders them, and `tools/gallery.sh PROGRAM` makes this page.\n'

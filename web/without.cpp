@@ -30,7 +30,7 @@ Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string&
 Result<LinearPicture> decode_exr(std::string_view, const std::string&) { return not_here("OpenEXR is not read"); }
 
 Result<std::shared_ptr<const Outline>> set_by_tex(const std::string&, std::chrono::milliseconds) {
-  return not_here("formulas of TeX are not set");
+  return not_here("LaTeX does not set formulas");
 }
 
 Status decode_sound(const std::string&, const Listener&, double) { return not_here("sounds are not decoded"); }

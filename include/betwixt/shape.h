@@ -114,7 +114,11 @@ struct Shape {
   std::shared_ptr<const OwnFont> own_font;  // a font that the film brings as a file; nullptr: one of the machine's
   Letters letters;
   std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const Outline> formula;  // set by TeX, with an em of 1 m; shared by all shapes with the same text
+  std::shared_ptr<const Outline> formula;  // with an em of 1 m; shared by all shapes with the same text
+  // Of a formula: marked parts, one a line. Only they are drawn (`only_parts`), or everything else.
+  Text parts;
+  bool only_parts = false;
+  bool matches = false;  // while it turns into another text, signs go to equal signs
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 // The measures besides the size. Shapes blend them in a morph, and meshes depend on them.

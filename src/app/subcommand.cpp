@@ -89,7 +89,7 @@ const std::vector<Parameter>& common_parameters() {
        .sentence = "lets the script read files outside its own folder, and files that unpack to any size",
        .into = &load_options().read_anywhere},
       {.name = "--tex",
-       .sentence = "lets the programs latex and dvisvgm typeset the script's formulas",
+       .sentence = "lets LaTeX typeset the script's formulas, by the programs latex and dvisvgm",
        .into = &load_options().tex},
       {.name = "--load",
        .value = "PLUGIN",

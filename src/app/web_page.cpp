@@ -22,6 +22,7 @@
 #include "base/utf8.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
+#include "exchange/formulas.h"
 #include "exchange/typefaces.h"
 #include "export/formats.h"
 #include "language/json.h"
@@ -114,6 +115,7 @@ void look_through(PageFilm& film, const Document& document) {
     moves |= frame.camera.shutter > 0, focuses |= frame.camera.aperture > 0;
     for (const Item& item : frame.items) look(item.shape), look(item.toward);
   }
+  if (!document.scene().formulas->empty()) paths.insert(font_file({std::string(formula_font_name)}).path);
   for (const std::string& path : paths)
     if (auto bytes = read_whole(path)) film.files["fonts/" + fs::path(path).filename().string()] = *std::move(bytes);
   if (moves) film.lost.emplace_back("pages do not show motion blur (shutter)");
@@ -196,8 +198,6 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
   const auto document = open_script(script);
   load_options().asked_for = {};
   if (!document) return std::nullopt;
-  if (!document->scene().formulas->empty())
-    return fail(ErrorCode::type, fmt::format("{} has TeX formulas, which pages do not support", script));
   const auto text = script_text(script);
   if (!text) return text.error();
   PageFilm film;

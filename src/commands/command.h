@@ -150,6 +150,8 @@ Result<std::shared_ptr<const SceneFile>> scene_of_file(const Command&, const std
 
 // Reports if a text's font lacks letters in the look that results from this value and the other settings.
 void say_missing_style(Command&, const Object&, FunctionId, const Value&, std::string_view about);
+// Makes an object for each marked part of a formula that has none yet. Does nothing for other functions.
+bool make_parts(Command&, ObjectId, FunctionId, const Value&, std::string_view about);
 
 // ---- events.cpp
 

@@ -155,6 +155,9 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
   }
   if (to.type() == Type::text && !event.keep)
     say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, event.value, about);
+  if (to.type() == Type::text && !event.keep)
+    for (const Target& t : to.targets)
+      if (!make_parts(k, t.object, t.function, event.value, about)) return false;
   const auto& direct = script.sheet.tracks;
   const bool straight = to.type() != Type::attachment;  // a plain attachment among its rows has copied the scene
   if (&to == &script.sheet.on && !direct.empty() && !event.keep && straight) {
@@ -201,6 +204,51 @@ bool computed(Command& k, const Selected& to, Value& out) {
   return true;
 }
 
+namespace {
+
+// Returns whether `match for` follows, and takes it.
+bool goes_for_some_time(Cursor& c) {
+  Cursor ahead = c;
+  if (!ahead.accept_word("match") || !ahead.accept_word("for")) return false;
+  c = ahead;
+  return true;
+}
+
+// Returns the text that a target has at a time, as far as its own events say.
+Value text_at(const Scene& s, const Target& t, Time when) {
+  const Slot* const slot = s.objects[t.object.index].find(t.function);
+  Value out = slot && slot->set ? *slot->set : spec_of(s, t.function).rest;
+  if (slot)
+    slot->track->events.each([&](const Event& e) {
+      if (e.time <= when && !e.keep) out = e.value;
+    });
+  return out;
+}
+
+// Reads LENGTH after `match for`, and writes two events: the text that is there now, and the new one.
+bool match_for(Command& k, const Selected& to, Event e, std::string_view about) {
+  auto& [s, c, time, layer, script] = k;
+  const char* const start = (c.space(), c.at);
+  Time length;
+  if (!c.length(length) || !finish(c)) return false;
+  if (length <= Time{}) return c.fail(ErrorCode::range, "the length of a match must be above 0", c.since(start));
+  script.sheet.tracks.clear();  // they are not those of the scene after it was copied
+  Rollback all(s);
+  for (const Target& t : to.targets) {
+    Selected one = to;
+    one.targets = {t};
+    Event begin;
+    begin.time = e.time, begin.value = text_at(s, t, e.time), begin.twerper = *find_twerper("match");
+    Event end = e;
+    end.time = e.time + length;
+    if (!put(k, one, std::move(begin), about) || !put(k, one, std::move(end), about)) return false;
+  }
+  all.keep();
+  return true;
+}
+
+}  // namespace
+
 // Reads the part of a row after its time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep
 // TWERPER.
 bool event(Command& k, const Selected& to, Time when) {
@@ -245,6 +293,7 @@ bool event(Command& k, const Selected& to, Time when) {
     }
   }
   const std::string_view about(value_at, static_cast<std::size_t>(c.at - value_at));
+  if (to.type() == Type::text && goes_for_some_time(c)) return match_for(k, to, std::move(e), about);
   if (!way(k, to, e)) return false;
   return put(k, to, std::move(e), about);
 }

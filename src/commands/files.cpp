@@ -17,6 +17,7 @@
 #include "commands/command.h"
 #include "commands/reader.h"
 #include "exchange/font_face.h"
+#include "exchange/formulas.h"
 #include "exchange/meshes.h"
 #include "exchange/pictures.h"
 #include "exchange/scene_file.h"
@@ -181,14 +182,32 @@ bool keep(Command& k, Contents<T>& all, const std::string& path, const Result<st
   return true;
 }
 
-// Adds the formula of a `tex`. A script cannot run the programs that set formulas; their results must already be there.
+// Returns the piece of a quoted text, as it is written, that became these bytes of the text.
+std::string_view written_piece(std::string_view quoted, std::size_t at, std::size_t length) {
+  if (quoted.starts_with("\"\"\"")) return quoted.size() > 6 + at ? quoted.substr(3 + at, length) : quoted;
+  if (!quoted.starts_with('"')) return quoted;
+  const auto place = [&](std::size_t bytes) {
+    std::size_t i = 1;
+    for (std::size_t n = 0; n < bytes && i < quoted.size(); ++n) i += quoted[i] == '\\' ? 2 : 1;
+    return std::min(i, quoted.size());
+  };
+  return quoted.substr(place(at), place(at + length) - place(at));
+}
+
+// Adds the formula of a `tex`. With --tex, LaTeX sets formulas; it knows no parts, so those with parts are set here.
 bool tex_formula(Command& k, const std::string& tex, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (s.formulas->contains(tex)) return true;
-  if (!script.options.tex)
-    return c.fail(ErrorCode::file, "a script may not run latex and dvisvgm, which typeset formulas", about,
-                  Hint(Permission::tex, "--tex allows it"));
-  return keep(k, s.formulas, tex, KeptResults::get("formula", tex, [&] { return set_by_tex(tex); }), about);
+  if (script.options.tex && tex.find("{{") == tex.npos)
+    return keep(k, s.formulas, tex, KeptResults::get("tex", tex, [&] { return set_by_tex(tex); }), about);
+  const auto made = KeptResults::get("formula", tex, [&] { return set_formula_text(tex); });
+  if (made) return keep(k, s.formulas, tex, made, about);
+  Error e = made.error();
+  if (e.code == ErrorCode::name && e.hint.empty() && !script.options.tex)
+    set_hint(e, Hint(Permission::tex, "--tex lets LaTeX typeset it"));
+  if (e.place.column == 0) return c.fail(e, about);
+  const auto first = static_cast<std::size_t>(e.place.column - 1);
+  return c.fail(e, written_piece(about, first, static_cast<std::size_t>(e.place.length)));
 }
 
 // Loads one mesh of a scene: truck.glb#Wheels.

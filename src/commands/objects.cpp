@@ -15,6 +15,7 @@
 #include "commands/furnishing.h"
 #include "commands/own_kinds.h"
 #include "commands/plugins.h"
+#include "scene/formula_parts.h"
 
 namespace betwixt {
 namespace {
@@ -75,6 +76,16 @@ bool create_like(Command& k, const Like& like, const std::vector<std::string>& n
   return true;
 }
 
+// Returns the object that a formula has made for one of its parts. A written script creates it again.
+ObjectId made_with_formula(const Scene& s, const std::string& name) {
+  const ObjectId id = s.names.find(name);
+  return id && shown_part(s.objects[id.index]) ? id : ObjectId{};
+}
+bool same_part(const Object& made, const Object& there) {
+  const std::string* const part = shown_part(made);
+  return part && *part == *shown_part(there);
+}
+
 bool create(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view word = c.next_word();
@@ -84,7 +95,7 @@ bool create(Command& k) {
   if (!names) return c.fail(names.error().code, names.error().message, word);
   if (!script.only && names->size() > 1) script.touched = names->size();
   for (const auto& name : *names)
-    if (Cancellation::check(); !free_name(k, name, word)) return false;
+    if (Cancellation::check(); !made_with_formula(s, name) && !free_name(k, name, word)) return false;
   const std::string_view kind_word = c.next_word();
   if (kind_word == "scene") {
     std::vector<ObjectId> parents(names->size());
@@ -143,12 +154,22 @@ bool create(Command& k) {
     return c.fail(ErrorCode::range, fmt::format("a film can have at most {} objects", most_objects), word);
   for (std::size_t i = 0; i < names->size(); ++i)
     if (!parent_by_name(k, (*names)[i], word, parents[i]) || !put_on_axes(k, object, parents[i], word)) return false;
+  for (const std::string& name : *names)
+    if (const ObjectId there = made_with_formula(s, name); there && !same_part(object, s.objects[there.index]))
+      return free_name(k, name, word);
   if (original) return create_like(k, like, *names, parents, word);
   Rollback rollback(s);
   for (std::size_t i = 0; i < names->size(); ++i) {
     Cancellation::check();
     object.name = (*names)[i];
-    if (!furnish(k, add_child(s, object, parents[i]), furniture, kind_word)) return false;
+    if (const ObjectId there = made_with_formula(s, object.name)) {
+      for (const FunctionId f : said) s.objects.edit(there.index).slot(f).set = object.find(f)->set;
+      continue;
+    }
+    const ObjectId id = add_child(s, object, parents[i]);
+    if (!furnish(k, id, furniture, kind_word)) return false;
+    for (const FunctionId f : said)
+      if (const auto& v = object.find(f)->set; v && !make_parts(k, id, f, *v, word)) return false;
   }
   return rollback.keep(), true;
 }

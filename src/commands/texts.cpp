@@ -9,6 +9,7 @@
 #include "base/names.h"
 #include "commands/command.h"
 #include "exchange/fonts.h"
+#include "scene/formula_parts.h"
 #include "scene/text_functions.h"
 
 namespace betwixt {
@@ -55,7 +56,7 @@ bool setting_of(Command& k, const Object& o, std::string_view about, Setting& ou
   }
   if (shape.formula)
     return k.cursor.fail(ErrorCode::type, fmt::format("'{}' is a formula; formulas cannot be split", o.name), about,
-                         "use 'typed' to show its glyphs one by one");
+                         "mark parts with double braces: {{a}}^2; or use 'typed' to show its signs one by one");
   out = {*shape.text, font_of(shape), shape.letters, shape.size.y};
   return true;
 }
@@ -145,6 +146,30 @@ void say_missing_style(Command& k, const Object& o, FunctionId f, const Value& v
   if (face.weight == Weight::regular && !face.italic) return;  // the default look
   if (const Status known = find_style(face); !known)
     k.script.note(Severity::warning, known.error().message, about, known.error().hint);
+}
+
+bool make_parts(Command& k, ObjectId id, FunctionId f, const Value& v, std::string_view about) {
+  Scene& s = k.scene;
+  const auto* const tex = std::get_if<Text>(&v);
+  if (spec_of(s, f).name != "tex" || !tex || (*tex)->find("{{") == std::string::npos) return true;
+  const auto formula = s.formulas->find(**tex);
+  if (formula == s.formulas->end() || shown_part(s.objects[id.index])) return true;
+  const std::string name = s.objects[id.index].name;
+  std::vector<std::string> wanted = parts_of_formula(*formula->second);
+  std::size_t next = 1;
+  for (; const ObjectId other = s.names.find(fmt::format("{}/{}", name, next)); ++next)
+    if (const std::string* const key = shown_part(s.objects[other.index])) std::erase(wanted, *key);
+  if (s.objects.size() + wanted.size() > most_objects)
+    return k.cursor.fail(ErrorCode::range, fmt::format("a film can have at most {} objects", most_objects), about);
+  for (const std::string& key : wanted) {
+    Object part;
+    part.kind = Kind::text;
+    part.name = fmt::format("{}/{}", name, next++);
+    if (!free_name(k, part.name, about)) return false;
+    part.slot(part_function()).set = Text(key);
+    add_child(s, std::move(part), id);
+  }
+  return true;
 }
 
 std::span<const Verb> texts_verbs() { return texts_rows; }

@@ -129,6 +129,8 @@ bool set_alike(Command& k, const Selected& to) {
   say_unseen(k, to, w);
   for (const Target& t : to.targets) Cancellation::check(), set_value(s, t, v);
   say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, v, w);
+  for (const Target& t : to.targets)
+    if (!make_parts(k, t.object, t.function, v, w)) return false;
   return true;
 }
 

@@ -163,9 +163,12 @@ bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arg
   }
   out = *found;
   std::string why;
+  if (row_of(out).matches && to.type() == Type::text && to.spec->name != "text" && to.spec->name != "tex")
+    return c.fail(ErrorCode::type, fmt::format("'match' is for text and tex, not for {}", to.spec->name), w);
   if (!fits(out, to.type(), &why))
-    return c.fail(ErrorCode::type, why, w,
-                  to.type() == Type::text ? "to morph letters, use geometry: at 24f A.geometry shape(B) …" : "");
+    return c.fail(
+        ErrorCode::type, why, w,
+        to.type() == Type::text ? "to morph letters, use geometry: at 24f A.geometry shape(B) …; or write match" : "");
   return twerper_arguments(c, out, w, arguments);
 }
 

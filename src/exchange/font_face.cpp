@@ -85,6 +85,8 @@ class FreeTypeFace final : public FontFace {
     return out;
   }
 
+  hb_font_t* shaper() override { return shaper_.get(); }
+
   const Contours& glyph(std::uint32_t number) override {
     const auto [i, fresh] = glyphs_.try_emplace(number);
     if (fresh) i->second = read(number);

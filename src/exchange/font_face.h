@@ -16,6 +16,8 @@
 #include "scene/outline.h"
 #include "scene/own_font.h"
 
+struct hb_font_t;
+
 namespace betwixt {
 
 struct ShapedGlyph {
@@ -40,6 +42,8 @@ class FontFace {
   virtual Result<ShapedGlyphs> shape(std::string_view line) = 0;
   // The outer contours are counter-clockwise. No contours for a glyph that is blank, damaged, or was in no line yet.
   virtual const Contours& glyph(std::uint32_t number) = 0;
+  // HarfBuzz's font, for its tables: 64 times the design's units an em. Null for a font that is read elsewhere.
+  virtual hb_font_t* shaper() { return nullptr; }
 };
 
 // Both return nullptr if the file is no font with outlines. They read it in this process.

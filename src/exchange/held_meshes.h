@@ -23,6 +23,7 @@ inline std::size_t mixed(std::size_t h, Vec3 with) { return mixed(mixed(mixed(h,
 inline std::size_t hash_of(const Shape& s) {
   std::size_t h = mixed(static_cast<std::size_t>(s.kind), std::hash<const Mesh*>{}(s.mesh.get()));
   h = mixed(h, std::hash<const Outline*>{}(s.formula.get()));
+  h = mixed(mixed(h, std::hash<std::string>{}(*s.parts)), static_cast<std::size_t>(2 * s.only_parts + s.matches));
   h = mixed(h, s.size);
   for (const auto measure : shape_measures) h = mixed(h, s.*measure);
   h = mixed(mixed(h, s.stroke), static_cast<std::size_t>(s.filled));

@@ -11,6 +11,7 @@
 
 #include "exchange/outlines.h"
 #include "exchange/shapes.h"
+#include "exchange/text_match.h"
 #include "scene/kinds.h"
 
 namespace betwixt {
@@ -38,10 +39,12 @@ struct DrawnGlyph {
   std::string text;
   std::vector<Island> islands;
   Box place;
+  std::vector<Contour> contours;  // as they are in the outline
+  std::string part;               // of a formula
 };
 
 DrawnGlyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, bool single) {
-  DrawnGlyph made{std::move(text), {}, {}};
+  DrawnGlyph made{std::move(text), {}, {}, {}, {}};
   std::vector<std::pair<double, Contour*>> sorted;
   // The first contour of a polygon is never a hole; contours of the opposite direction are.
   const bool turned = single && !contours.empty() && turn(contours.front(), toward) < 0;
@@ -69,9 +72,14 @@ std::vector<DrawnGlyph> glyphs(const Outline& outline, bool single) {
   for (std::size_t i = 0; i < outline.letters.size(); ++i) {
     const auto at = [&](std::size_t n) { return outline.contours.begin() + static_cast<std::ptrdiff_t>(n); };
     const std::size_t end = i + 1 < outline.letters.size() ? outline.letters[i + 1].first : outline.contours.size();
-    const auto& [first, text] = outline.letters[i];
-    all.push_back(glyph(text, {at(first), at(end)}, toward, single));
-    if (all.back().islands.empty()) all.pop_back();
+    const Letter& letter = outline.letters[i];
+    const std::size_t first = letter.first;
+    all.push_back(glyph(letter.text, {at(first), at(end)}, toward, single));
+    if (all.back().islands.empty()) {
+      all.pop_back();
+      continue;
+    }
+    all.back().contours.assign(at(first), at(end)), all.back().part = letter.part;
   }
   return all;
 }
@@ -256,7 +264,47 @@ void lone_glyphs(const std::vector<DrawnGlyph>& all, std::size_t first, std::siz
   }
 }
 
+// ---- Signs that go to equal signs
+
+// The same sign has the same contours, in any place and size; a delimiter that is put together may have others.
+void pair_signs(const DrawnGlyph& a, const DrawnGlyph& b, std::vector<Pair>& out) {
+  const bool alike = std::equal(a.contours.begin(), a.contours.end(), b.contours.begin(), b.contours.end(),
+                                [](const Contour& p, const Contour& q) { return p.size() == q.size(); });
+  if (!alike) return pair_glyphs(a, b, out);
+  for (std::size_t i = 0; i < a.contours.size(); ++i) out.push_back({a.contours[i], b.contours[i]});
+}
+
+// Returns the text with all its parts.
+Outline whole_outline(Shape s) {
+  s.parts = {}, s.only_parts = false;
+  return outline_of(s);
+}
+
+// Adds what a shape draws: a sign that goes from a part to no part, or back, belongs to the part.
+Morph matched(const Shape& a, const Shape& b) {
+  Morph morph{a, b, {}, Winding::positive};
+  const auto from = glyphs(whole_outline(a), false), to = glyphs(whole_outline(b), false);
+  const auto signs = [](const std::vector<DrawnGlyph>& all) {
+    std::vector<MatchedSign> out;
+    for (const DrawnGlyph& g : all) out.push_back({g.text, g.part, g.place.middle()});
+    return out;
+  };
+  std::vector<bool> goes(from.size()), comes(to.size());
+  for (const auto& [i, j] : match_signs(signs(from), signs(to))) {
+    goes[i] = comes[j] = true;
+    if (shows_part(b, from[i].part.empty() ? to[j].part : from[i].part)) pair_signs(from[i], to[j], morph.pairs);
+  }
+  const auto alone = [&](const std::vector<DrawnGlyph>& all, const std::vector<bool>& paired, Way way) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!paired[i] && shows_part(b, all[i].part))
+        for (const Island& island : all[i].islands) lone(island, all[i].place.middle(), way, morph.pairs);
+  };
+  alone(from, goes, Way::shrink), alone(to, comes, Way::grow);
+  return morph;
+}
+
 Morph prepare(const Shape& a, const Shape& b) {
+  if (b.matches) return matched(a, b);
   Morph morph{a, b, {}, Winding::positive};
   const bool text = has_letters(a) && has_letters(b);
   if (!text) morph.winding = Winding::nonzero;  // a polygon may cross itself

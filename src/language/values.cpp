@@ -9,6 +9,7 @@
 #include "base/names.h"
 #include "language/formula.h"
 #include "scene/colors.h"
+#include "scene/formula_parts.h"
 #include "scene/names.h"
 #include "syntax/tokens.h"
 #include "track/curve.h"
@@ -368,7 +369,7 @@ bool ValueReader::object(ObjectId& out) {
   if (w.empty()) return c.fail_here(ErrorCode::syntax, "the name of an object is missing here");
   std::string name;
   if (!one_name(c, w, name)) return false;
-  out = scene.names.find(name);
+  out = find_named(scene, name);
   if (out) return true;
   return c.fail(unknown_name("object", name, near_object(scene, name)), w);
 }

@@ -10,6 +10,7 @@
 #include "language/formula.h"
 #include "language/values.h"
 #include "language/written_scenes.h"
+#include "scene/formula_parts.h"
 #include "scene/names.h"
 #include "scene/own_kinds.h"
 #include "scene/power.h"
@@ -255,8 +256,8 @@ struct Writer {
     // A name with a slash may no longer match its parent, and the object above may be gone. Such objects get their
     // final names last.
     for (std::uint32_t i : living)
-      if (!files.makes(i) && flat_name(s.objects[i].name) != s.objects[i].name)
-        out += "rename " + flat_name(s.objects[i].name) + " " + s.objects[i].name + "\n";
+      if (const auto& name = s.objects[i].name; !files.makes(i) && flat_name(name) != name && !formula_above(s, name))
+        out += "rename " + flat_name(name) + " " + name + "\n";
     out += write_lists(s);
     // References to other objects come after all objects.
     for (std::uint32_t i : living)
@@ -326,6 +327,7 @@ struct Writer {
   // Returns a name without slashes that no object has.
   std::string flat_name(const std::string& name) const {
     if (name.find('/') == std::string::npos) return name;
+    if (const auto* const whole = formula_above(s, name)) return flat_name(*whole) + name.substr(whole->size());
     std::string flat = name;
     std::replace(flat.begin(), flat.end(), '/', '-');
     flat += "-" + std::to_string(s.names.find(name).index);  // keeps "a/b-c" and "a-b/c" distinct

@@ -9,6 +9,7 @@
 
 #include "base/cancellation.h"
 #include "program/compile.h"
+#include "scene/formula_parts.h"
 
 namespace betwixt {
 namespace {
@@ -68,7 +69,7 @@ struct NodeCompiler {
     n.position = offset(n.on_axes ? fn::placed : fn::position), n.rotation = offset(fn::rotation),
     n.scale = offset(fn::scale);
     n.pivot = offset(fn::pivot), n.attach = offset(fn::attach_position), n.display = offset(fn::display),
-    n.color = offset(fn::color);
+    n.color = compiled.find_shown(object, fn::color).offset;
     n.orientation = compiled.find(object, fn::rotation).orientation;
     n.around = siting(object, fn::environments), n.drive = siting(object, fn::drive);
     n.transform = o.find(fn::transform) != nullptr;
@@ -86,6 +87,21 @@ struct NodeCompiler {
     compiled.node_of[object] = static_cast<std::uint32_t>(compiled.nodes.size());
     compiled.nodes.push_back(std::move(n));
   }
+
+  // Finds the parts of formulas, which the bindings of their looks depend on.
+  void pieces_of_formulas() {
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+      const Object& o = scene.objects[i];
+      const std::string* const key = o.removed ? nullptr : shown_part(o);
+      const ObjectId whole = key ? formula_of_part(scene, o) : ObjectId{};
+      if (!whole) continue;
+      compiled.pieces_of_formulas[i] = {whole.index, Text(*key)};
+      std::string& all = apart[whole.index];
+      all += (all.empty() ? "" : "\n") + *key;
+    }
+    for (auto& [object, keys] : apart) compiled.apart[object] = Text(std::move(keys));
+  }
+  std::map<std::uint32_t, std::string> apart{};
 
   void nodes() {
     compiled.node_of.assign(scene.objects.size(), ObjectId::nothing);
@@ -170,6 +186,7 @@ struct NodeCompiler {
 
 void compile_nodes(Program::Compiled& compiled, const CompiledFilm* before) {
   NodeCompiler made{compiled};
+  made.pieces_of_formulas();
   made.nodes();
   constexpr std::size_t many = 1024;  // for fewer, the setup costs more than it saves
   if (made.members.size() >= many && !made.scene.smooth_ticks)

@@ -154,8 +154,24 @@ struct ScheduleCompiler {
     return std::find(weights.begin(), weights.end(), &b) != weights.end();
   }
 
+  // Whether a text turns into others, and what it is a part of.
+  void describe_text(std::uint32_t node, Drawable& d) {
+    const std::uint32_t object = compiled.nodes[node].object;
+    if (scene.objects[object].kind != Kind::text) return;
+    if (const auto piece = compiled.pieces_of_formulas.find(object); piece != compiled.pieces_of_formulas.end()) {
+      d.whole = static_cast<std::int32_t>(compiled.node_of[piece->second.whole]);
+      compiled.formula_pieces.push_back(node);
+    }
+    static const FunctionId tex = *find_built_in(Kind::text, "tex");
+    for (const FunctionId f : {tex, FunctionId{fn::text}})
+      if (const Binding& b = compiled.find_shown(object, f); b.steps >= 0 && compiled.steps_of(b).blends())
+        d.matches = compiled.matching = true;
+  }
+
   bool form_varies(std::uint32_t object) const {
     if (scene.objects[object].kind == Kind::trace || points_by_axes(scene, scene.objects[object])) return true;
+    const auto piece = compiled.pieces_of_formulas.find(object);
+    if (piece != compiled.pieces_of_formulas.end() && form_varies(piece->second.whole)) return true;
     for (auto i = compiled.pieces[object].binding; i < compiled.pieces[object + 1].binding; ++i)
       if (const Binding& b = compiled.bindings[i]; b.varies() && spec_of(scene, b.function).shape) return true;
     return false;
@@ -221,7 +237,7 @@ struct ScheduleCompiler {
     std::vector<std::uint32_t> varying;
     for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i) {
       const Node& n = compiled.nodes[i];
-      const auto find = [&](FunctionId f) { return &compiled.find(n.object, f); };
+      const auto find = [&](FunctionId f) { return &compiled.find_shown(n.object, f); };
       if (n.kind == Kind::light && !scene.objects[n.object].hidden) compiled.lights.push_back(i);
       if (n.kind == Kind::camera) {
         if (const Object& o = scene.objects[n.object]; !o.derived && !o.hidden && !compiled.first_camera)
@@ -229,12 +245,13 @@ struct ScheduleCompiler {
       }
       if (n.looks || n.reaches) compiled.eyes.push_back(i);
       if (!drawable(n.kind)) continue;
-      Drawable d{find(fn::transparency)->offset,
+      Drawable d{compiled.find(n.object, fn::transparency).offset,
                  find(fn::shininess)->offset,
                  find(fn::casts)->offset,
                  find(fn::material),
                  find(fn::texture),
-                 find(fn::geometry)};
+                 &compiled.find(n.object, fn::geometry)};
+      describe_text(i, d);
       if (n.kind == Kind::trace) {
         compiled.traces = true;
         schedule.lives.push_back({&compiled.defaults[fn::trace_of], affects::form, i, false});

@@ -14,6 +14,15 @@
 
 namespace betwixt {
 
+// What a text is turning into, and how far.
+struct TextTurn {
+  FunctionId function = 0;
+  Value to;
+  double share = 0;
+};
+// Returns the shape of a text with the text that it turns into.
+std::shared_ptr<const Shape> turned_text(const Shape& from, const TextTurn&, const Scene&);
+
 struct Program::Compiled : CompiledFilm {
   explicit Compiled(Document d);
   ~Compiled();
@@ -40,6 +49,8 @@ struct Program::Compiled : CompiledFilm {
   // array for the time, or null to evaluate.
   Value shape_part(const Binding& b, Time t, const double* numbers, Asking&) const;
   Shape shape(std::uint32_t object, Time t, const double* numbers, Asking&) const;
+  void show_parts(Shape&, std::uint32_t object) const;
+  std::optional<TextTurn> text_turn(std::uint32_t object, Time t, Asking&) const;
   // Returns the shape that the drawable has by itself.
   std::shared_ptr<const Shape> drawn_shape(std::uint32_t drawable, Time t, Asking&) const;
   // Returns the deformed mesh of a skin.

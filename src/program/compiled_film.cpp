@@ -8,6 +8,13 @@
 
 namespace betwixt {
 
+const Binding& CompiledFilm::find_shown(std::uint32_t object, FunctionId f) const {
+  const Binding& own = find(object, f);
+  if (pieces_of_formulas.empty() || &own != &defaults[f]) return own;
+  const auto piece = pieces_of_formulas.find(object);
+  return piece == pieces_of_formulas.end() ? own : find(piece->second.whole, f);
+}
+
 const Binding& CompiledFilm::find(std::uint32_t object, FunctionId f) const {
   const auto first = bindings.begin() + pieces[object].binding, last = bindings.begin() + pieces[object + 1].binding;
   const auto at = std::lower_bound(first, last, f, [](const Binding& b, FunctionId id) { return b.function < id; });

@@ -157,6 +157,12 @@ struct Skin {
   std::vector<const Binding*> weights;  // of its morph targets; null for a weight without value
 };
 
+// A part of a formula, which takes what it lacks from the whole.
+struct FormulaPiece {
+  std::uint32_t whole = 0;  // an object
+  Text key;
+};
+
 Material material_of(const Value&);
 // A node that is drawn, or may be; it has the node's number.
 struct Drawable {
@@ -170,6 +176,8 @@ struct Drawable {
   std::int32_t blend = -1;  // index into CompiledFilm::slow_blends
   Material material_number = Material::plastic;
   std::uint32_t texture_number = 0;
+  std::int32_t whole = -1;  // of a part of a formula: the node of the formula
+  bool matches = false;     // its text may turn into another one, sign by sign
 };
 
 // The parts of an object that a value affects.
@@ -255,11 +263,15 @@ struct CompiledFilm {
   std::vector<Skin> skins;
   std::vector<std::shared_ptr<const Shape>> shapes;  // constant shapes, each once
   std::vector<std::shared_ptr<const Picture>> textures;
-  std::vector<std::uint32_t> lights, eyes;    // nodes; eyes: those that look at or reach for something
-  std::vector<std::uint32_t> borrowers;       // drawables that may take another object's geometry
-  std::vector<std::uint32_t> slow_shapes;     // drawables whose shapes may take long to make
-  std::vector<std::uint32_t> slow_blends;     // … or the blends between the shapes that they take
-  std::optional<std::uint32_t> first_camera;  // an object
+  std::vector<std::uint32_t> lights, eyes;                   // nodes; eyes: those that look at or reach for something
+  std::map<std::uint32_t, FormulaPiece> pieces_of_formulas;  // by the object of the part
+  std::map<std::uint32_t, Text> apart;                       // by the object of a formula: its parts that are objects
+  std::vector<std::uint32_t> formula_pieces;                 // drawables that are parts of formulas
+  bool matching = false;                                     // some text may turn into another one
+  std::vector<std::uint32_t> borrowers;                      // drawables that may take another object's geometry
+  std::vector<std::uint32_t> slow_shapes;                    // drawables whose shapes may take long to make
+  std::vector<std::uint32_t> slow_blends;                    // … or the blends between the shapes that they take
+  std::optional<std::uint32_t> first_camera;                 // an object
   Schedule schedule;
   std::vector<CompiledSpan> spans;          // by node, then time
   std::vector<std::uint32_t> held_by_code;  // nodes that code attaches at some time
@@ -279,6 +291,8 @@ struct CompiledFilm {
   std::optional<std::uint32_t> node_of_object(ObjectId) const;
   bool draws(std::uint32_t node) const { return node < drawables.size(); }
   const Binding& find(std::uint32_t object, FunctionId f) const;
+  // The same, but for a part of a formula what it lacks is that of the whole.
+  const Binding& find_shown(std::uint32_t object, FunctionId f) const;
   const StepTrack& steps_of(const Binding& b) const { return *steps[static_cast<std::size_t>(b.steps)]; }
   std::uint32_t texture(const Value&) const;  // Look::none if there is no such picture
   void evaluate_curve(const CurveUse& use, Time t, double* out) const;

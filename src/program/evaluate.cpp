@@ -107,10 +107,39 @@ Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbe
   const auto described = shaping.find(s.kind);
   if (described == shaping.end()) return s;
   for (const FunctionId f : described->second)
-    spec_of(scene, f).shape(s, shape_part(find(object, f), t, numbers, asking), scene);
+    spec_of(scene, f).shape(s, shape_part(find_shown(object, f), t, numbers, asking), scene);
+  show_parts(s, object);
   if (s.kind == Kind::trace) s.points = trace(*this, object, t, asking);
   if (points_by_axes(scene, scene.objects[object])) s.points = placed_points(*this, object, s.points, t, asking);
   return s;
+}
+
+// Leaves out the letters of a formula that other objects draw, or those that do not belong to a part.
+void Program::Compiled::show_parts(Shape& s, std::uint32_t object) const {
+  if (s.kind != Kind::text) return;
+  if (const auto piece = pieces_of_formulas.find(object); piece != pieces_of_formulas.end())
+    s.parts = piece->second.key, s.only_parts = true;
+  else if (const auto whole = apart.find(object); whole != apart.end())
+    s.parts = whole->second;
+}
+
+std::optional<TextTurn> Program::Compiled::text_turn(std::uint32_t object, Time t, Asking& asking) const {
+  static const FunctionId tex = *find_built_in(Kind::text, "tex");
+  for (const FunctionId f : {tex, FunctionId{fn::text}}) {
+    const Binding& b = find_shown(object, f);
+    if (b.live >= 0 || b.steps < 0) continue;
+    const Between w = between(b, t, asking);
+    const auto values = steps_of(b).values();
+    if (w.a != w.b && !(values[w.a] == values[w.b])) return TextTurn{f, values[w.b], w.s};
+  }
+  return std::nullopt;
+}
+
+std::shared_ptr<const Shape> turned_text(const Shape& from, const TextTurn& turn, const Scene& scene) {
+  Shape to = from;
+  spec_of(scene, turn.function).shape(to, turn.to, scene);
+  to.matches = true;
+  return std::make_shared<const Shape>(std::move(to));
 }
 
 std::shared_ptr<const Shape> Program::Compiled::drawn_shape(std::uint32_t drawable, Time t, Asking& asking) const {

@@ -49,7 +49,7 @@ Evaluator::Evaluator(const Program::Compiled& compiled, const DeferredEvaluation
     segments_[i].channels = use.curve.channels, segments_[i].affects = s.affects, segments_[i].bounded = use.bounded;
   }
   const std::size_t drawables = compiled.drawables.size();
-  const std::size_t forms = compiled.slow_blends.empty() ? 2 * drawables : 3 * drawables;
+  const std::size_t forms = compiled.slow_blends.empty() && !compiled.matching ? 2 * drawables : 3 * drawables;
   looks.resize(drawables), forms_.resize(forms), stale_.assign(drawables, true), renewed_.resize(forms);
 }
 
@@ -256,6 +256,7 @@ void Evaluator::to(Time t, Asking& asking, bool solids) {
 // Updates the looks of marked drawables, and of those that borrow a marked one's geometry.
 void Evaluator::restyle(Asking& asking, bool solids) {
   const InStage stage(Stage::looks);
+  mark_pieces();
   bool borrowed = false;
   for (const std::uint32_t d : marks_.all()) {
     if (!compiled_.draws(d) || !(marks_[d] & affects::form)) continue;
@@ -347,6 +348,7 @@ void Evaluator::take_shape(std::uint32_t i, Looks& now, Asking& asking) {
   const Binding& geometry = *compiled_.drawables[i].geometry;
   if (geometry.steps < 0) {
     now.shape = shape_of(compiled_.value(geometry, now_, asking), i, asking);
+    take_match(i, now, asking);
     return;
   }
   if (take_blend(i, now, asking)) return;
@@ -362,12 +364,17 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
   const Drawable& d = compiled_.drawables[i];
   const Node& n = compiled_.nodes[i];
   Looks now;
-  now.visible = numbers_[n.display] != 0;
+  const auto whole = static_cast<std::size_t>(d.whole);  // of a part of a formula
+  now.visible = numbers_[n.display] != 0 && (d.whole < 0 || numbers_[compiled_.nodes[whole].display] != 0);
   if (now.visible) {
     take_shape(i, now, asking);
     if (!solids) {
       now.color = vec3(&numbers_[n.color]);
       now.transparency = std::clamp(numbers_[d.transparency], 0.0, 1.0);
+      if (d.whole >= 0) {
+        const double other = std::clamp(numbers_[compiled_.drawables[whole].transparency], 0.0, 1.0);
+        now.transparency = 1 - (1 - now.transparency) * (1 - other);
+      }
       now.shininess = std::clamp(numbers_[d.shininess], 0.0, 1.0);
       now.casts = numbers_[d.casts] != 0;
       now.material = d.plain ? d.material_number : material_of(compiled_.value(*d.material, now_, asking));

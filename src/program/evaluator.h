@@ -101,6 +101,8 @@ class Evaluator {
   void restyle(Asking&, bool solids);
   void look(std::uint32_t drawable, Asking&, bool solids);
   void take_shape(std::uint32_t drawable, Looks&, Asking&);
+  void take_match(std::uint32_t drawable, Looks&, Asking&);
+  void mark_pieces();
   bool take_blend(std::uint32_t drawable, Looks&, Asking&);
   std::uint32_t put(std::size_t form, std::shared_ptr<const Shape>);
   std::uint32_t form(std::uint32_t drawable, Asking&);

@@ -8,6 +8,7 @@
 #include "base/cancellation.h"
 #include "base/memory.h"
 #include "base/names.h"
+#include "scene/formula_parts.h"
 #include "scene/names.h"
 #include "track/curve.h"
 #include "track/types.h"
@@ -101,6 +102,8 @@ void select_plain(const Scene& s, std::string_view word, std::vector<ObjectId>& 
       add_matching(s, w, all, out);
     else if (const auto id = s.names.find(w))
       out.push_back(id);
+    else
+      for (const ObjectId part : parts_by_content(s, w)) out.push_back(part);
 }
 
 // Removes repetitions.
@@ -206,7 +209,7 @@ Result<Target> find_target(const Scene& s, std::string_view text, ObjectId self)
   const auto dot = text.find('.');
   if (dot == std::string_view::npos) return fail(ErrorCode::name, "a target has a dot, as in 'ball.position'");
   Target t;
-  t.object = dot == 0 ? self : s.names.find(text.substr(0, dot));
+  t.object = dot == 0 ? self : find_named(s, text.substr(0, dot));
   if (!find_object(s, t.object)) {
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < s.objects.size() && i < 1000; ++i)
@@ -370,7 +373,7 @@ std::vector<std::string> Document::names() const {
   return out;
 }
 
-ObjectId Document::find(std::string_view name) const { return scene_->names.find(name); }
+ObjectId Document::find(std::string_view name) const { return find_named(*scene_, name); }
 
 std::vector<Note> Document::notes(Time from, Time to) const {
   std::vector<Note> out;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "betwixt/shape.h"
@@ -17,6 +18,7 @@ using Contour = std::vector<Vec3>;
 struct Letter {
   std::size_t first = 0;  // its first contour; they end where the next letter's begin
   std::string text;       // as written (UTF-8); for formulas, an identification of the glyph
+  std::string part = {};  // of a formula: the marked part that it belongs to (formula_parts.h); "": to none
 };
 struct Outline {
   std::vector<Contour> contours;
@@ -25,5 +27,7 @@ struct Outline {
 
 // Returns the formula of a text in its size, aligned, as far as it is typed. The shape must have a `formula`.
 Outline set_formula(const Shape&);
+// Whether the shape draws the letters of a part (""; those of none).
+bool shows_part(const Shape&, std::string_view part);
 
 }  // namespace betwixt

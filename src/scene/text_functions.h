@@ -79,11 +79,19 @@ inline const FunctionSpec text_functions[] = {
      .shape =
          [](Shape& s, const Value& v, const Scene& scene) {
            const auto found = scene.formulas->find(*std::get<Text>(v));
-           if (found != scene.formulas->end()) s.formula = found->second;
+           s.formula = found != scene.formulas->end() ? found->second : nullptr;
          },
      .by_script = true,
-     .sentence = "A TeX formula, drawn instead of the text. Needs latex and dvisvgm, and --tex.",
-     .written = "\"\\\\frac{a}{b}\""},
+     .sentence = "A formula in TeX's notation, drawn instead of the text.",
+     .written = "\"\\\\frac{a}{b}\"",
+     .example = "create f text\nset f.tex \"\\\\frac{a}{b}\""},
+    {.name = "part",
+     .type = Type::text,
+     .rest = Text(),
+     .kinds = bit(Kind::text),
+     .by_script = true,
+     .sentence = "The marked part of its parent's formula that a text shows; Betwixt sets it.",
+     .written = "\"a\""},
 };
 
 }  // namespace betwixt

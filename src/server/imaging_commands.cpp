@@ -44,7 +44,7 @@ std::optional<Error> Imaging::sort_out(const Diagnostics& all, std::vector<std::
       if (e.needs == Permission::read_anywhere)
         e.hint = options_.load.read_nothing ? "this server has no script, so it reads no files"
                                             : "hosts can read only files below the script's folder";
-      if (e.needs == Permission::tex) e.hint = "hosts can use only the formulas of the server's script";
+      if (e.needs == Permission::tex) e.hint = "LaTeX typesets only the formulas of the server's script";
       return e;
     }
     warnings.push_back(fmt::format("{}: {}", d.severity == Severity::warning ? "warning" : "notice", e.message));

@@ -73,7 +73,8 @@ void join_ends(CurveColumns& all, Curve& c) {
 Twerper resolve(const Track& track, const Event& e, Type type, bool orientation) {
   Twerper t = track.global != Twerper::unset ? track.global : e.twerper;
   if (t == Twerper::unset) t = orientation ? Twerper::slerp : row_of(type).twerper;
-  if (row_of(type).changes == Changes::in_steps) t = Twerper::hold;
+  const bool matches = type == Type::text && !is_own(t) && row_of(t).matches;
+  if (row_of(type).changes == Changes::in_steps && !matches) t = Twerper::hold;
   if (is_own(t)) return t;
   const Twerper other = orientation ? row_of(t).for_orientations : row_of(t).for_numbers;
   return other == Twerper::unset ? t : other;

@@ -285,6 +285,12 @@ inline constexpr TwerperRow rows[] = {
      .example = "at 12f ball.radius 2 bounce-in-out",
      .factor = in_out<bounce>,
      .reversed = "bounce-in-out"},
+    {.name = "match",
+     .sentence = "Of texts and formulas: equal signs glide to their new places, others shrink and grow.",
+     .example = "at 12f title.text \"a + b\" match",
+     .factor = in_out<sine>,
+     .matches = true,
+     .reversed = "match"},
 };
 
 }  // namespace easings

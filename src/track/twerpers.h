@@ -56,6 +56,7 @@ struct TwerperRow {
   std::span<const TwerperArgument> arguments = {};
   std::span<const std::string_view> words = {};
   bool steps = false;              // constant in equal parts of s, as many as the first argument says
+  bool matches = false;            // for texts only: glyph by glyph
   bool stops = false;              // takes stops in place of arguments, any number of them
   std::string_view reversed = {};  // the twerper that runs the same way back; "": see reverse()
   // The twerpers that replace this one for orientations, or for numbers (then this one is for orientations only);

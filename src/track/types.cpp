@@ -218,6 +218,9 @@ bool fits(Twerper twerper, Type type, std::string* why) {
     return false;
   };
   const Changes changes = row_of(type).changes;
+  const bool matches = !is_own(twerper) && row_of(twerper).matches;
+  if (matches)
+    return type == Type::text || no(fmt::format("'match' is for texts and formulas; this is {}", to_string(type)));
   const std::string who = is_own(twerper) ? "a twerper" : fmt::format("'{}'", name_of(twerper));
   if (changes == Changes::in_steps)
     return no(fmt::format("{} cannot blend {}: it changes only at its events", who, to_string(type)));

@@ -366,8 +366,10 @@ echo "<svg><rect width='72' height='72'/><rect x='72' y='62' width='10' height='
 END
 chmod +x bin/dvisvgm
 said=$(PATH=$work/bin:$PATH "$program" check formula.bx 2>&1)
-is 'a formula without --tex' "$?" 1
-has 'a formula without --tex, what to do' "$said" '--tex allows it'
+is 'a formula without --tex' "$?" 0
+printf 'create f text tex="\\\\newcommand"\n' >unknown.bx
+said=$(PATH=$work/bin:$PATH "$program" check unknown.bx 2>&1)
+has 'what only LaTeX knows, what to do' "$said" '--tex lets LaTeX typeset it'
 said=$(PATH=$work/bin:$PATH "$program" frame formula.bx --tex --at 1f -o formula.png --size 64x48 2>&1)
 is 'a formula with --tex' "$? $said" '0 '
 said=$(PATH=$work "$program" check formula.bx --tex 2>&1)

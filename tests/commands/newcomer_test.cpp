@@ -8,7 +8,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::string_view film = "animate spin every 1t by rotate(3deg, z)\ncreate ball sphere\n";
+constexpr std::string_view newcomer_film = "animate spin every 1t by rotate(3deg, z)\ncreate ball sphere\n";
 
 struct Slip {
   std::string line, told, hint;
@@ -38,7 +38,7 @@ TEST(Newcomer, Is_told_what_is_wrong_where_and_what_to_write) {
       {"create eye camera fov=200deg", "range 3:23 200deg", narrow},
   };
   for (const auto& [line, told, hint] : table) {
-    const Loaded loaded = read(std::string(film) + line + "\n");
+    const Loaded loaded = read(std::string(newcomer_film) + line + "\n");
     EXPECT_EQ(all_told(loaded), std::vector<std::string>{told}) << line;
     ASSERT_FALSE(loaded.diagnostics.empty());
     EXPECT_EQ(loaded.diagnostics[0].what.hint, hint) << line;
@@ -49,14 +49,14 @@ TEST(Newcomer, A_scale_of_nothing_is_pointed_out) {
   for (const char* line :
        {"animate e every 1t by translate(1 0 0) scale(0)", "make a\n  multiply translate(1 0 0) scale(0)",
         "set ball.transform translate(1 0 0) scale(0 0 0)"}) {
-    const Loaded loaded = read(std::string(film) + line + "\n");
+    const Loaded loaded = read(std::string(newcomer_film) + line + "\n");
     ASSERT_EQ(loaded.diagnostics.size(), 1u) << line;
     const Diagnostic& d = loaded.diagnostics[0];
     EXPECT_EQ(d.severity, Severity::warning);
     EXPECT_EQ(d.what.message, "a scale of 0 shrinks everything to a point, so nothing is visible");
     EXPECT_EQ(d.line.substr(static_cast<std::size_t>(d.what.place.column) - 1, 7), "scale(0");
   }
-  EXPECT_TRUE(read(std::string(film) + "set ball.transform scale(1 0 1)\n").diagnostics.empty());  // a shadow
+  EXPECT_TRUE(read(std::string(newcomer_film) + "set ball.transform scale(1 0 1)\n").diagnostics.empty());  // a shadow
 }
 
 // Words that are tried as kinds and as commands say what there is.
@@ -118,7 +118,7 @@ TEST(Newcomer, What_a_refused_line_would_have_made_in_bulk_is_not_missed) {
 }
 
 TEST(Newcomer, What_can_be_asked_for_has_no_parts) {
-  const Loaded loaded = read(film);
+  const Loaded loaded = read(newcomer_film);
   const std::tuple<const char*, const char*, const char*> table[] = {
       {"spin.world.w", "name spin.world", "its position is spin.world.x, .y and .z"},
       {"ball.world.w", "name ball.world", "its position is ball.world.x, .y and .z"},
@@ -135,7 +135,7 @@ TEST(Newcomer, What_can_be_asked_for_has_no_parts) {
 }
 
 TEST(Newcomer, Touching_nobody_is_said_with_who_may_be_meant) {
-  const LoadedFilm s(std::string(film) + "create eye disc\nset eye.radius = \"#touching('bal')\"\n");
+  const LoadedFilm s(std::string(newcomer_film) + "create eye disc\nset eye.radius = \"#touching('bal')\"\n");
   const std::vector<std::string> problems = s.frame("1f").problems;
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_TRUE(problems[0].starts_with("eye.radius: ")) << problems[0];

@@ -26,10 +26,10 @@ std::shared_ptr<const Mesh> two_triangles() {
   return std::make_shared<const Mesh>(std::move(m));
 }
 
-struct Memory {
+struct HeldFile {
   OpenFile file{::memfd_create("test", MFD_CLOEXEC)};
-  Memory() = default;
-  explicit Memory(const std::string& bytes) { EXPECT_EQ(write_all(file.fd(), bytes), 0); }
+  HeldFile() = default;
+  explicit HeldFile(const std::string& bytes) { EXPECT_EQ(write_all(file.fd(), bytes), 0); }
   std::string bytes() const {
     std::string all;
     EXPECT_EQ(read_all(file.fd(), all), 0);
@@ -58,7 +58,7 @@ void expect_sound(const Mesh& m) {
 }
 
 TEST(HandedOver, ComesAsItWent) {
-  Memory mesh, picture, error;
+  HeldFile mesh, picture, error;
   ASSERT_EQ(write_parsed(two_triangles(), mesh.file.fd()), 0);
   ASSERT_EQ(write_parsed(two_triangles()->parts[0].texture, picture.file.fd()), 0);
   ASSERT_EQ(
@@ -82,7 +82,7 @@ TEST(HandedOver, ComesAsItWent) {
 }
 
 TEST(HandedOver, IsNotBelieved) {
-  Memory mesh;
+  HeldFile mesh;
   ASSERT_EQ(write_parsed(two_triangles(), mesh.file.fd()), 0);
   const std::string good = mesh.bytes();
   std::mt19937 random(7);
@@ -94,21 +94,21 @@ TEST(HandedOver, IsNotBelieved) {
       bad[random() % bad.size()] = static_cast<char>(random() % 2 ? odd[random() % 7] : random() & 255);
     if (random() % 4 == 0) bad.resize(random() % bad.size());
     Parsed got;
-    const int reason = read_parsed(Memory(bad).file.fd(), got);
+    const int reason = read_parsed(HeldFile(bad).file.fd(), got);
     ASSERT_TRUE(reason == 0 || reason == EBADMSG);
     refused += reason != 0;
     if (reason == 0 && got.index() == 0) expect_sound(*std::get<0>(got));
   }
   EXPECT_GT(refused, 10'000);
   Parsed got;
-  EXPECT_EQ(read_parsed(Memory().file.fd(), got), EBADMSG);
-  EXPECT_EQ(read_parsed(Memory(good + '!').file.fd(), got), EBADMSG);
+  EXPECT_EQ(read_parsed(HeldFile().file.fd(), got), EBADMSG);
+  EXPECT_EQ(read_parsed(HeldFile(good + '!').file.fd(), got), EBADMSG);
 }
 
 TEST(HandedOver, LettersComeAsTheyWentAndAreNotBelieved) {
   const auto line = std::make_shared<const ShapedLine>(
       ShapedLine{{{3, 0, 0.5, {}}, {4, 1, 0.25, {0.125, 0, 0}}}, {{3, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}, {4, {}}}});
-  Memory letters;
+  HeldFile letters;
   ASSERT_EQ(write_parsed(line, letters.file.fd()), 0);
   Parsed got;
   ASSERT_EQ(read_parsed(letters.file.fd(), got), 0);
@@ -123,7 +123,7 @@ TEST(HandedOver, LettersComeAsTheyWentAndAreNotBelieved) {
     std::string bad = good;
     for (unsigned n = 1 + random() % 3; n > 0; --n) bad[8 + random() % (bad.size() - 8)] = static_cast<char>(random());
     if (random() % 4 == 0) bad.resize(random() % bad.size());
-    const int reason = read_parsed(Memory(bad).file.fd(), got);
+    const int reason = read_parsed(HeldFile(bad).file.fd(), got);
     ASSERT_TRUE(reason == 0 || reason == EBADMSG);
     refused += reason != 0;
     if (reason == 0)
@@ -136,7 +136,7 @@ TEST(HandedOver, LettersComeAsTheyWentAndAreNotBelieved) {
 
 TEST(HandedOver, ClaimsNoMemoryThatItNeverHad) {
   // A picture of 16384 x 16384 pixels that are all in the file's hole.
-  Memory picture;
+  HeldFile picture;
   ASSERT_EQ(write_parsed(two_triangles()->parts[0].texture, picture.file.fd()), 0);
   std::string bytes = picture.bytes();
   const std::int32_t side = 16384;
@@ -144,7 +144,7 @@ TEST(HandedOver, ClaimsNoMemoryThatItNeverHad) {
   bytes.replace(16, 4, reinterpret_cast<const char*>(&side), 4);
   bytes.replace(20, 4, reinterpret_cast<const char*>(&side), 4);
   bytes.replace(24, 8, reinterpret_cast<const char*>(&size), 8);
-  const Memory hole(bytes);
+  const HeldFile hole(bytes);
   ASSERT_EQ(::ftruncate(hole.file.fd(), static_cast<off_t>(32 + size)), 0);
   Parsed got;
   EXPECT_EQ(read_parsed(hole.file.fd(), got), EBADMSG);

@@ -128,7 +128,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::trace, {"of", "within", "point", "from", "until", "last", "width", "dash", "trim"}}},
       flat{{Kind::disc, {"radius"}},
            {Kind::polygon, {"points", "holes"}},
-           {Kind::text, {"text", "tex", "font", "size", "align", "weight", "slant", "typed"}},
+           {Kind::text, {"text", "tex", "part", "font", "size", "align", "weight", "slant", "typed"}},
            {Kind::rectangle, {"size", "corner"}},
            {Kind::ring, {"radius", "inner"}},
            {Kind::arc, {"radius", "from", "to", "width"}},

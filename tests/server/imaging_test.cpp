@@ -425,7 +425,7 @@ TEST(Imaging, WithoutAScriptNothingIsRead) {
 }
 
 // Commands of hosts cannot start programs (TeX), even if the author's script may.
-TEST(Imaging, HostsShowTheAuthorsFormulasOnly) {
+TEST(Imaging, HostsRunNoLaTeX) {
   const FakePrograms fake;
   fake.draw(fraction_drawing);
   const Folder folder;
@@ -433,7 +433,7 @@ TEST(Imaging, HostsShowTheAuthorsFormulasOnly) {
   options.load.tex = true;
   Stage s(options, folder.put("film.bx", "create f text tex=\"x\"\n"));
   const auto host = s.imaging.arrive();
-  s.refused(host, "create g text tex=\"y\"", "hosts can use only the formulas of the server's script");
+  s.refused(host, "create g text tex=\"\\\\newcommand\"", "LaTeX typesets only the formulas of the server's script");
   s.done(host, "create g text tex=\"x\"");
   EXPECT_EQ(fake.latex_calls(), 1U);
 }
