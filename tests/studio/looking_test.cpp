@@ -4,6 +4,7 @@
 // What the picture shows: parts of the film, through the eyes of its objects, with guides. None of it changes the film.
 #include "studio/viewport/looking.h"
 
+#include <QInputDialog>
 #include <QTest>
 
 #include "betwixt/pick.h"
@@ -132,6 +133,99 @@ create other camera position=(0 3 8) fov=30deg
     QVERIFY(lit(f.picture(), 400, 300));
     f.view.set_free(true);
     QVERIFY(!lit(f.picture(), 40, 225));  // a free view has no frame
+  }
+
+  void guides_are_dragged_out_of_rulers_and_back() {
+    Shown f(three);
+    QTest::mouseClick(&f.view, Qt::LeftButton, {}, QPoint(300, 4));
+    QVERIFY(f.view.switches().own_guides.empty());  // no rulers yet
+    f.view.flip(&ViewportSwitches::guides);
+    const auto guides = [&] {
+      QStringList all;
+      for (const Guide& g : f.view.switches().own_guides) all << in_words(g);
+      return all.join(", ");
+    };
+    const auto number = [&](const char* of) {
+      return std::get<double>(f.workspace.program().read(f.target_of(of), f.workspace.time()));
+    };
+    drag(f.view, {300, 4}, {300, f.spot({0, 2, 0}).y()}, Qt::ControlModifier);
+    QCOMPARE(guides(), "y 2");
+    drag(f.view, {4, 300}, {f.spot({-5, 0, 0}).x(), 300}, Qt::ControlModifier);
+    QCOMPARE(guides(), "y 2, x -5");
+    // It is painted where its coordinate is.
+    const QColor on = f.picture().pixelColor(f.spot({-5, 3, 0}));
+    QVERIFY(on != f.picture().pixelColor(f.spot({-4, 3, 0})));
+    // Its line moves it, also during the drag; Escape puts it back.
+    drag(f.view, f.spot({-5, 3, 0}), f.spot({-3, 3, 0}), Qt::ControlModifier, true);
+    QCOMPARE(guides(), "y 2, x -3");
+    QTest::keyClick(&f.view, Qt::Key_Escape);
+    QCOMPARE(guides(), "y 2, x -5");
+    QTest::mouseRelease(&f.view, Qt::LeftButton, {}, f.spot({-3, 3, 0}));
+    drag(f.view, f.spot({-5, 3, 0}), f.spot({-3, 3, 0}), Qt::ControlModifier);
+    QCOMPARE(guides(), "y 2, x -3");
+    // The middle of an object goes to them, and so do its sides.
+    f.select("ball");
+    drag(f.view, f.spot({0.5, -0.5, 0}), f.spot({-2.5, 1.5, 0}) + QPoint(3, -4));
+    QCOMPARE(number("ball.position.x"), -3.0);
+    QCOMPARE(number("ball.position.y"), 2.0);
+    f.workspace.undo();
+    f.select("ball");
+    drag(f.view, f.spot({0.5, -0.5, 0}), f.spot({-1.5, 0, 0}) + QPoint(4, 0));
+    QCOMPARE(number("ball.position.x"), -2.0);  // its left side lies on the guide
+    f.workspace.undo();
+    QCOMPARE(f.text(), f.before);
+    // In a view along x there is no upright guide for x, and in perspective there are no rulers.
+    f.view.look_along({-1, 0, 0});
+    drag(f.view, {4, 300}, {400, 300}, Qt::ControlModifier);
+    QVERIFY(guides().startsWith("y 2, x -3, z"));
+    f.view.toggle_perspective();
+    drag(f.view, {4, 300}, {500, 300});
+    QCOMPARE(f.view.switches().own_guides.size(), std::size_t{3});
+    f.view.set_free(false);
+    // Where they came from, they go away; and outside.
+    drag(f.view, {f.spot({-3, 0, 0}).x(), 4}, {4, 200});
+    QVERIFY(!guides().contains("x"));
+    drag(f.view, {4, f.spot({0, 2, 0}).y()}, {4, -20});
+    QVERIFY(!guides().contains("y"));
+    QCOMPARE(f.text(), f.before);
+  }
+
+  void guides_are_made_without_a_mouse_and_kept_by_film() {
+    QCOMPARE(guide_of(" x=2.5 "), std::optional(Guide{0, 2.5}));
+    QCOMPARE(guide_of("Z -1"), std::optional(Guide{2, -1}));
+    for (const char* bad : {"", "x", "w 2", "x two", "xy 2", "x 1 2", "x nan"}) QVERIFY(!guide_of(bad));
+    Shown f(three);
+    f.view.guide_selection();
+    QVERIFY(!f.view.refusal().isEmpty());
+    f.select("card");
+    f.view.guide_selection();
+    QVERIFY(f.view.switches().guides);
+    QCOMPARE(f.view.switches().own_guides, (Guides{{0, 4}, {1, 0}}));
+    const auto type = [&](const char* words) {
+      QTimer::singleShot(0, &f.view, [words] {
+        auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+        dialog->setTextValue(words);
+        QTest::keyClick(dialog, Qt::Key_Return);
+      });
+      f.view.ask_guide();
+    };
+    type("y 1.25");
+    QCOMPARE(f.view.switches().own_guides.back(), (Guide{1, 1.25}));
+    type("y 1.25");
+    QCOMPARE(f.view.switches().own_guides.size(), std::size_t{2});
+    type("up");
+    QVERIFY(f.view.refusal().contains("x 2.5"));
+    f.view.guide_selection();
+    QVERIFY(f.view.switches().own_guides.empty());
+    // In the settings they stand by film.
+    const Guides all{{0, 4}, {1, -0.1}};
+    keep_guides("/films/a.bx", all), keep_guides("/films/b.bx", {{2, 1}}), keep_guides("", all);
+    QCOMPARE(kept_guides("/films/a.bx"), all);
+    keep_guides("/films/a.bx", {});
+    QVERIFY(kept_guides("/films/a.bx").empty() && kept_guides("").empty());
+    QCOMPARE(kept_guides("/films/b.bx"), (Guides{{2, 1}}));
+    keep_guides("/films/b.bx", {});
+    QCOMPARE(f.text(), f.before);
   }
 
   void what_is_moved_snaps_to_points_and_surfaces() {

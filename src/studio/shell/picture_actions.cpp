@@ -56,6 +56,23 @@ std::vector<ActionRow> picture_rows() {
           "magnet snap vertex face grid align"),
       toggle<&ViewportSwitches::measures>("Measure", "Click two points: you see their distance. Escape ends it.",
                                           "ruler distance length tape"),
+      toggle<&ViewportSwitches::guides>(
+          "Rulers and guides",
+          "In views along an axis, without perspective: drag a guide out of a ruler, and back to remove it. What you "
+          "move goes to guides.",
+          "guide ruler snap align layout line"),
+      {"Picture", "Guide at…", "", "Type `x 2.5` for a guide there; the same once more removes it.",
+       [](Window& w) { w.viewport().ask_guide(); }, nullptr, "add ruler line place"},
+      {"Picture", "Guides at selection", "",
+       "Puts guides through the middle of the object that you selected last; once more removes them.",
+       [](Window& w) { w.viewport().guide_selection(); }, nullptr, "add ruler line align"},
+      {"Picture", "Remove guides", "", "Removes all guides of this film.",
+       [](Window& w) {
+         ViewportSwitches s = w.viewport().switches();
+         s.own_guides.clear();
+         w.viewport().set_switches(s);
+       },
+       nullptr, "clear delete ruler"},
       toggle<&ViewportSwitches::thirds>("Thirds", "Divides the film's frame into nine equal parts.",
                                         "rule of thirds composition guides"),
   };

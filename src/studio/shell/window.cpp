@@ -127,7 +127,7 @@ Window::Window(Workspace& workspace, Manner manner)
   for (const Preference& row : preference_rows()) apply(text_of(row.name));
   connect(&Preferences::of_user(), &Preferences::changed, this, &Window::apply);
   connect(&Keys::of_user(), &Keys::changed, this, &Window::apply_keys);
-  if (manner_.remembers) recall();
+  if (manner_.remembers) recall(), follow_guides();
   name_film();
 }
 
@@ -343,6 +343,7 @@ void Window::remember() {
   if (!manner_.bare) settings.setValue("geometry", window()->saveGeometry()), settings.setValue("panels", saveState());
   const ViewportSwitches& s = viewport_->switches();
   settings.setValue("safe-frames", s.safe), settings.setValue("thirds", s.thirds), settings.setValue("snaps", s.snaps);
+  settings.setValue("rulers", s.guides);
 }
 
 // The studio must start whatever the settings hold: if a start does not finish, the next one drops the geometry of the
@@ -353,7 +354,7 @@ void Window::recall() {
   QSettings settings("betwixt", "studio");
   ViewportSwitches s = viewport_->switches();
   s.safe = settings.value("safe-frames").toBool(), s.thirds = settings.value("thirds").toBool();
-  s.snaps = settings.value("snaps").toBool();
+  s.snaps = settings.value("snaps").toBool(), s.guides = settings.value("rulers").toBool();
   viewport_->set_switches(s);
   if (manner_.bare) return;
   if (settings.contains("starting")) settings.remove("geometry"), settings.remove("panels");

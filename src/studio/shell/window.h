@@ -109,6 +109,7 @@ class Window : public QMainWindow {
   void note_file();
   void list_recent();
   void recall();
+  void follow_guides();
   void apply(const QString& preference);
   void apply_keys();
   void scale_text(double);

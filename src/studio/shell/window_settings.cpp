@@ -19,6 +19,7 @@
 #include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
+#include "studio/viewport/viewport.h"
 
 namespace betwixt::studio {
 namespace {
@@ -44,6 +45,20 @@ void Window::scale_text(double size) {
     if (w->testAttribute(Qt::WA_SetFont) && w->font().pointSizeF() > 0) w->setFont(scaled(w->font(), by));
   size_all_text(size);
   for (QDockWidget* dock : docks_) dock->setFont(QApplication::font());
+}
+
+// Guides belong to a film and are kept in the settings, because they are no part of it.
+void Window::follow_guides() {
+  const auto read = [this] {
+    ViewportSwitches s = viewport_->switches();
+    s.own_guides = kept_guides(workspace_.session().file());
+    viewport_->set_switches(s);
+  };
+  const auto keep = [this] { keep_guides(workspace_.session().file(), viewport_->switches().own_guides); };
+  connect(&workspace_, &Workspace::opened, this, read);
+  connect(&workspace_, &Workspace::named, this, keep);
+  connect(viewport_, &Viewport::switches_changed, this, keep);
+  read();
 }
 
 // Lets a setting have its effect here.

@@ -14,6 +14,8 @@ namespace {
 constexpr double grip = 7;  // pixels around a handle in which it can be grabbed
 constexpr double fineness = 0.1;
 constexpr double snap_angle = 15;
+constexpr double guide_reach = 8;   // pixels
+constexpr double exact = 1e-6;      // metres
 constexpr double snap_pixels = 20;  // snap steps are at least this large
 
 constexpr Part axes_parts[] = {Part::x, Part::y, Part::z}, planes[] = {Part::yz, Part::zx, Part::xy};
@@ -249,7 +251,7 @@ double Pull::along(Vec3 axis, QPointF p) const {
   return (b * dot(ray.along, from) - dot(axis, from)) / c;
 }
 
-Vec3 Pull::way() const {
+Vec3 Pull::way_of_pointer() const {
   if (target_ && !typed()) {
     const Vec3 by = *target_ - hand_.place();
     if (!is_axis(part_) && !is_plane(part_)) return by;
@@ -294,6 +296,35 @@ Vec3 Pull::way() const {
   return out;
 }
 
+// Returns how far to go so that the place or a side of the box lies on the nearest guide within reach.
+std::optional<double> Pull::way_to_guide(int axis, double by) const {
+  const double from = hand_.place()[axis];
+  std::optional<double> found;
+  double nearest = guide_reach * step_;
+  for (const Guide& g : guides_)
+    for (const double side :
+         {from, around_.empty() ? from : around_.low[axis], around_.empty() ? from : around_.high[axis]})
+      if (const double away = std::abs(side + by - g.at); g.axis == axis && away < nearest)
+        nearest = away, found = g.at - side;
+  return found;
+}
+
+std::pair<Vec3, double> Pull::way() const {
+  Vec3 by = way_of_pointer();
+  if (typed() || target_) return {by, exact};
+  if (own_axes_ && is_axis(part_)) return {by, step_};
+  bool guided = false;
+  Vec3 to = by;
+  for (int i = 0; i < 3; ++i) {
+    if (part_ != Part::all && !is_along(i)) continue;
+    const auto there = way_to_guide(i, by[i]);
+    guided = guided || there;
+    if (there || std::abs(by[i]) > 1e-9)
+      to[i] = there.value_or(rounded(hand_.place()[i] + by[i], step_) - hand_.place()[i]);
+  }
+  return guided ? std::pair(to, exact) : std::pair(by, step_);
+}
+
 Vec3 Pull::turned_about() const { return is_axis(part_) ? axis(axis_of(part_)) : -scope_.projection.forward(); }
 
 double Pull::angle() const {
@@ -336,7 +367,7 @@ Vec3 Pull::factors() const {
 }
 
 std::vector<std::string> Pull::lines() const {
-  if (tool_ == Tool::move) return hand_.move(way(), is_exact() ? 1e-6 : step_);
+  if (tool_ == Tool::move) return std::apply([&](Vec3 by, double step) { return hand_.move(by, step); }, way());
   if (tool_ == Tool::turn) return hand_.turn(turned_about(), angle() * pi / 180, step_);
   return hand_.scale(factors(), step_);
 }
@@ -351,8 +382,7 @@ std::string Pull::in_words() const {
     const int shown = is_axis(part_) ? axis_of(part_) : is_plane(part_) ? (axis_of(part_) + 1) % 3 : 0;
     return "scale" + on + ": × " + number(f[shown], 0.001);
   }
-  const Vec3 w = way();
-  const double step = is_exact() ? 1e-6 : step_;
+  const auto [w, step] = way();
   if (is_axis(part_)) return "move" + on + ": " + number(dot(w, axis(axis_of(part_))), step) + " m";
   return "move" + on + ": (" + number(w.x, step) + " " + number(w.y, step) + " " + number(w.z, step) + ") m";
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "betwixt/pick.h"
+#include "studio/viewport/guides.h"
 #include "studio/viewport/hand.h"
 
 namespace betwixt::studio {
@@ -66,6 +67,9 @@ class Pull {
   void snap_to(std::optional<Vec3> place) { target_ = place; }
   // While it snaps: goes to multiples of this many metres in the world.
   void snap_to_lines(double metres) { lines_ = metres; }
+  // Goes to guides that its place, or a side of the box around what is moved, is near to. Places and numbers come
+  // first.
+  void snap_to_guides(Guides guides, const Box& around) { guides_ = std::move(guides), around_ = around; }
   std::optional<Vec3> target() const { return tool_ == Tool::move ? target_ : std::nullopt; }
   // Constrains to x, y, z or a plane; the same one again lifts the constraint.
   void constrain(Part);
@@ -85,8 +89,10 @@ class Pull {
 
  private:
   std::optional<double> typed() const;
-  bool is_exact() const { return typed() || target_; }
-  Vec3 way() const;
+  // The way to go, in metres, and the step to which it is rounded.
+  std::pair<Vec3, double> way() const;
+  Vec3 way_of_pointer() const;
+  std::optional<double> way_to_guide(int axis, double by) const;
   double along(Vec3 axis, QPointF) const;
   double angle() const;
   Vec3 turned_about() const;
@@ -102,6 +108,8 @@ class Pull {
   std::optional<Vec3> target_;
   double lines_ = 0;  // metres between the lines of the grid to snap to; 0: in steps from where it was
   double step_;       // metres of a pixel
+  Guides guides_;
+  Box around_;
   QString typed_;
 };
 

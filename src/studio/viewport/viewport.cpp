@@ -159,6 +159,8 @@ void Viewport::mousePressEvent(QMouseEvent* e) {
                                                                                    : Gesture::orbit;
     pivot_ = pivot();
     setCursor(gesture_ == Gesture::pan ? Qt::ClosedHandCursor : Qt::SizeAllCursor);
+  } else if (e->button() == Qt::LeftButton && take_guide(from_)) {
+    drag_guide(from_, e->modifiers());
   } else if (e->button() == Qt::LeftButton && switches_.measures) {
     measure_to(from_);
   } else if (e->button() == Qt::LeftButton) {
@@ -178,6 +180,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* e) {
       const auto h = handles();
       const Part hot = h && !hot_motion ? h->part_at(at_) : Part::none;
       if (std::exchange(hot_, hot) != hot) update();
+      show_cursor_of_guide(at_);
       break;
     }
     case Gesture::orbit:
@@ -201,6 +204,9 @@ void Viewport::mouseMoveEvent(QMouseEvent* e) {
       break;
     case Gesture::motion:
       drag_motion(at_, e->modifiers());
+      break;
+    case Gesture::guide:
+      drag_guide(at_, e->modifiers());
       break;
   }
 }
@@ -228,6 +234,9 @@ void Viewport::mouseReleaseEvent(QMouseEvent* e) {
       break;
     case Gesture::motion:
       end_motion(true);
+      break;
+    case Gesture::guide:
+      end_guide(true);
       break;
     case Gesture::none:
       break;
@@ -271,6 +280,7 @@ void Viewport::keyPressEvent(QKeyEvent* e) {
     if (!pulling_key(e)) e->ignore();
     return;
   }
+  if (guide_drag_) return e->key() == Qt::Key_Escape ? end_guide(false) : e->ignore();
   if (motion_drag_) return e->key() == Qt::Key_Escape ? end_motion(false) : e->ignore();
   const bool shift = e->modifiers() & Qt::ShiftModifier;
   const bool plain = !(e->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) && (!shift || e->key() == Qt::Key_A);

@@ -34,6 +34,8 @@ struct ViewportSwitches {
   bool key_ghosts = false;            // the selection at the events around the playhead
   bool snaps = false;                 // what a hand moves goes to points and surfaces of other objects
   bool measures = false;              // clicks measure distances
+  bool guides = false;                // rulers at the edges, and the guides that the user has dragged out of them
+  Guides own_guides = {};
   friend bool operator==(const ViewportSwitches&, const ViewportSwitches&) = default;
 };
 
@@ -78,6 +80,9 @@ class Viewport : public QWidget {
   // Starts a transform of the selection by the mouse, without a handle: G, R and S.
   void take(Tool);
   bool pulls() const { return pull_.has_value(); }
+  // Puts guides through the active object, or removes them if they are there.
+  void guide_selection();
+  void ask_guide();                                    // at a place that the user types
   const QString& refusal() const { return refusal_; }  // why some object cannot be transformed; or ""
 
   // Describes the measured distance: "3.6 m (2 3 0)"; "" before two points.
@@ -116,7 +121,7 @@ class Viewport : public QWidget {
   void dropEvent(QDropEvent*) override;
 
  private:
-  enum class Gesture { none, orbit, pan, zoom, press, box, pull, motion };
+  enum class Gesture { none, orbit, pan, zoom, press, box, pull, motion, guide };
   struct Icon {  // of an object without a shape
     ObjectId id;
     Kind kind;
@@ -176,6 +181,21 @@ class Viewport : public QWidget {
   const std::vector<Icon>& icons() const;
 
   QString in_words(ObjectId) const;
+
+  // The user's guides (viewport_guides.cpp)
+  std::optional<std::pair<int, int>> guided_axes() const;  // nullopt: this view shows no guides
+  double ruler() const;                                    // its width; 0 if there is none
+  double place_on(int axis, QPointF) const;                // metres
+  double spot_on(int axis, double place) const;            // pixels
+  std::optional<Guide> guide_at(QPointF) const;
+  bool take_guide(QPointF);
+  void drag_guide(QPointF, Qt::KeyboardModifiers);
+  void end_guide(bool carry_out);
+  void show_cursor_of_guide(QPointF);
+  void set_guides(Guides);
+  Guides shown_guides() const;
+  void paint_own_guides(QPainter&) const;
+  void paint_ruler(QPainter&, bool across) const;
 
   // Painting (viewport_painting.cpp)
   QImage layer() const;  // clear, of the widget's size
@@ -240,6 +260,14 @@ class Viewport : public QWidget {
   };
   std::optional<MotionDrag> motion_drag_;
   std::optional<MotionHandles::Part> hot_motion_;
+  struct GuideDrag {
+    Guides others;  // the guides without the one that is dragged
+    std::optional<Guide> first;
+    int axis;
+    std::optional<Guide> now;  // nullopt: it is over a ruler or outside, and goes away
+  };
+  std::optional<GuideDrag> guide_drag_;
+  Box held_box_;                                    // around what is pulled, at the start
   Marks held_;                                      // what is pulled, with all that hangs on it
   std::vector<Vec3> measured_;                      // at most two points
   bool pull_by_keys_ = false, called_off_ = false;  // the latter by the button that otherwise opens a menu

@@ -135,11 +135,12 @@ void Viewport::set_plain(bool plain) {
 
 void Viewport::place_corner() {
   const int margin = fontMetrics().height() / 3;
+  const int edge = static_cast<int>(ruler()) + margin;
   corner_->adjustSize(), eye_corner_->adjustSize();
-  corner_->move(margin, margin);
-  const bool below = !side_ && corner_->width() + eye_corner_->width() + 3 * margin > width();
+  corner_->move(edge, edge);
+  const bool below = !side_ && edge + corner_->width() + eye_corner_->width() + 2 * margin > width();
   eye_corner_->move(std::max(margin, width() - eye_corner_->width() - margin),
-                    below ? corner_->height() + 2 * margin : margin);
+                    below ? corner_->height() + edge + margin : edge);
 }
 
 }  // namespace betwixt::studio

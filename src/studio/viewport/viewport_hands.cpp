@@ -164,6 +164,7 @@ void Viewport::begin_pull(Tool tool, Part part, QPointF from, std::optional<Even
   pull_.emplace(scope(), tool, part, std::move(hand), from, switches_.own_axes);
   gesture_ = Gesture::pull, pull_by_keys_ = false;
   held_ = Marks(with_what_hangs_on(event ? std::vector{event->target.object} : workspace_.selected()));
+  held_box_ = event ? Box() : box_of(workspace_.selected());
   say_refusal();
   update();
 }
@@ -187,6 +188,7 @@ void Viewport::go_on_pulling(QPointF p, Qt::KeyboardModifiers modifiers) {
   pull_->move_to(p, modifiers & Qt::ShiftModifier, grid);
   pull_->snap_to_lines(switches_.grid ? grid_step(pull_->scope()) : 0);
   pull_->snap_to(switches_.snaps && !grid ? snap_place(p, held_) : std::nullopt);
+  pull_->snap_to_guides(shown_guides(), held_box_);
   show_pull();
 }
 

@@ -61,6 +61,7 @@ void Viewport::paintEvent(QPaintEvent*) {
     paint_pull(p);
   else if (const auto h = handles())
     h->paint(p, hot_);
+  if (switches_.guides) paint_own_guides(p);
   if (switches_.measures) paint_measure(p, s);
   if (switches_.auto_key) paint_auto_key(p);
   paint_words(p);
@@ -335,6 +336,8 @@ void Viewport::paint_words(QPainter& p) {
     p.drawRect(QRectF(from_, at_).normalized());
   }
   QString words = pull_ ? QString::fromStdString(pull_->in_words()) : QString();
+  if (guide_drag_)
+    words = guide_drag_->now ? tr("guide at %1 m").arg(studio::in_words(*guide_drag_->now)) : tr("removes the guide");
   if (words.isEmpty() && workspace_.left_out()) words = tr("only a part of the film is shown: / shows everything");
   if (!refusal_.isEmpty()) words += (words.isEmpty() ? "" : " — ") + refusal_;
   if (words.isEmpty()) return;
