@@ -124,9 +124,11 @@ class Hands {
     const std::string text = workspace_.text();
     const auto all = value_parts(d, workspace_.program(), text, *on, workspace_.time());
     if (all.empty()) return;
-    const ValuePart &a = all[below(static_cast<unsigned>(all.size()))],
-                    &b = all[below(static_cast<unsigned>(all.size()))];
-    Lines lines = below(2) ? switch_part(text, a) : below(2) ? remove_part(d, text, a) : exchange_parts(d, text, a, b);
+    const std::size_t from = below(static_cast<unsigned>(all.size())), to = below(static_cast<unsigned>(all.size()));
+    const ValuePart& a = all[from];
+    Lines lines = below(2)   ? switch_part(text, a)
+                  : below(2) ? remove_part(d, text, a)
+                             : move_part(d, text, all, from, to);
     if (below(2) && !a.fields.empty())
       lines = change_part(d, text, a, a.fields.back(), 0, std::to_string(1 + below(3)), workspace_.time());
     if (!lines.empty()) workspace_.say(lines);

@@ -4,6 +4,7 @@
 // Tests the parts of a value in the properties: what is added, tuned, switched off, exchanged and removed. Each test
 // compares the film with that of a script that an author would write.
 #include <QCheckBox>
+#include <QLabel>
 #include <QMenu>
 #include <QTest>
 
@@ -171,6 +172,60 @@ class PartsTest : public QObject {
              "# a remark\nfilter ball.radius quantise by=1\n");
     s.workspace.undo();
     QCOMPARE(s.text().toStdString(), film);
+  }
+
+  void filters_are_dragged_to_another_place() {
+    const std::string film =
+        "create ball sphere\nball.radius\n  1f 1\n  24f 3\nfilter ball.radius quantise by=1\n"
+        "# a remark\nfilter ball.radius wobble amount=0.1\n# filter ball.radius limit low=1\n\nset ball.color red\n";
+    Shown s(QByteArray::fromStdString(film));
+    PartsView& view = s.parts("radius");
+    QCOMPARE(Shown::titles(view).mid(1), (QStringList{"quantise", "wobble", "limit"}));
+    const auto pull = [&](int part, int to, bool held) {
+      QApplication::processEvents();  // new rows get their places
+      auto& grip = Shown::in<QLabel>(view, part, "grip");
+      auto& other = Shown::in<QToolButton>(view, to, "title");
+      const QPoint at = grip.mapFromGlobal(other.mapToGlobal(other.rect().center()));
+      QTest::mousePress(&grip, Qt::LeftButton, {}, grip.rect().center());
+      for (const QPoint& p : {grip.rect().center() + QPoint(0, 2), at}) {
+        QMouseEvent move(QEvent::MouseMove, p, grip.mapToGlobal(p), Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(&grip, &move);
+      }
+      if (!held) QTest::mouseRelease(&grip, Qt::LeftButton, {}, at);
+    };
+    pull(1, 3, true);
+    QVERIFY(s.workspace.looks_ahead());  // the picture shows what the line would do
+    QTest::keyClick(&Shown::in<QLabel>(view, 1, "grip"), Qt::Key_Escape);
+    QVERIFY(!s.workspace.looks_ahead());
+    QTest::mouseRelease(&Shown::in<QLabel>(view, 1, "grip"), Qt::LeftButton);
+    QCOMPARE(s.text().toStdString(), film);
+    pull(1, 3, false);
+    QCOMPARE(s.text().toStdString(),
+             "create ball sphere\nball.radius\n  1f 1\n  24f 3\nfilter ball.radius wobble amount=0.1\n"
+             "# a remark\n# filter ball.radius limit low=1\nfilter ball.radius quantise by=1\n\nset ball.color red\n");
+    QCOMPARE(Shown::titles(view).mid(1), (QStringList{"wobble", "limit", "quantise"}));
+    pull(3, 1, false);
+    QCOMPARE(s.text().toStdString(), film);
+    s.workspace.undo(), s.workspace.undo();
+    QCOMPARE(s.text().toStdString(), film);
+    pull(1, 0, false);  // the events are no filter
+    QCOMPARE(s.text().toStdString(), film);
+  }
+
+  void filters_of_a_pattern_are_dragged_for_one_object() {
+    Shown s(
+        "create b{1..2} sphere\nb*.radius\n  1f 1\n  24f 3\nfilter b*.radius wobble amount=0.1\n"
+        "filter b*.radius limit low=0.5\nfilter b1.radius quantise by=1\n",
+        "b1");
+    PartsView& view = s.parts("radius");
+    const std::string text = s.workspace.text();
+    s.workspace.say(move_part(s.workspace.document(), text, view.parts(), 1, 3));
+    QVERIFY(
+        s.is("create b{1..2} sphere\nb*.radius\n  1f 1\n  24f 3\nfilter b2.radius wobble amount=0.1\n"
+             "filter b2.radius limit low=0.5\nfilter b1.radius limit low=0.5\nfilter b1.radius quantise by=1\n"
+             "filter b1.radius wobble amount=0.1\n"));
+    s.workspace.undo();
+    QCOMPARE(s.workspace.text(), text);
   }
 
   // A line of several objects stays as it is; the filters of the one object are written anew.

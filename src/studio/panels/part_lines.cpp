@@ -191,20 +191,33 @@ Lines switch_part(const std::string& text, const ValuePart& part) {
   return {rewriting_line(text, part.lines, part.off ? line.substr(comment_sign(line)) : "# " + line)};
 }
 
-Lines exchange_parts(const Document& d, const std::string& text, const ValuePart& a, const ValuePart& b) {
-  if (a.what != What::filter || b.what != What::filter || a.target.layer != b.target.layer) return {};
-  if (!a.own || !b.own) {
-    if (a.off || b.off) return {};
-    const std::vector<std::string> all = own_filter_lines(d, a.target);
-    return filters_anew(d, a.target, [&](const std::string& line, std::size_t i, Lines& lines) {
-      lines.push_back(i == a.index ? all[b.index] : i == b.index ? all[a.index] : line);
+// The filters between both places keep their order and move by one. Their lines exchange places; what is between the
+// lines stays there.
+Lines move_part(const Document& d, const std::string& text, const std::vector<ValuePart>& parts, std::size_t from,
+                std::size_t to) {
+  const auto [first, last] = std::minmax(from, to);
+  if (first == last || last >= parts.size()) return {};
+  const std::vector<ValuePart> there(parts.begin() + static_cast<std::ptrdiff_t>(first),
+                                     parts.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  for (const ValuePart& p : there)
+    if (p.what != What::filter || p.target.layer != there[0].target.layer) return {};
+  std::vector<ValuePart> then = there;
+  from < to ? std::ranges::rotate(then, then.begin() + 1) : std::ranges::rotate(then, then.end() - 1);
+  const auto any = [&](auto is) { return std::ranges::any_of(there, is); };
+  if (any([](const ValuePart& p) { return !p.own; })) {
+    if (any(&ValuePart::off)) return {};
+    const std::vector<std::string> all = own_filter_lines(d, there[0].target);
+    return filters_anew(d, there[0].target, [&](const std::string& line, std::size_t i, Lines& lines) {
+      const std::size_t k = i - there[0].index;  // beyond the end if it stays
+      lines.push_back(k < then.size() ? all[then[k].index] : line);
     });
   }
-  const ValuePart &upper = a.lines.at < b.lines.at ? a : b, &lower = a.lines.at < b.lines.at ? b : a;
-  const std::size_t behind = upper.lines.end();
-  return {rewriting_line(text, {upper.lines.at, lower.lines.end() - upper.lines.at},
-                         part_of_text(text, lower.lines) + text.substr(behind, lower.lines.at - behind) +
-                             part_of_text(text, upper.lines))};
+  std::string anew;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    anew += part_of_text(text, then[i].lines);
+    if (i + 1 < there.size()) anew += text.substr(there[i].lines.end(), there[i + 1].lines.at - there[i].lines.end());
+  }
+  return {rewriting_line(text, {there[0].lines.at, there.back().lines.end() - there[0].lines.at}, anew)};
 }
 
 }  // namespace betwixt::studio

@@ -79,6 +79,7 @@ void PartsView::retire() {
 
 void PartsView::rebuild() {
   retire();
+  drag_.reset();
   for (const PartRow& row : rows_) row.box->hide(), row.box->deleteLater();
   rows_.clear();
   for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -99,6 +100,7 @@ PartsView::PartRow PartsView::make_row(std::size_t i) {
   lines->addLayout(line);
   const QString name = text_of(part.title);
   if (part.what == What::filter) {
+    line->addWidget(make_grip(row.box));
     row.on = new QCheckBox(row.box);
     row.on->setObjectName("on"), row.on->setAccessibleName(tr("%1 is on").arg(name));
     row.on->setEnabled(part.own);
@@ -119,7 +121,7 @@ PartsView::PartRow PartsView::make_row(std::size_t i) {
     for (const auto& [button, by] : {std::pair(row.up, -1), std::pair(row.down, 1)}) {
       connect(button, &QToolButton::clicked, this, [this, i, by] {
         if (const auto other = neighbour(i, by))
-          say(exchange_parts(workspace_.document(), workspace_.text(), parts_[i], parts_[*other]));
+          say(move_part(workspace_.document(), workspace_.text(), parts_, i, *other));
       });
       line->addWidget(button);
     }

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "studio/panels/value_parts.h"
 
@@ -26,6 +27,9 @@ class PartsView : public QWidget {
   const std::vector<ValuePart>& parts() const { return parts_; }
   // Returns the first field of a part that was not there before; null if there is none.
   QWidget* first_new_field(const std::vector<ValuePart>& before) const;
+
+ protected:
+  bool eventFilter(QObject*, QEvent*) override;
 
  private:
   struct PartRow {
@@ -47,6 +51,11 @@ class PartsView : public QWidget {
   void key_weight(std::size_t part);
   bool weight_event_here(const ValuePart&) const;
   std::optional<std::size_t> neighbour(std::size_t part, int by) const;
+  // Drags of a row by its grip.
+  QWidget* make_grip(QWidget* row);
+  std::size_t place_under(int y) const;
+  void drag_to(int y);
+  void end_drag(bool carry_out);
 
   Workspace& workspace_;
   Target whole_;
@@ -54,6 +63,11 @@ class PartsView : public QWidget {
   std::vector<PartRow> rows_;
   std::vector<std::string> built_;  // the rows as built
   QVBoxLayout* column_;
+  struct RowDrag {
+    std::size_t from, to;
+  };
+  std::optional<RowDrag> drag_;
+  QWidget* mark_ = nullptr;  // where the dragged row would be
 };
 
 }  // namespace betwixt::studio

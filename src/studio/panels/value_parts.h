@@ -47,8 +47,9 @@ Lines change_part(const Document&, const std::string& text, const ValuePart&, co
 Lines remove_part(const Document&, const std::string& text, const ValuePart&);
 // Turns a filter off by making its line a comment, and on again.
 Lines switch_part(const std::string& text, const ValuePart&);
-// Exchanges two filters of a track.
-Lines exchange_parts(const Document&, const std::string& text, const ValuePart&, const ValuePart&);
+// Moves a filter to the place of another one on the same track.
+Lines move_part(const Document&, const std::string& text, const std::vector<ValuePart>&, std::size_t from,
+                std::size_t to);
 
 // Returns the line `rewrite …` that replaces a part of a text.
 std::string rewriting_line(const std::string& text, Span, std::string_view by);
