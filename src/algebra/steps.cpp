@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "algebra/stepper.h"
+#include "base/counted.h"
 
 namespace betwixt {
 namespace {
@@ -65,7 +66,8 @@ Result<Steps<Number>> Steps<Number>::make(const Motion& motion, std::int64_t ste
                                           std::span<const Number> x, std::span<const Number> y) {
   if (auto bad = ready(motion, steps); !bad) return bad.error();
   if (x.size() != y.size())
-    return fail(ErrorCode::range, fmt::format("{} points have an x and {} have a y", x.size(), y.size()));
+    return fail(ErrorCode::range, fmt::format("there are {} for x and {} for y: each point needs both",
+                                              counted(x.size(), "number"), counted(y.size(), "number")));
   auto plan = planned<double>(motion, steps, method, x.size());
   if (!plan) return plan.error();
   return Steps(std::unique_ptr<State>(new State{Stepper<Number>(*std::move(plan), motion, x, y)}));

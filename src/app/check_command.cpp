@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
+#include "base/counted.h"
 #include "base/error_words.h"
 #include "base/json.h"
 #include "base/tell_user.h"
@@ -15,8 +16,6 @@
 
 namespace betwixt {
 namespace {
-
-std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 struct CheckCall {
   std::string file;

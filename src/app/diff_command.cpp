@@ -10,6 +10,7 @@
 #include "app/diff_page.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
+#include "base/counted.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "base/tell_user.h"
@@ -88,7 +89,9 @@ class FramesCompared {
 
   bool same() const { return runs_.empty(); }
   std::string words() const {
-    if (same()) return fmt::format("all {} frames are the same to the byte", frames_.count);
+    if (same())
+      return frames_.count == 1 ? std::string("the frame is the same to the byte")
+                                : fmt::format("all {} frames are the same to the byte", frames_.count);
     std::string all;
     std::size_t said = 0;
     constexpr std::size_t most = 8;
@@ -123,9 +126,10 @@ class FramesCompared {
       auto a = picture_at(old_, t, options_), b = picture_at(now_, t, options_);
       if (!a) return a.error();
       if (!b) return b.error();
-      all.push_back({fmt::format("Frame {}: {} pixels differ, by up to {} of 255", name(r.worst.index),
-                                 r.worst.by.pixels, r.worst.by.most),
-                     *std::move(a), *std::move(b)});
+      all.push_back(
+          {fmt::format("Frame {}: {} {}, by up to {} of 255", name(r.worst.index), counted(r.worst.by.pixels, "pixel"),
+                       r.worst.by.pixels == 1 ? "differs" : "differ", r.worst.by.most),
+           *std::move(a), *std::move(b)});
     }
     return all;
   }

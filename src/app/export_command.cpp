@@ -10,6 +10,7 @@
 #include "app/command.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
+#include "base/counted.h"
 #include "base/tell_user.h"
 #include "betwixt/export.h"
 #include "betwixt/object.h"
@@ -93,7 +94,7 @@ int export_motion(ExportCall& call) {
   if (!made) return complain(made.error(), wrong_call);
   if (const Status sent = outgoing->send(); !sent) return complain(sent.error(), machine_failed);
   for (const std::string& sentence : made->left_out) tell_user(fmt::format("betwixt: notice: {}\n", sentence));
-  fmt::print(stderr, "{} object{}, {} keys", made->objects, made->objects == 1 ? "" : "s", made->keys);
+  fmt::print(stderr, "{}, {}", counted(made->objects, "object"), counted(made->keys, "key"));
   if (made->baked > 0)
     fmt::print(stderr, " ({:.0f} % of one a frame)",
                100.0 * static_cast<double>(made->keys) / static_cast<double>(made->baked));

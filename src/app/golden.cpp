@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "app/command.h"
+#include "base/counted.h"
 #include "base/files.h"
 #include "betwixt/picture.h"
 #include "editor/plain_values.h"
@@ -185,8 +186,8 @@ class GoldenFilm {
     if (!same_size)
       return fails(line, fmt::format("{}: expected {}x{} pixels, found {}x{}{}", e.path, (*wanted)->width,
                                      (*wanted)->height, picture->width, picture->height, see));
-    fails(line, fmt::format("{} at {}: expected within {}, found {} of 255 in {} pixels{}", e.path, e.time,
-                            write_number(e.within), d.most, d.pixels, see));
+    fails(line, fmt::format("{} at {}: expected within {}, found {} of 255 in {}{}", e.path, e.time,
+                            write_number(e.within), d.most, counted(d.pixels, "pixel"), see));
   }
   static std::string beside(fs::path path, const char* end) { return path.replace_extension().string() + end; }
 

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "app/command.h"
+#include "base/counted.h"
 #include "base/tell_user.h"
 #include "film/output.h"
 
@@ -91,8 +92,7 @@ int say_made(const Result<FilmStats>& made, const FilmOptions& options) {
   }
   if (!made) return complain(made.error(), wrong_call);
   const int painted = made->frames - made->found;
-  tell_user(
-      fmt::format("{} frame{} in {}, {}", painted, painted == 1 ? "" : "s", duration(made->seconds), options.path));
+  tell_user(fmt::format("{} in {}, {}", counted(painted, "frame"), duration(made->seconds), options.path));
   if (made->found > 0) fmt::print(stderr, "; {} already {} there", made->found, made->found == 1 ? "was" : "were");
   fmt::print(stderr, "\n");
   return all_done;

@@ -15,6 +15,7 @@
 #include "app/subcommand.h"
 #include "app/version.h"
 #include "base/base64.h"
+#include "base/counted.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "base/names.h"
@@ -130,7 +131,7 @@ Outcome open_film(Film& film, const Json& args) {
 
 Outcome show_film(Film& film, const Json&) {
   const Document& d = film.session.document();
-  std::string text = fmt::format("{} frames, {} a second\n", d.frame_count(), d.rate().per_second());
+  std::string text = fmt::format("{}, {} a second\n", counted(d.frame_count(), "frame"), d.rate().per_second());
   for (const ObjectId id : objects(d)) text += fmt::format("{}: {}\n", d.name(id), name_of(kind(d, id)));
   return {.text = text + "\n" + film.session.text()};
 }

@@ -7,6 +7,7 @@
 #include "app/command.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
+#include "base/counted.h"
 #include "base/files.h"
 #include "base/tell_user.h"
 #include "betwixt/compare.h"
@@ -28,8 +29,8 @@ void report(const MergedFilm& film, const std::string& name) {
     if (!c.line.empty()) tell_user(fmt::format("  mine stays; for theirs, write: {}\n", c.line));
   }
   if (!film.conflicts.empty())
-    tell_user(fmt::format("{} conflict{}: look at the marked lines, then delete the marks\n", film.conflicts.size(),
-                          film.conflicts.size() == 1 ? "" : "s"));
+    tell_user(fmt::format("{}: look at the marked lines, then delete the marks\n",
+                          counted(film.conflicts.size(), "conflict")));
 }
 
 int merge(const MergeCall& call) {

@@ -16,6 +16,7 @@
 #include "app/studio.h"
 #include "app/subcommand.h"
 #include "app/terminal.h"
+#include "base/counted.h"
 #include "base/files.h"
 #include "base/tell_user.h"
 #include "base/utf8.h"
@@ -321,7 +322,7 @@ Status play(const Document& document, PlayCall& call) {
     return played;
   }
   if (Status s = write_recording(take, call.file, *place, call.overwrite); !s) return s;
-  tell_user(fmt::format("{} messages recorded in '{}'\n", player.turned(), *place));
+  tell_user(fmt::format("{} recorded in '{}'\n", counted(player.turned(), "message"), *place));
   return played;
 }
 

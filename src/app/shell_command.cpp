@@ -24,6 +24,7 @@
 #include "app/command.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
+#include "base/counted.h"
 #include "base/utf8.h"
 #include "betwixt/session.h"
 #include "editor/completion.h"
@@ -256,8 +257,7 @@ void page(std::string_view text) {
     for (std::size_t i = 0; i < rows; ++i) end = text.find('\n', end) + 1;
     std::fwrite(text.data(), 1, end, stdout);
     text.remove_prefix(end);
-    fmt::print("-- {} more: space: next page, q: end --",
-               lines(text) == 1 ? "1 line" : fmt::format("{} lines", lines(text)));
+    fmt::print("-- {} more: space: next page, q: end --", counted(lines(text), "line"));
     std::fflush(stdout);
     const char key = pressed_key();
     fmt::print("\r\x1b[K");

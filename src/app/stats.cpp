@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "base/counted.h"
 #include "program/memory.h"
 #include "scene/memory.h"
 
@@ -41,8 +42,8 @@ void print_sizes(const Program& program) {
     if (document.events == 0) return std::string();
     return fmt::format(" ({:.1f} an event)", static_cast<double>(bytes) / static_cast<double>(document.events));
   };
-  fmt::print(stderr, "{} event{}; bytes: document {}{}, program {}{}\n", document.events,
-             document.events == 1 ? "" : "s", document.bytes, each(document.bytes), compiled, each(compiled));
+  fmt::print(stderr, "{}; bytes: document {}{}, program {}{}\n", counted(document.events, "event"), document.bytes,
+             each(document.bytes), compiled, each(compiled));
 }
 
 }  // namespace betwixt

@@ -10,6 +10,7 @@
 #include "app/command.h"
 #include "app/golden.h"
 #include "app/subcommand.h"
+#include "base/counted.h"
 #include "base/in_parallel.h"
 #include "base/tell_user.h"
 
@@ -40,8 +41,7 @@ int run_golden(const TestCall& call) {
     for (const std::string& f : r.failures) tell_user(f + "\n");
     for (const std::string& w : r.written) fmt::print("{} written\n", w);
   }
-  fmt::print("{} film{}, {} check{}, {} failed\n", files.size(), files.size() == 1 ? "" : "s", checks,
-             checks == 1 ? "" : "s", failed);
+  fmt::print("{}, {}, {} failed\n", counted(files.size(), "film"), counted(checks, "check"), failed);
   return failed > 0 ? wrong_input : all_done;
 }
 

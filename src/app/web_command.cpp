@@ -13,6 +13,7 @@
 #include "app/streams.h"
 #include "app/subcommand.h"
 #include "app/web_page.h"
+#include "base/counted.h"
 #include "base/files.h"
 #include "base/tell_user.h"
 #include "commands/plugins.h"
@@ -105,9 +106,8 @@ int web(WebCall& call) {
   if (const Status sent = outgoing->send(); !sent) return complain(sent.error(), machine_failed);
   for (const PageFilm& film : films)
     for (const std::string& lost : film.lost) tell_user(fmt::format("betwixt: notice: {}: {}\n", film.name, lost));
-  tell_user(fmt::format("{} film{}, {} file{}, {:.0f} kB, {}\n", films.size(), films.size() == 1 ? "" : "s", files,
-                        files == 1 ? "" : "s", std::ceil(static_cast<double>(page.size()) / 1000),
-                        *outgoing ? "standard output" : call.out));
+  tell_user(fmt::format("{}, {}, {:.0f} kB, {}\n", counted(films.size(), "film"), counted(files, "file"),
+                        std::ceil(static_cast<double>(page.size()) / 1000), *outgoing ? "standard output" : call.out));
   return all_done;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "base/counted.h"
 #include "commands/notes.h"
 #include "commands/segments.h"
 #include "track/curve.h"
@@ -184,7 +185,7 @@ bool fits(Command& k, const Copying& how) {
     return k.cursor.fail(ErrorCode::type, fmt::format("{} cannot be copied onto {}", one, other), how.onto);
   };
   if (from.targets.size() != into.targets.size() && from.targets.size() != 1)
-    return cannot(plural(from.targets.size(), "track"), plural(into.targets.size(), "track"));
+    return cannot(counted(from.targets.size(), "track"), counted(into.targets.size(), "track"));
   for (std::size_t i = 0; i < into.targets.size(); ++i) {
     const Type one = type_of(k.scene, how.source(i)), other = type_of(k.scene, into.targets[i]);
     if (one != other) return cannot(to_string(one), to_string(other));
@@ -256,7 +257,7 @@ bool copy(Command& k) {
   if (sum.events == 0)
     k.script.note(Severity::notice, fmt::format("'{}' has no events in this segment", how.from.of.text), how.from.word);
   if (sum.replaced > 0)
-    k.script.note(Severity::notice, fmt::format("{} replaced", plural(sum.replaced, "event")), how.from.word,
+    k.script.note(Severity::notice, fmt::format("{} replaced", counted(sum.replaced, "event")), how.from.word,
                   how.shifted ? "" : "a copy begins at the same value as the original; shift VALUE adds to it");
   say_lasting(k, all.before(), how.into, how.from.word);
   return true;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/counted.h"
 #include "commands/fall_path.h"
 #include "commands/segments.h"
 #include "program/compiled.h"
@@ -290,7 +291,7 @@ bool fall(Command& k) {
     const Time last = marks.back().time;
     if (const std::size_t n = displaced(s, id, *time, last); n > 0)
       script.note(Severity::notice,
-                  fmt::format("the fall replaces {} of {}.position", plural(n, "event"), s.objects[id.index].name),
+                  fmt::format("the fall replaces {} of {}.position", counted(n, "event"), s.objects[id.index].name),
                   word, "set the length of the fall by for LENGTH");
     end_reign(s, id, *time, last);
     for (int axis = 0; axis < 3; ++axis) put_marks(s, id, axis, marks);

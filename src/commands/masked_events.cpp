@@ -4,6 +4,7 @@
 // Reports events that velocities mask.
 #include <fmt/format.h>
 
+#include "base/counted.h"
 #include "commands/script.h"
 #include "scene/names.h"
 
@@ -56,8 +57,8 @@ void say_masked_events(const Scene& s, Script& script) {
                           format_time(e.time, s.rate));
     });
     if (count == 0) continue;
-    d.what.message = fmt::format("a velocity overrides {} event{} ({}{})", count, count == 1 ? "" : "s", said,
-                                 count > named ? " …" : "");
+    d.what.message =
+        fmt::format("a velocity overrides {} ({}{})", counted(count, "event"), said, count > named ? " …" : "");
     d.what.hint = "to end the velocity: at TIME TARGET.velocity release";
     script.diagnostics.push_back(std::move(d));
   }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/cancellation.h"
+#include "base/counted.h"
 #include "base/names.h"
 #include "commands/command.h"
 #include "commands/following.h"
@@ -191,7 +192,7 @@ void take_along(Command& k, std::vector<ObjectId>& going, std::string_view about
   if (along == 0) return;
   script.touched = going.size();
   script.note(Severity::notice,
-              fmt::format("this also removes {} object{} below {}: {}{}", along, along == 1 ? "" : "s",
+              fmt::format("this also removes {} below {}: {}{}", counted(along, "object"),
                           named == 1 ? fmt::format("'{}'", s.objects[going[0].index].name) : "them", names,
                           along > 5 ? ", …" : ""),
               about);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "base/counted.h"
 #include "commands/notes.h"
 #include "scene/names.h"
 #include "track/curve.h"
@@ -68,7 +69,7 @@ void say_changed(Command& k, const Stretch& on, const Changed& sum) {
   if (sum.events == 0)
     k.script.note(Severity::notice, fmt::format("'{}' has no events in this segment", on.of.text), on.word);
   if (sum.replaced > 0)
-    k.script.note(Severity::notice, fmt::format("{} replaced", plural(sum.replaced, "event")), on.word);
+    k.script.note(Severity::notice, fmt::format("{} replaced", counted(sum.replaced, "event")), on.word);
 }
 
 // Returns whether the type has arithmetic: numbers and points.
@@ -330,8 +331,6 @@ FunctionSpec difference_of(FunctionSpec spec) {
 Value part_of(const Value& v, int component) {
   return component < 0 || std::holds_alternative<double>(v) ? v : Value(component_of(v, component));
 }
-
-std::string plural(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 std::span<const Verb> segments_verbs() { return segments_rows; }
 

@@ -42,6 +42,4 @@ FunctionSpec difference_of(FunctionSpec);
 // Returns the part of a whole value that belongs to the component.
 Value part_of(const Value&, int component);
 
-std::string plural(std::size_t n, const char* what);
-
 }  // namespace betwixt

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/counted.h"
 #include "base/utf8.h"
 #include "compare/events_apart.h"
 #include "compare/facts.h"
@@ -178,7 +179,7 @@ class Comparing {
   }
   std::string words(const std::string& head, const std::string& noun, What what, Time by,
                     const std::vector<EventChange>& all) const {
-    const std::string some = fmt::format("{} {}{}", all.size(), noun, all.size() == 1 ? "" : "s");
+    const std::string some = counted(all.size(), noun);
     const EventChange& one = all.front();
     const bool alone = all.size() == 1;
     switch (what) {

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "base/cancellation.h"
+#include "base/counted.h"
 #include "base/names.h"
 #include "betwixt/environment.h"
 #include "betwixt/kind.h"
@@ -249,8 +250,6 @@ std::string list_lines(const Document& d, const std::string& name, const std::ve
 }
 
 }  // namespace
-
-std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 Result<std::string> list_objects(const Document& d, const std::string& pattern) {
   std::vector<ObjectId> ids;

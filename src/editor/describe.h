@@ -23,6 +23,4 @@ std::string notes_shown(const Document&, std::optional<Time> after, Time now);
 // Returns all that is known about a word; lists all words if it is "". Errors: name.
 Result<std::string> look_up(const Document&, const std::string& word);
 
-std::string counted(std::size_t n, const char* what);  // "1 event", "3 events"
-
 }  // namespace betwixt

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/counted.h"
 #include "commands/plugins.h"
 #include "editor/describe.h"
 #include "editor/session_state.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/counted.h"
 #include "editor/crash_recovery.h"
 #include "editor/describe.h"
 #include "editor/history.h"

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/names.h"
 #include "betwixt/track.h"
 #include "editor/session_state.h"
@@ -59,7 +60,8 @@ Status check(std::span<const Time> times, std::span<const double> numbers, std::
   if (times.empty()) return fail(ErrorCode::range, "a track needs at least one time");
   if (numbers.size() != times.size() * width)
     return fail(ErrorCode::range,
-                fmt::format("{} times need {} numbers, not {}", times.size(), times.size() * width, numbers.size()));
+                fmt::format("{} {} {}, not {}", counted(times.size(), "time"), times.size() == 1 ? "needs" : "need",
+                            counted(times.size() * width, "number"), numbers.size()));
   for (std::size_t i = 1; i < times.size(); ++i)
     if (times[i] <= times[i - 1])
       return fail(ErrorCode::range, fmt::format("time {} is not after the time before it", i + 1));

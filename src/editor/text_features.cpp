@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/names.h"
 #include "betwixt/language.h"
 #include "editor/describe.h"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/names.h"
 #include "language/formula.h"
 #include "language/formula_functions.h"
@@ -78,8 +79,8 @@ bool one_name(Cursor& c, std::string_view word, std::string& out) {
   if (!names) return c.fail(names.error(), word);
   if (names->size() != c.place.n)
     return c.fail(ErrorCode::range,
-                  fmt::format("'{}' makes {} names, but the command applies to {} objects", word.substr(0, 60),
-                              names->size(), c.place.n),
+                  fmt::format("'{}' makes {}, but the command applies to {}", word.substr(0, 60),
+                              counted(names->size(), "name"), counted(c.place.n, "object")),
                   word, "write one name for all, or as many names as objects; {i} is the number of the object, from 1");
   out = (*names)[c.place.i - 1];
   return true;

@@ -174,6 +174,7 @@ TEST(SetTrack, SaysWhatIsWrong) {
   has(code("ball.geometry", frames(1), {1}), "are not numbers");
   has(code("ball.position.x", {}, {}), "at least one time");
   has(code("ball.position", frames(2), {1, 2, 3}), "2 times need 6 numbers, not 3");
+  has(code("ball.position", frames(1), {1, 2}), "1 time needs 3 numbers, not 2");
   has(code("ball.position.x", {frames(2)[1], frames(2)[0]}, {1, 2}), "time 2 is not after the time before it");
   has(code("ball.position.x", frames(2), {1, NAN}), "value 2 is not finite");
   has(code("ball.transparency", frames(2), {0.5, 1.5}), "value 2 is 1.5, which is not from 0 to 1");

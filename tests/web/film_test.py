@@ -118,7 +118,7 @@ def tracks(browser):
     for call, words in (("setTrack('ball.positon', [0], [1])", "did you mean 'position'?"),
                         ("setTrack('ball.*', [0], [1])", "'ball.*' does not name one track"),
                         ("setTrack('ball.attachment', [0], [1])", "the values of 'ball.attachment' are not numbers"),
-                        ("setTrack('ball.position', [0], [1, 2])", "1 times need 3 numbers, not 2"),
+                        ("setTrack('ball.position', [0], [1, 2])", "1 time needs 3 numbers, not 2"),
                         ("setTrack('ball.radius', [0, 0], [1, 2])", "time 2 is not after the time before it"),
                         ("setTrack('ball.radius', [0], [NaN])", "value 1 is not finite"),
                         ("setTrack('ball.radius', [0], [-1])", "value 1 is -1, which is not from 0 to"),

@@ -80,10 +80,10 @@ void ask_simplify(Workspace& workspace, QWidget* parent) {
   };
   const auto words = [&](double tolerance) {
     const Simplified& now = at(tolerance);
-    return QObject::tr("%1 of %2 events go. The largest difference is %3 % of the range.")
-        .arg(now.gone.size())
-        .arg(events.size())
-        .arg(100 * now.error, 0, 'g', 3);
+    const QString sentence = now.gone.size() == 1
+                                 ? QObject::tr("%1 of %2 events goes. The largest difference is %3 % of the range.")
+                                 : QObject::tr("%1 of %2 events go. The largest difference is %3 % of the range.");
+    return sentence.arg(now.gone.size()).arg(events.size()).arg(100 * now.error, 0, 'g', 3);
   };
   const auto lines = [&](double tolerance) { return clear_lines(film, at(tolerance).gone); };
   if (const auto tolerance = ask_tolerance(workspace, parent, QObject::tr("Simplify"), 0.01, words, lines))

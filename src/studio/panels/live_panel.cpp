@@ -89,7 +89,8 @@ void LivePanel::listen(bool on) {
 void LivePanel::poll() {
   if (!workspace_.jobs().hears()) return;  // the messages wait until the work is done
   obey(input_->poll());
-  if (const auto n = input_->ignored(); n > 0) state_->setText(tr("listening; %1 packets were not OSC").arg(n));
+  if (const auto n = input_->ignored(); n > 0)
+    state_->setText(n == 1 ? tr("listening; 1 packet was not OSC") : tr("listening; %1 packets were not OSC").arg(n));
 }
 
 // Shows the effect of all messages in one preview.
@@ -137,7 +138,7 @@ void LivePanel::end_take() {
   if (after == before) return workspace_.look_back();
   const LineChange c = change_between(before, after);
   workspace_.say(Session::rewrite_line(c.lines.first, c.lines.last, c.others));
-  state_->setText(tr("%1 messages recorded").arg(messages_));
+  state_->setText(messages_ == 1 ? tr("1 message recorded") : tr("%1 messages recorded").arg(messages_));
 }
 
 void LivePanel::list_dials() {

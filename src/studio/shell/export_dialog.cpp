@@ -197,7 +197,7 @@ void ExportDialog::take(const QByteArray& line) {
   const int done = progress["done"].toInt(), frames = progress["frames"].toInt();
   progress_->setRange(0, frames), progress_->setValue(done);
   state_->setText(
-      tr("%1/%2 frames, %3 a second").arg(done).arg(frames).arg(progress["per_second"].toDouble(), 0, 'f', 1));
+      tr("frame %1 of %2, %3 a second").arg(done).arg(frames).arg(progress["per_second"].toDouble(), 0, 'f', 1));
 }
 
 void ExportDialog::finish(int code) {

@@ -160,6 +160,7 @@ void Timeline::show_playing() {
   const QString wanted = QString::number(t.rate().per_second(), 'g', 5);
   const double shown = workspace_.frames_shown();
   rate_->setText(t.playing() && shown > 0 ? tr("%1 of %2 frames a second ").arg(shown, 0, 'f', 1).arg(wanted)
+                 : wanted == "1"          ? tr("1 frame a second ")
                                           : tr("%1 frames a second ").arg(wanted));
 }
 

@@ -86,9 +86,11 @@ void Viewport::tell_size(ObjectId id, double depth) const {
   const auto three_digits = [](double x) {
     return text_of(write_number(rounded(x, std::pow(10, std::floor(std::log10(x)) - 2))));
   };
-  emit workspace_.said("# " + tr("%1 is %2 units large; `%3` makes it %4")
-                                  .arg(text_of(name), three_digits(size), text_of(line), three_digits(size * by)),
-                       {}, false);
+  const QString large = three_digits(size);
+  emit workspace_.said(
+      "# " + (large == "1" ? tr("%1 is %2 unit large; `%3` makes it %4") : tr("%1 is %2 units large; `%3` makes it %4"))
+                 .arg(text_of(name), large, text_of(line), three_digits(size * by)),
+      {}, false);
 }
 
 std::string Viewport::line_for_file(const QString& file, QPointF p) const {
