@@ -49,9 +49,24 @@ std::optional<std::pair<int, int>> widths(const QWidget& w) {
   return {};
 }
 
-bool scrolls_sideways(const QWidget& w) {
+// Returns the height that the text of a widget needs, and the height that it has.
+std::optional<std::pair<int, int>> heights(const QWidget& w) {
+  const int line = w.fontMetrics().height();
+  if (const auto* label = qobject_cast<const QLabel*>(&w)) {
+    if (label->text().isEmpty()) return {};
+    const bool wraps = label->wordWrap() || label->textFormat() == Qt::RichText;
+    return std::pair(wraps ? label->heightForWidth(label->width()) : line, label->height());
+  }
+  if (qobject_cast<const QAbstractButton*>(&w) || qobject_cast<const QComboBox*>(&w) ||
+      qobject_cast<const QLineEdit*>(&w))
+    return std::pair(line, w.height());
+  return {};
+}
+
+bool scrolls(const QWidget& w, Qt::Orientation way) {
   const auto* area = qobject_cast<const QAbstractScrollArea*>(w.parentWidget() ? w.parentWidget()->parentWidget() : &w);
-  return area && area->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff;
+  return area && (way == Qt::Horizontal ? area->horizontalScrollBarPolicy() : area->verticalScrollBarPolicy()) !=
+                     Qt::ScrollBarAlwaysOff;
 }
 
 // Panels behind another tab count as visible, and lie outside of the window.
@@ -61,7 +76,7 @@ bool is_behind(const QWidget& w) {
   return false;
 }
 
-// Returns what cannot be read in a window: texts that are cut off, controls that stick out sideways.
+// Returns what cannot be read in a window: texts that are cut off in width or height, controls that stick out.
 QStringList unreadable(const QWidget& window) {
   QStringList all;
   for (const QWidget* w : window.findChildren<QWidget*>()) {
@@ -73,15 +88,21 @@ QStringList unreadable(const QWidget& window) {
     const QString text = label ? label->text() : button ? button->text() : line ? line->text() : QString();
     if (const auto is = widths(*w); is && is->first > is->second)
       all << QString("%1 \"%2\" needs %3, has %4").arg(name, text).arg(is->first).arg(is->second);
+    const bool only_icon = name.startsWith("qt_");
+    if (const auto is = heights(*w); is && !only_icon && is->first > is->second)
+      all << QString("%1 \"%2\" needs a height of %3, has %4").arg(name, text).arg(is->first).arg(is->second);
     if (!label && !button && !line && !qobject_cast<const QComboBox*>(w)) continue;
-    for (const QWidget* up = w->parentWidget(); up && !scrolls_sideways(*up); up = up->parentWidget()) {
-      const int left = w->mapTo(up, QPoint()).x();
-      if (left < 0 || left + w->width() > up->width()) {
-        all << QString("%1 \"%2\" sticks out of %3").arg(name, text, up->metaObject()->className());
-        break;
+    for (const auto way : {Qt::Horizontal, Qt::Vertical})
+      for (const QWidget* up = w; up && !scrolls(*up, way); up = up->parentWidget()) {
+        const QRect box(w->mapTo(up, QPoint()), w->size());
+        if (way == Qt::Horizontal ? box.left() < 0 || box.right() >= up->width()
+                                  : box.top() < 0 || box.bottom() >= up->height()) {
+          all << QString("%1 \"%2\" sticks out of %3 %4")
+                     .arg(name, text, up->objectName(), up->metaObject()->className());
+          break;
+        }
+        if (up->isWindow()) break;
       }
-      if (up->isWindow()) break;
-    }
   }
   all.removeDuplicates();
   return all;
@@ -184,6 +205,11 @@ class LooksTest : public QObject {
       film.workspace.select({film.id("ball"), film.id("hand")});
       for (const QSize size : {QSize(1000, 640), QSize(1440, 900), QSize(2560, 1440)}) {
         window.resize(size);
+        QCoreApplication::processEvents();
+        // Text of 250 % needs a height of its own.
+        const int height = std::max(size.height(), percent > 100 ? 850 : 0);
+        if (window.width() > size.width() || window.height() > height)
+          wrong_ << QString("the window is %1x%2").arg(window.width()).arg(window.height());
         const QString name = QString("%1-%2").arg(QTest::currentDataTag()).arg(size.width());
         look_at_panels(film, window, name);
       }

@@ -21,7 +21,9 @@
 #include "betwixt/language.h"
 #include "scene/colors.h"
 #include "studio/assets/look_lines.h"
+#include "studio/shell/scrolled.h"
 #include "studio/shell/text_of.h"
+#include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 #include "studio/viewport/kind_icons.h"
 
@@ -141,7 +143,9 @@ AssetPanel::AssetPanel(Workspace& workspace, QWidget* parent)
   auto* page = new QWidget(this);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0), column->setSpacing(0);
-  column->addWidget(files_, 1), column->addWidget(state_);
+  says_ = new Scrolled(state_, Qt::Vertical, this);
+  says_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  column->addWidget(files_, 1), column->addWidget(says_);
   state_->setWordWrap(true), state_->setMargin(4), state_->setTextFormat(Qt::PlainText);
   tabs_->setDocumentMode(true), tabs_->addTab(page, tr("Files")), tabs_->addTab(looks_, tr("Materials"));
   auto* all = new QVBoxLayout(this);
@@ -156,6 +160,8 @@ AssetPanel::AssetPanel(Workspace& workspace, QWidget* parent)
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, &settles_, QOverload<>::of(&QTimer::start));
   connect(&scan_, &FolderScan::over, this, &AssetPanel::list);
   connect(&pictures_, &SmallPictures::made, this, &AssetPanel::show_pictures);
+  for (AssetList* l : {files_, looks_})
+    measure_by_text(*l, [l] { l->setMinimumHeight(2 * l->fontMetrics().height()); });
   for (AssetList* l : {files_, looks_})
     connect(l, &AssetList::view_changed, this, &AssetPanel::show_pictures, Qt::QueuedConnection);
   connect(tabs_, &QTabWidget::currentChanged, this, &AssetPanel::show_pictures);
@@ -219,7 +225,7 @@ void AssetPanel::list(const QStringList& files) {
                       ? tr("There are no pictures, meshes, scenes, sounds or scripts in %1.").arg(folder_)
                   : scan_.is_full() ? tr("There are more files in %1.").arg(folder_)
                                     : QString());
-  state_->setVisible(!state_->text().isEmpty());
+  says_->setVisible(!state_->text().isEmpty());
 }
 
 void AssetPanel::add_looks() {

@@ -63,6 +63,7 @@ class AssetPanel : public QWidget {
   QTabWidget* tabs_;
   AssetList *files_, *looks_;
   QLabel* state_;
+  QWidget* says_ = nullptr;  // around it
   QString folder_;
   QFileSystemWatcher watcher_;
   QTimer settles_;  // many files may change at once

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/course/course_panel.h"
 
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -12,6 +12,7 @@
 
 #include "studio/course/course_pointer.h"
 #include "studio/shell/keys.h"
+#include "studio/shell/scrolled.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/window.h"
 #include "studio/viewport/viewport.h"
@@ -47,13 +48,11 @@ CoursePanel::CoursePanel(Window& window)
       tr("Each exercise takes some minutes. It shows you each step, and notices when you have done it."), this);
   welcome->setWordWrap(true);
   rows->addWidget(welcome);
-  auto* grid = new QGridLayout;
-  rows->addLayout(grid);
   for (std::size_t i = 0; i < exercises().size(); ++i) {
     auto* button = new QPushButton(in_words(exercises()[i].name), this);
     button->setObjectName(QString("exercise_%1").arg(i));
     button->setToolTip(in_words(exercises()[i].about));
-    grid->addWidget(button, static_cast<int>(i) / 2, static_cast<int>(i) % 2);
+    rows->addWidget(button);
     connect(&Keys::of_user(), &Keys::changed, this, [this] {
       if (exercise_) tell();
     });
@@ -73,10 +72,14 @@ CoursePanel::CoursePanel(Window& window)
   show_->setObjectName("show_me"), show_->setToolTip(tr("does this step for you"));
   back_->setObjectName("course_back"), back_->setToolTip(tr("takes this step and the one before it back"));
   next_->setObjectName("all_exercises"), next_->setToolTip(tr("shows the list of exercises"));
-  auto* buttons = new QHBoxLayout;
+  auto* below = new QWidget(this);
+  auto* buttons = new QHBoxLayout(below);
+  buttons->setContentsMargins(0, 0, 0, 0);
   buttons->addWidget(next_), buttons->addWidget(back_), buttons->addWidget(show_);
-  column->addWidget(title_), column->addWidget(progress_), column->addWidget(words_, 1), column->addLayout(buttons);
-  pages_->addWidget(list), pages_->addWidget(page);
+  column->addWidget(title_), column->addWidget(progress_), column->addWidget(words_, 1),
+      column->addWidget(new Scrolled(below, Qt::Horizontal, this));
+  pages_->addWidget(new Scrolled(list, Qt::Vertical, this));
+  pages_->addWidget(new Scrolled(page, Qt::Vertical, this));
   connect(show_, &QPushButton::clicked, this, &CoursePanel::show_me);
   connect(back_, &QPushButton::clicked, this, &CoursePanel::back);
   connect(next_, &QPushButton::clicked, this, &CoursePanel::leave);

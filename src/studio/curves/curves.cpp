@@ -9,6 +9,7 @@
 #include "studio/curves/curve_actions.h"
 #include "studio/curves/curve_pane.h"
 #include "studio/curves/key_fields.h"
+#include "studio/shell/scrolled.h"
 
 namespace betwixt::studio {
 
@@ -17,7 +18,8 @@ Curves::Curves(Workspace& workspace, QWidget* parent) : QWidget(parent) {
   setWindowTitle(tr("Curves"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0), all->setSpacing(0);
-  auto* bar = new QHBoxLayout;
+  auto* controls = new QWidget(this);
+  auto* bar = new QHBoxLayout(controls);
   bar->setContentsMargins(4, 2, 4, 2), bar->setSpacing(4);
   auto* pane = new CurvePane(workspace, this);
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
@@ -47,7 +49,7 @@ Curves::Curves(Workspace& workspace, QWidget* parent) : QWidget(parent) {
           [&workspace, this] { ask_twerper(workspace, this); });
   bar->addStretch();
   bar->addWidget(new KeyFields(workspace, *pane, this));
-  all->addLayout(bar), all->addWidget(pane, 1);
+  all->addWidget(new Scrolled(controls, Qt::Horizontal, this)), all->addWidget(pane, 1);
   setFocusProxy(pane);
 }
 

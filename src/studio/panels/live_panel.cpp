@@ -15,6 +15,7 @@
 #include "betwixt/language.h"
 #include "editor/placing.h"
 #include "scene/document.h"
+#include "studio/shell/scrolled.h"
 
 namespace betwixt::studio {
 namespace {
@@ -56,7 +57,7 @@ LivePanel::LivePanel(Workspace& workspace, QWidget* parent) : QWidget(parent), w
   row(tr("Port"), where_, listen_);
   row(tr("Target"), target_, learn_);
   form->addRow(record_);
-  auto* all = new QVBoxLayout(this);
+  auto* all = scrolled_column(*this);
   all->addLayout(form), all->addWidget(last_), all->addWidget(dials_, 1), all->addWidget(state_);
   poll_.setInterval(1000 / polls_a_second);
   connect(&poll_, &QTimer::timeout, this, &LivePanel::poll);

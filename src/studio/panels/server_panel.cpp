@@ -17,6 +17,7 @@
 
 #include "betwixt/environment.h"
 #include "betwixt/object.h"
+#include "studio/shell/scrolled.h"
 
 namespace betwixt::studio {
 namespace {
@@ -52,7 +53,7 @@ ServerPanel::ServerPanel(QWidget* parent) : QWidget(parent), program_(Program::c
   state_->setTextFormat(Qt::PlainText);
   auto* top = new QHBoxLayout;
   top->addWidget(where_, 1), top->addWidget(join_), top->addWidget(pause_);
-  auto* all = new QVBoxLayout(this);
+  auto* all = scrolled_column(*this);
   all->addLayout(top), all->addWidget(picture_, 3), all->addWidget(environments_, 1), all->addWidget(log_, 2);
   all->addWidget(line_), all->addWidget(state_);
   draws_.setInterval(1000 / pictures_a_second), asks_.setInterval(1000);

@@ -12,6 +12,8 @@
 #include <QVBoxLayout>
 
 #include "studio/poses/trial_dialog.h"
+#include "studio/shell/scrolled.h"
+#include "studio/shell/text_size.h"
 
 namespace betwixt::studio {
 
@@ -21,10 +23,11 @@ PosePanel::PosePanel(Workspace& workspace, QWidget* parent)
       poses_(PoseActions::of(workspace)),
       name_(new QLineEdit(this)),
       list_(new QListWidget(this)),
-      hint_(
+      words_(
           new QLabel(tr("Select a character, type a name, and press Keep pose. A double click gives a kept pose to the "
                         "selection, at the playhead."),
-                     this)) {
+                     this)),
+      hint_(new Scrolled(words_, Qt::Vertical, this)) {
   setObjectName("poses");
   setWindowTitle(tr("Poses"));
   name_->setPlaceholderText(tr("name of a new pose"));
@@ -35,12 +38,14 @@ PosePanel::PosePanel(Workspace& workspace, QWidget* parent)
   row->addWidget(name_, 1), row->addWidget(keeps);
   list_->setAccessibleName(tr("Poses"));
   list_->setFrameShape(QFrame::NoFrame);
+  measure_by_text(*list_, [this] { list_->setMinimumHeight(2 * list_->fontMetrics().height()); });
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setToolTip(
       tr("Double click gives the pose to the selection, at the playhead. Right click: mirrored, in part"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
-  hint_->setWordWrap(true);
+  words_->setWordWrap(true);
+  hint_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   all->addLayout(row), all->addWidget(hint_), all->addWidget(list_, 1);
   connect(keeps, &QPushButton::clicked, this, &PosePanel::keep);
   connect(name_, &QLineEdit::returnPressed, this, &PosePanel::keep);

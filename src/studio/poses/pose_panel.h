@@ -35,7 +35,8 @@ class PosePanel : public QWidget {
   PoseActions& poses_;
   QLineEdit* name_;
   QListWidget* list_;
-  QLabel* hint_;  // while there are no poses
+  QLabel* words_;
+  QWidget* hint_;  // while there are no poses
 };
 
 }  // namespace betwixt::studio

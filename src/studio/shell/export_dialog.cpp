@@ -26,6 +26,7 @@
 
 #include "betwixt/render.h"
 #include "scene/pixel_filter.h"
+#include "studio/shell/scrolled.h"
 #include "studio/shell/text_of.h"
 
 namespace betwixt::studio {
@@ -97,7 +98,9 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
   QFont fixed("monospace");
   fixed.setStyleHint(QFont::Monospace);
   command_->setFont(fixed);
-  form->addRow(tr("Command"), command_);
+  auto* command = new Scrolled(command_, Qt::Vertical);
+  command->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  form->addRow(tr("Command"), command);
   progress_ = new QProgressBar;
   progress_->setVisible(false);
   state_ = new QLabel;

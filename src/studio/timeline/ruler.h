@@ -19,7 +19,7 @@ class Ruler : public TimePane {
  public:
   explicit Ruler(Workspace&, QWidget* parent = nullptr);
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return sizeHint(); }
+  QSize minimumSizeHint() const override { return {sizeHint().width() / 5, sizeHint().height()}; }
   // Return the boxes for painting and for the mouse.
   QRectF sound_box(const SoundBar&) const;
   const std::vector<SoundBar>& sounds() const { return sounds_; }

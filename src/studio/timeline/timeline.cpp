@@ -13,6 +13,7 @@
 
 #include "betwixt/language.h"
 #include "studio/shell/control_names.h"
+#include "studio/shell/scrolled.h"
 #include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
 #include "studio/timeline/ruler.h"
@@ -69,9 +70,10 @@ Timeline::Timeline(Workspace& workspace, QWidget* parent)
   setWindowTitle(tr("Time"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0), all->setSpacing(0);
-  auto* bar = new QHBoxLayout;
+  auto* controls = new QWidget(this);
+  auto* bar = new QHBoxLayout(controls);
   bar->setContentsMargins(4, 2, 4, 2), bar->setSpacing(1);
-  all->addLayout(bar);
+  all->addWidget(new Scrolled(controls, Qt::Horizontal, this));
   all->addWidget(new Ruler(workspace, this), 1);
 
   at_ = new QLineEdit(this);

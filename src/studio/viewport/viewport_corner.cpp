@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "studio/shell/keys.h"
+#include "studio/shell/scrolled.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/text_size.h"
 #include "studio/viewport/viewport.h"
@@ -65,6 +66,11 @@ QWidget* bar(QWidget* parent) {
   auto* row = new QHBoxLayout(w);
   row->setContentsMargins(3, 2, 3, 2);
   row->setSpacing(1);
+  return w;
+}
+
+QWidget* scrolled_bar(QWidget* content, QWidget* parent) {
+  auto* w = new Scrolled(content, Qt::Horizontal, parent);
   w->setAutoFillBackground(true);
   w->setCursor(Qt::ArrowCursor);
   return w;
@@ -73,9 +79,10 @@ QWidget* bar(QWidget* parent) {
 }  // namespace
 
 void Viewport::make_corner() {
-  corner_ = bar(this);
+  QWidget* const on_left = bar(this);
+  corner_ = scrolled_bar(on_left, this);
   for (int i = 0; i < 3; ++i) {
-    tools_[i] = button(corner_, tools[i].name, tools[i].sign, tools[i].tip);
+    tools_[i] = button(on_left, tools[i].name, tools[i].sign, tools[i].tip);
     connect(tools_[i], &QToolButton::clicked, this, [this, i] {
       ViewportSwitches s = switches_;
       s.handles = s.tool != tools[i].tool || !s.handles, s.tool = tools[i].tool;
@@ -83,25 +90,28 @@ void Viewport::make_corner() {
     });
   }
   for (std::ptrdiff_t i = 0; i < std::ssize(toggles); ++i) {
-    toggles_[i] = button(corner_, toggles[i].name, toggles[i].sign, toggles[i].tip);
+    toggles_[i] = button(on_left, toggles[i].name, toggles[i].sign, toggles[i].tip);
     connect(toggles_[i], &QToolButton::clicked, this, [this, i](bool on) {
       ViewportSwitches s = switches_;
       s.*toggles[i].is = on;
       set_switches(s);
     });
   }
-  eye_corner_ = bar(this);
-  styles_ = new QComboBox(eye_corner_);
+  QWidget* const on_right = bar(this);
+  eye_corner_ = scrolled_bar(on_right, this);
+  styles_ = new QComboBox(on_right);
   styles_->setObjectName("style");
+  styles_->setSizeAdjustPolicy(QComboBox::AdjustToContents),
+      styles_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   styles_->setFocusPolicy(Qt::TabFocus);
   styles_->setToolTip(tr("The style of the picture"));
   for (const Style& s : betwixt::styles()) {
     styles_->addItem(text_of(s.name));
     styles_->setItemData(styles_->count() - 1, text_of(s.what), Qt::ToolTipRole);
   }
-  eye_corner_->layout()->addWidget(styles_);
+  on_right->layout()->addWidget(styles_);
   connect(styles_, &QComboBox::textActivated, this, [this](const QString& s) { set_style(s.toStdString()); });
-  eye_button_ = button(eye_corner_, "eye", "", eye_tip);
+  eye_button_ = button(on_right, "eye", "", eye_tip);
   connect(eye_button_, &QToolButton::clicked, this, [this] { set_free(!is_free()); });
   measure_by_text(*this, [this] { place_corner(); });
   // Their tips name the keys that the user has chosen.
@@ -136,7 +146,11 @@ void Viewport::set_plain(bool plain) {
 void Viewport::place_corner() {
   const int margin = fontMetrics().height() / 3;
   const int edge = static_cast<int>(ruler()) + margin;
-  corner_->adjustSize(), eye_corner_->adjustSize();
+  for (QWidget* w : {corner_, eye_corner_}) {
+    w->adjustSize();
+    if (const int room = width() - edge - margin; w->width() > room && room > 0)
+      w->resize(room, w->height()), w->resize(room, w->sizeHint().height());  // with a scroll bar
+  }
   corner_->move(edge, edge);
   const bool below = !side_ && edge + corner_->width() + eye_corner_->width() + 2 * margin > width();
   eye_corner_->move(std::max(margin, width() - eye_corner_->width() - margin),
