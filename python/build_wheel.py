@@ -59,8 +59,9 @@ def _run(command):
 
 
 def _built():
-    """Builds the package and returns its folder. A release names the folder of a package that is built. The build has a folder of its own, so that the next call is short. The
-    usual build of the source tree may be for another Python, so it is not changed."""
+    """Builds the package and returns its folder. A release names the folder of a package that is built.
+    The build has a folder of its own, so that the next call is short. The usual build of the source tree may be for
+    another Python, so it is not changed."""
     if ready := os.environ.get("BETWIXT_BUILT_PYTHON"):
         return ready
     build = os.path.join(ROOT, "build", f"pip-cp{sys.version_info[0]}{sys.version_info[1]}")
@@ -77,6 +78,15 @@ def _built():
     return os.path.join(build, "python", "betwixt")
 
 
+def _description():
+    """Returns the long description: what the wheel needs, and the page of the documentation without its links, which
+    lead to files that the wheel does not have."""
+    with open(os.path.join(ROOT, "docs", "python.md"), encoding="utf-8") as said:
+        page = said.read()
+    with open(os.path.join(HERE, "README.md"), encoding="utf-8") as said:
+        return said.read() + re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", page.replace("# From Python\n", "", 1))
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     project, package = _project(), _built()
     tag = f"cp{sys.version_info[0]}{sys.version_info[1]}"
@@ -88,7 +98,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         f"{info}/METADATA": "Metadata-Version: 2.1\n"
         + "Name: {name}\nVersion: {version}\nSummary: {description}\n".format(**project)
         + f"License: {project['license']['text']}\nRequires-Python: {project['requires-python']}\n"
-        + "".join(f"Requires-Dist: {d}\n" for d in project["dependencies"]),
+        + "".join(f"Requires-Dist: {d}\n" for d in project["dependencies"])
+        + "Description-Content-Type: text/markdown\n\n" + _description(),
         f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: betwixt\nRoot-Is-Purelib: false\nTag: {kind}\n",
     }
     name, record = f"{project['name']}-{project['version']}-{kind}.whl", ""

@@ -88,6 +88,10 @@ rm -f "$begun"
 verdict "a file of src with more than 400 lines (catalogues of texts may be longer)" \
   "$(find src -type f ! -name "*.po" -exec wc -l {} + | awk '$1 > 400 && $2 != "total" { print $2 ": " $1 }')"
 verdict "a link of a page without a target (tests/links.py)" "$(python3 tests/links.py)"
+installed=$(mktemp -d)
+cmake -DSOURCE="$PWD" -DFOLDER="$installed" -DEXAMPLES="$PWD/examples" -P cmake/docs.cmake >/dev/null 2>&1
+verdict "a link of an installed page without a target" "$(BETWIXT_PAGES=$installed python3 tests/links.py)"
+rm -r "$installed"
 verdict "phrases that are hard to read (tests/plain_words.py)" "$(python3 tests/plain_words.py)"
 verdict "items without a test (tests/coverage.txt)" "$(tools/coverage.sh --check 2>&1)"
 printf '%d passed, %d failed\n' "$passed" "$failed"

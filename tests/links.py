@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Prints each link of a page whose target file or heading does not exist in this repository. Links to other sites are
-not checked."""
+"""Prints each link of a page whose target file or heading does not exist in this repository, or in the folder that
+BETWIXT_PAGES names. Links to other sites are not checked."""
 
 import os
 import sys

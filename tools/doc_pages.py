@@ -6,7 +6,7 @@ import glob
 import os
 import re
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+ROOT = os.environ.get("BETWIXT_PAGES") or os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 FENCE = re.compile(r"^ *```(.*)\n((?:.*\n)*?) *```$", re.M)
 
 

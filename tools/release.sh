@@ -31,7 +31,7 @@ deb() {
   rm -rf --one-file-system "$stage"
   mkdir -p "$stage"
   # dpkg-buildpackage writes beside the folder in which it runs.
-  cp -a packaging/debian "$stage/" && cp -a README.md CHANGELOG.md "$stage/" && mkdir "$stage/docs" && cp docs/*.md "$stage/docs/"
+  cp -a packaging/debian "$stage/" && cp -a CHANGELOG.md "$stage/"
   cat >"$stage/debian/changelog" <<TEXT
 betwixt ($version) bookworm; urgency=medium
 

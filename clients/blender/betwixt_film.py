@@ -3,9 +3,10 @@
 """An add-on that imports Betwixt scripts as Blender objects with F-curves. It can follow a script file or a server.
 
 This is one file, because that is how add-ons are installed: Edit > Preferences > Add-ons > Install. Then use
-File > Import > Betwixt (.bx). The add-on needs the Python module `betwixt` (docs/python.md). If the module is not
-installed, name its folder in the add-on's preferences or in the variable BETWIXT_PYTHON. docs/exchange.md lists what
-the add-on imports.
+File > Import > Betwixt (.bx). The add-on needs the Python module `betwixt`: on Debian 12,
+`sudo apt install ./betwixt_*.deb ./python3-betwixt_*.deb`. If Blender does not find the module, name its folder in the
+add-on's preferences or in the variable BETWIXT_PYTHON. The page "Import and export" of the documentation
+(/usr/share/doc/betwixt/exchange.md) lists what the add-on imports.
 """
 
 import importlib
@@ -609,8 +610,9 @@ class IMPORT_OT_betwixt(bpy.types.Operator, ImportHelper):
             return {"FINISHED"}
         try:
             film = betwixt().load(self.filepath)
-        except ImportError:
-            self.report({"ERROR"}, "the Python module betwixt is not found: name its folder in the add-on's preferences")
+        except ImportError as why:
+            self.report({"ERROR"}, f"the Python module betwixt cannot be imported ({why}). Install the packages betwixt "
+                        "and python3-betwixt, or name the module's folder in the add-on's preferences")
             return {"CANCELLED"}
         except Exception as why:
             self.report({"ERROR"}, str(why))

@@ -7,14 +7,23 @@
     film.eval("ball.position", 24)          # at frame 24; also "24f" or "2.5s"
     film.say("at 24f hide ball")            # any line of the language; film.undo() takes it back
 
-The page "From Python", docs/python.md, explains the module.
+The page "From Python" explains the module: python.md in /usr/share/doc/betwixt, and the description of the wheel.
 """
 
 from __future__ import annotations
 
 import os
 
-from . import _core
+try:
+    from . import _core
+except ImportError as _why:  # the linker's words name a file, not what installs it
+    if "cannot open shared object" in str(_why):
+        raise ImportError(f"betwixt needs a library that is not installed ({_why}). Debian's package betwixt installs "
+                          "it: sudo apt install ./betwixt_*.deb") from None
+    if "'_core'" in str(_why):
+        raise ImportError("this module betwixt is built for another Python than this one. Debian's Python can import "
+                          "it: /usr/bin/python3") from None
+    raise
 from ._core import (
     Camera,
     Channel,

@@ -21,6 +21,7 @@ cmake --install "$1" --prefix "$folder/to" >"$folder/log" 2>&1 || tail -n 5 "$fo
 # Moves the installation: no file may depend on its folder.
 mv "$folder/to" "$folder/prefix"
 for file in bin/betwixt bin/betwixt-farm libexec/betwixt/betwixt-parser include/betwixt/language.h share/man/man1/betwixt.1 share/bash-completion/completions/betwixt \
+  lib/pkgconfig/betwixt.pc share/doc/libbetwixt-dev/examples/still.cpp share/doc/betwixt/guide/events.md share/doc/betwixt/pictures/bounce.gif \
   share/zsh/site-functions/_betwixt share/fish/vendor_completions.d/betwixt.fish share/doc/betwixt/LICENSE \
   share/betwixt/examples/bounce.bx share/betwixt/python/betwixt_client.py; do
   verdict "is installed: $file" "$(ls "$folder/prefix/$file" 2>&1)" "$folder/prefix/$file"
@@ -31,6 +32,12 @@ verdict "a stranger's program" "$("$folder/build/stranger" 2>&1)" "2 4 -1
 ball.position
 1f
 25f linear"
+# The example of the package and of README.md, without CMake.
+verdict "README.md shows the example" "$(sed 1,2d "$here/../../packaging/example/still.cpp" | python3 -c 'import sys; print(sys.stdin.read() in open(sys.argv[1]).read())' "$here/../../README.md")" True
+libraries=$(PKG_CONFIG_PATH="$folder/prefix/lib/pkgconfig" pkg-config --cflags --libs betwixt 2>&1)
+# shellcheck disable=SC2086 # it is several words
+g++ "$folder/prefix/share/doc/libbetwixt-dev/examples/still.cpp" -o "$folder/still" $libraries >"$folder/log" 2>&1 || tail -n 5 "$folder/log"
+verdict "the example, with pkg-config" "$(cd "$folder" && cp prefix/share/betwixt/examples/bounce.bx . && ./still && file -b still.png | cut -c 1-25)" "PNG image data, 640 x 360,"
 verdict "the installed program" \
   "$("$folder/prefix/bin/betwixt" eval "$folder/prefix/share/betwixt/examples/bounce.bx" --at 12f ball.position.y --json |
     sed -E 's/.*"ball.position.y":([^}]*).*/\1/')" "1"

@@ -41,6 +41,7 @@ verdict 'a film, at once' inside 'betwixt render /usr/share/betwixt/examples/bou
 verdict 'a film of a template' inside 'rm -f film.bx && betwixt new title film.bx && betwixt frame film.bx --at 24f -o film.png'
 verdict 'a mesh, which a process of its own reads' inside 'betwixt frame /usr/share/betwixt/examples/menagerie.bx --at 1f -o cow.png'
 verdict 'the manual and the completions' inside 'test -s /usr/share/man/man1/betwixt.1.gz && test -s /usr/share/bash-completion/completions/betwixt'
+verdict 'the pages lead nowhere that is not there' inside 'cd /usr/share/doc/betwixt && test -s README.md && test -s guide/events.md && test -s pictures/bounce.gif && test -e examples/bounce.bx'
 verdict 'a mistake is told with its place' inside 'printf "create ball spere\n" >wrong.bx; ! betwixt check wrong.bx 2>said && grep -q "wrong.bx:1:" said'
 verdict 'the studio is installed' inside "$get ./betwixt-studio_*.deb"
 verdict 'a picture of the studio' inside 'QT_QPA_PLATFORM=offscreen betwixt studio /usr/share/betwixt/examples/bounce.bx --discard --screenshot studio.png && test -s studio.png'
@@ -51,8 +52,9 @@ import betwixt
 film = betwixt.load(\"/usr/share/betwixt/examples/bounce.bx\")
 assert \"ball\" in film.objects, film.objects
 print(film.objects)"'
-verdict 'the library is installed' inside "$get ./libbetwixt-dev_*.deb cmake g++ ninja-build"
+verdict 'the library is installed' inside "$get ./libbetwixt-dev_*.deb cmake g++ ninja-build pkgconf"
 verdict "a stranger's program" inside 'cmake -S . -B build -G Ninja && cmake --build build && test "$(build/stranger | head -c 6)" = "2 4 -1"'
+verdict 'the example, without CMake' inside 'g++ /usr/share/doc/libbetwixt-dev/examples/still.cpp -o still $(pkg-config --cflags --libs betwixt) && cp /usr/share/betwixt/examples/bounce.bx . && ./still && test -s still.png'
 verdict 'all packages are removed' inside 'apt-get -qq -y purge betwixt betwixt-studio libbetwixt-dev python3-betwixt'
 verdict 'nothing is left' inside '! find / -xdev -iname "*betwixt*" -not -path "/home/*" -not -path "/proc/*" -not -path "/sys/*" | grep . && ! dpkg -l | grep betwixt'
 verdict 'the wheel is installed in a virtual environment' inside "$get python3-venv && python3 -m venv --system-site-packages env && env/bin/pip install --no-index ./*.whl"

@@ -2,9 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests programs that import only the module, each in its own process: imports of other tests could hide faults."""
 
+import os
+import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
+
+import betwixt
 
 FILM = 'film = betwixt.loads("create ball sphere\\nball.position\\n  1f (0 0 0) linear\\n  24f (23 46 69)\\n")\n'
 
@@ -60,3 +65,25 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
         done = subprocess.run([sys.executable, "-c", "import sys; sys.modules['numpy'] = None\nimport betwixt"],
                               capture_output=True, text=True, timeout=60)
         self.assertIn("ImportError: betwixt needs numpy: pip install numpy", done.stderr)
+
+    def import_with_core(self, core):
+        """Returns the last line that an import says if the compiled part of the module is this text."""
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(os.path.dirname(betwixt.__file__), f"{folder}/betwixt", symlinks=True,
+                            ignore=shutil.ignore_patterns("_core*.so", "betwixt-parser"))
+            if core:
+                with open(f"{folder}/betwixt/_core.py", "w") as file:
+                    file.write(core)
+            done = subprocess.run([sys.executable, "-c", "import betwixt"], capture_output=True, text=True, timeout=60,
+                                  env={**os.environ, "PYTHONPATH": folder})
+        return done.stderr.splitlines()[-1]
+
+    def test_a_library_that_is_missing(self):
+        said = self.import_with_core(
+            "raise ImportError('libx.so.3: cannot open shared object file: No such file or directory')")
+        self.assertEqual(said, "ImportError: betwixt needs a library that is not installed (libx.so.3: cannot open shared "
+                         "object file: No such file or directory). Debian's package betwixt installs it: sudo apt install "
+                         "./betwixt_*.deb")
+
+    def test_another_python(self):
+        self.assertIn("is built for another Python than this one", self.import_with_core(""))

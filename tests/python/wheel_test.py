@@ -30,8 +30,9 @@ class Wheel(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.tree)
         os.makedirs(f"{self.tree}/python")
         os.makedirs(f"{self.tree}/bin")
-        for name in ("build_wheel.py", "pyproject.toml"):
-            shutil.copy(os.path.join(ROOT, "python", name), f"{self.tree}/python")
+        os.makedirs(f"{self.tree}/docs")
+        for name in ("python/build_wheel.py", "python/pyproject.toml", "python/README.md", "docs/python.md"):
+            shutil.copy(os.path.join(ROOT, name), f"{self.tree}/{name}")
         shutil.copy(os.path.join(ROOT, "CMakeLists.txt"), self.tree)
         with open(f"{self.tree}/bin/cmake", "w") as cmake:
             cmake.write(CMAKE)
@@ -79,6 +80,11 @@ class Wheel(unittest.TestCase):
         with zipfile.ZipFile(f"{self.tree}/{name}") as wheel:
             self.assertEqual(wheel.read("betwixt/__init__.py"), b"film\n")
             self.assertEqual(len([n for n in wheel.namelist() if ".dist-info/" in n]), 3)
+            about, _, description = wheel.read(next(n for n in wheel.namelist() if n.endswith("/METADATA"))).decode().partition("\n\n")
+        self.assertIn("\nDescription-Content-Type: text/markdown", about)
+        self.assertIn("sudo apt install ./betwixt_*.deb", description)
+        self.assertIn(">>> import betwixt", description)
+        self.assertNotIn("](", description)
 
     def test_what_failed_is_said(self):
         done = self.run_it(BREAKS="1")
