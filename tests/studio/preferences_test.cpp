@@ -84,6 +84,61 @@ class PreferencesTest : public QObject {
     set_theme(*qApp, Theme::dark);
   }
 
+  // The bounds of WCAG 2.1, level AA: 4.5 for text, 3 for lines and signs.
+  void textsAndSignsCanBeSeen() {
+    QVERIFY(std::abs(contrast(Qt::black, Qt::white) - 21) < 1e-9);
+    QVERIFY(std::abs(contrast(QColor(0x77, 0x77, 0x77), Qt::white) - 4.48) < 0.005);  // an example of the standard
+    double least_text = 21, least_sign = 21;
+    for (const Theme theme : {Theme::dark, Theme::light})
+      for (const bool safe : {false, true}) {
+        set_theme(*qApp, theme, safe);
+        const Colors& c = colors();
+        const auto is_least = [&](double& least, const char* name, const QColor& a, const QColor& b, double bound) {
+          least = std::min(least, contrast(a, b));
+          QVERIFY2(contrast(a, b) >= bound, qPrintable(QString("%1, light %2, safe %3: %4")
+                                                           .arg(name)
+                                                           .arg(theme == Theme::light)
+                                                           .arg(safe)
+                                                           .arg(contrast(a, b))));
+        };
+        // The line with the cursor is on `raised`, and so are panels.
+        for (const QColor& ground : {c.back, c.raised}) {
+          for (const auto& [name, color] : {std::pair("text", c.text),
+                                            {"dim", c.dim},
+                                            {"error", c.error},
+                                            {"warning", c.warning},
+                                            {"accent", c.accent},
+                                            {"note", c.note},
+                                            {"z", c.z},
+                                            {"cut", c.cut},
+                                            {"playhead", c.playhead},
+                                            {"event", c.event}})
+            is_least(least_text, name, color, ground, 4.5);
+          for (const auto& [name, color] : {std::pair("x", c.x), {"y", c.y}, {"selected", c.selected}})
+            is_least(least_sign, name, color, ground, 3);
+        }
+        QColor lit = c.accent;  // behind the names of the selection in the script
+        lit = QColor::fromRgbF((lit.redF() * 60 + c.back.redF() * 195) / 255,
+                               (lit.greenF() * 60 + c.back.greenF() * 195) / 255,
+                               (lit.blueF() * 60 + c.back.blueF() * 195) / 255);
+        is_least(least_text, "a selected name", c.text, lit, 4.5);
+        is_least(least_text, "auto-key", text_on(c.error), c.error, 4.5);
+        const QPalette p = qApp->palette();
+        for (const auto& [text, ground] : {std::pair(QPalette::HighlightedText, QPalette::Highlight),
+                                           {QPalette::WindowText, QPalette::Window},
+                                           {QPalette::Text, QPalette::Base},
+                                           {QPalette::Text, QPalette::AlternateBase},
+                                           {QPalette::ButtonText, QPalette::Button},
+                                           {QPalette::ToolTipText, QPalette::ToolTipBase},
+                                           {QPalette::Link, QPalette::Window},
+                                           {QPalette::PlaceholderText, QPalette::Base},
+                                           {QPalette::PlaceholderText, QPalette::Window}})
+          is_least(least_text, "palette", p.color(text), p.color(ground), 4.5);
+      }
+    set_theme(*qApp, Theme::dark);
+    qInfo("least contrast: text %.2f, lines and signs %.2f", least_text, least_sign);
+  }
+
   void changesTakeEffectAtOnce() {
     Film film("create ball sphere\n");
     Window window(film.workspace);

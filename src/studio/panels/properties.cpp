@@ -54,7 +54,7 @@ QIcon diamond(bool here, bool any) {
   QPainter p(&pix);
   p.setRenderHint(QPainter::Antialiasing);
   const double r = any ? 11 : 5;
-  p.setPen(QPen(any ? colors().event : colors().line, 3));
+  p.setPen(QPen(any ? colors().event : colors().dim, 3));
   if (here) p.setBrush(colors().event);
   p.drawPolygon(QPolygonF({{16, 16 - r}, {16 + r, 16}, {16, 16 + r}, {16 - r, 16}}));
   return pix;

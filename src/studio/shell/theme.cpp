@@ -17,7 +17,7 @@ const Colors dark{.back = 0x1b1d21,
                   .raised = 0x26292e,
                   .line = 0x383c43,
                   .text = 0xdcdfe4,
-                  .dim = 0x878d98,
+                  .dim = 0x90969f,
                   .accent = 0x4a9eff,
                   .playhead = 0xff6b4a,
                   .event = 0xe8c35a,
@@ -35,8 +35,8 @@ const Colors light{.back = 0xf6f6f4,
                    .text = 0x202226,
                    .dim = 0x6d7178,
                    .accent = 0x1668c8,
-                   .playhead = 0xd9411e,
-                   .event = 0xa97a00,
+                   .playhead = 0xc93c1a,
+                   .event = 0x8f6700,
                    .selected = 0x101010,
                    .error = 0xc42020,
                    .warning = 0x9c6200,
@@ -50,15 +50,15 @@ const Colors light{.back = 0xf6f6f4,
 // kind of colour blindness (CIE Lab: at least 30 apart).
 Colors safe_dark() {
   Colors c = dark;
-  c.x = c.playhead = 0xba7429, c.y = c.note = 0x03fda5, c.z = c.accent = 0x1994fb;
-  c.event = 0xfae133, c.cut = 0xec3c95;
+  c.x = 0xa8661c, c.playhead = 0xc48949, c.y = c.note = 0x03fda5, c.z = c.accent = 0x1994fb;
+  c.event = 0xfae133, c.cut = 0xf650a5;
   c.error = 0xff7f50, c.warning = 0xe69f00;
   return c;
 }
 Colors safe_light() {
   Colors c = light;
-  c.x = c.playhead = 0x5a1406, c.y = c.note = 0x168873, c.z = 0x14265b;
-  c.event = 0x8b7800, c.cut = 0xc102e4;
+  c.x = c.playhead = 0x5a1406, c.y = 0x168873, c.note = 0x117e69, c.z = 0x14265b;
+  c.event = 0x817000, c.cut = 0xbc02de;
   c.accent = 0x0072b2, c.error = 0xb83a00, c.warning = 0x8a5a00;
   return c;
 }
@@ -68,6 +68,19 @@ const Colors *now = &dark, *on_pictures = &dark;
 }  // namespace
 
 const Colors& colors() { return *now; }
+
+double contrast(const QColor& a, const QColor& b) {
+  const auto light = [](const QColor& c) {
+    const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF()) + 0.05;
+  };
+  return std::max(light(a), light(b)) / std::min(light(a), light(b));
+}
+
+QColor text_on(const QColor& ground) {
+  const QColor black(0x10, 0x10, 0x10);
+  return contrast(Qt::white, ground) > contrast(black, ground) ? QColor(Qt::white) : black;
+}
 
 QColor faint(QColor c, float alpha) {
   c.setAlphaF(alpha);
@@ -135,7 +148,7 @@ void set_theme(QApplication& app, Theme theme, bool safe) {
   p.setColor(QPalette::Button, c.raised);
   p.setColor(QPalette::ButtonText, c.text);
   p.setColor(QPalette::Highlight, c.accent);
-  p.setColor(QPalette::HighlightedText, Qt::white);
+  p.setColor(QPalette::HighlightedText, text_on(c.accent));
   p.setColor(QPalette::Link, c.accent);
   p.setColor(QPalette::Mid, c.line), p.setColor(QPalette::Dark, c.line), p.setColor(QPalette::Shadow, c.line);
   p.setColor(QPalette::Light, c.line), p.setColor(QPalette::Midlight, c.line);

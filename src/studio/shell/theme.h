@@ -21,6 +21,9 @@ struct Colors {
   QColor x, y, z;  // of axes and components, and of a colour's red, green and blue
 };
 const Colors& colors();
+// How much two colours differ in lightness, from 1 to 21 (WCAG). Text needs 4.5, a large sign or a line needs 3.
+double contrast(const QColor&, const QColor&);
+QColor text_on(const QColor& ground);  // black or white
 QColor faint(QColor, float alpha);
 QColor swatch(const Color&);  // a colour of the film
 // Returns the colours for overlays on pictures, the same in each theme.

@@ -327,7 +327,7 @@ void Exposures::paintEvent(QPaintEvent*) {
     if (f == playhead) p.fillRect(row, faint(c.playhead, 0.22F));
     p.setPen(faint(c.line, (f - 1) % second == 0 ? 1.0F : 0.4F));  // seconds get stronger lines
     p.drawLine(row.topLeft(), row.topRight());
-    p.setPen(f == playhead ? c.playhead : c.dim);
+    p.setPen(f == playhead ? c.text : c.dim);
     p.drawText(QRectF(0, row.top(), side() - 5, line_height()), Qt::AlignRight | Qt::AlignVCenter, QString::number(f));
   }
   const std::size_t left = column_at(side()).value_or(0);

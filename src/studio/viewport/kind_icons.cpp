@@ -203,12 +203,13 @@ void draw(QPainter& p, Kind k, const QColor& c) {
 }  // namespace
 
 QIcon kind_icon(Kind k) {
-  return QIcon(new Engine([k](QPainter& p, bool selected) { draw(p, k, selected ? QColor(Qt::white) : color_of(k)); }));
+  return QIcon(
+      new Engine([k](QPainter& p, bool selected) { draw(p, k, selected ? text_on(colors().accent) : color_of(k)); }));
 }
 
 QIcon eye_icon(bool open) {
   return QIcon(new Engine([open](QPainter& p, bool selected) {
-    const QColor c = selected ? QColor(Qt::white) : open ? colors().text : colors().line;
+    const QColor c = selected ? text_on(colors().accent) : open ? colors().text : colors().dim;
     p.setPen(QPen(c, 1.2));
     QPainterPath lid(QPointF(1.5, 8));
     lid.quadTo(8, open ? 1.5 : 8, 14.5, 8);

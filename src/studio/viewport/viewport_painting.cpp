@@ -78,7 +78,7 @@ void Viewport::paint_auto_key(QPainter& p) {
                   rect().bottom() - fontMetrics().height() - 12, fontMetrics().horizontalAdvance(words) + 12,
                   fontMetrics().height() + 8);
   p.fillRect(box, colors().error);
-  p.setPen(Qt::white);
+  p.setPen(text_on(colors().error));
   p.drawText(box, Qt::AlignCenter, words);
 }
 
