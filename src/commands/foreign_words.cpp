@@ -71,8 +71,6 @@ constexpr std::string_view to_wait =
     "times are absolute, so there is no wait: at 48f sets a time, range 1f 96f the length of the film";
 constexpr std::string_view to_reach =
     "reach turns joints so that an object arrives: reach arm/fore/palm to ball from 12f until 36f";
-constexpr std::string_view to_morph =
-    "geometry turns a shape into another: at 1f title.geometry shape(a) linear, at 24f title.geometry shape(b)";
 constexpr std::string_view to_instance =
     "define kind makes objects that follow a model: define kind human like man; a pattern makes many of one: create "
     "p{1..1000} sphere; call draws a display list again";
@@ -184,7 +182,6 @@ constexpr ForeignWord all_foreign_words[] = {
     {"segment", to_time, "range copy"},
     {"fps", "rate sets the frames per second: rate 25", "rate"},
     {"duration", "range sets the first and the last frame of the film: range 1f 72f", "range"},
-    {"length", "range sets the first and the last frame of the film: range 1f 72f", "range"},
     {"colour", to_color, "color"},
     {"colours", to_color, "color"},
     {"colors", to_color, "color"},
@@ -198,7 +195,6 @@ constexpr ForeignWord all_foreign_words[] = {
     {"skin", to_join, "joints"},
     {"skeleton", to_join, "joints"},
     {"rig", to_join, "joints reach"},
-    {"morph", to_morph, "geometry"},
     {"instance", to_instance, "define create call"},
     {"prefab", to_instance, "define unlink"},
     {"symbol", to_instance, "define unlink call"},

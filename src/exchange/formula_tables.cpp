@@ -10,7 +10,7 @@
 namespace betwixt {
 namespace {
 
-struct Environment {
+struct MathEnvironment {
   std::string_view name;
   char32_t left, right;
   std::string_view alignment;
@@ -18,7 +18,7 @@ struct Environment {
   std::int8_t level;
   double row_gap, stretch;
 };
-constexpr Environment environments[] = {
+constexpr MathEnvironment environments[] = {
     {"matrix", 0, 0, "c", 1, 1, 1, 0, 1},          {"pmatrix", '(', ')', "c", 1, 1, 1, 0, 1},
     {"bmatrix", '[', ']', "c", 1, 1, 1, 0, 1},     {"Bmatrix", '{', '}', "c", 1, 1, 1, 0, 1},
     {"vmatrix", '|', '|', "c", 1, 1, 1, 0, 1},     {"Vmatrix", 0x2016, 0x2016, "c", 1, 1, 1, 0, 1},
@@ -54,10 +54,10 @@ bool FormulaReader::environment(FormulaList& out, const Token& t) {
   const Token named = peek();
   if (!raw_argument(name, t)) return false;
   const auto* const row = std::find_if(std::begin(environments), std::end(environments),
-                                       [&](const Environment& e) { return e.name == name; });
+                                       [&](const MathEnvironment& e) { return e.name == name; });
   if (row == std::end(environments)) {
     std::vector<std::string_view> all;
-    for (const Environment& e : environments) all.push_back(e.name);
+    for (const MathEnvironment& e : environments) all.push_back(e.name);
     return fail_at(named, ErrorCode::name, fmt::format("there is no environment '{}'", name.substr(0, 40)),
                    did_you_mean(name, all));
   }

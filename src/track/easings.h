@@ -287,7 +287,7 @@ inline constexpr TwerperRow rows[] = {
      .reversed = "bounce-in-out"},
     {.name = "match",
      .sentence = "Of texts and formulas: equal signs glide to their new places, others shrink and grow.",
-     .example = "at 12f title.text \"a + b\" match",
+     .example = "create words text text=\"b + a\"\nat 12f words.text \"a + b\" match for 12f",
      .factor = in_out<sine>,
      .matches = true,
      .reversed = "match"},

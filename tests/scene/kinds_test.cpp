@@ -131,14 +131,14 @@ TEST(Functions, KindsHaveTheirs) {
            {Kind::text, {"text", "tex", "part", "font", "size", "align", "weight", "slant", "typed"}},
            {Kind::rectangle, {"size", "corner"}},
            {Kind::ring, {"radius", "inner"}},
-           {Kind::arc, {"radius", "from", "to", "width"}},
+           {Kind::arc, {"radius", "from", "to", "width", "value"}},
            {Kind::regular, {"sides", "radius"}},
            {Kind::star, {"points", "radius", "inner"}},
            {Kind::gear, {"teeth", "module", "inner"}},
            {Kind::arrow, {"to", "width"}}};
   const Scene s;
   const auto common = function_names(s, Kind::group);
-  EXPECT_EQ(common.size(), 29U);
+  EXPECT_EQ(common.size(), 30U);
   const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "stroke-round", "dash", "trim"};
   for (const bool is_flat : {false, true})
     for (const auto& [kind, names] : is_flat ? flat : own) {
