@@ -17,6 +17,13 @@ std::string find_axes(lua_State*, Machine&, AxesSpace&);
 std::string find_axes(Machine&, std::string_view name, AxesSpace&);
 void push_points(lua_State*, const std::vector<Vec3>&);
 
+// Code that is compiled, with its number for Machine::push_code.
+struct CompiledFormula {
+  std::uint64_t serial = 0;
+  std::string code;
+};
+Result<CompiledFormula> compiled_chunk(const std::string& source);
+
 // Returns the difference of the two sides of an equation, and any other formula as it is.
 std::string as_difference(const std::string& formula);
 // Pushes a formula as a function of x and y, which knows t and all names of code. Returns why it cannot, or "".

@@ -360,46 +360,12 @@ Result<std::shared_ptr<const Lua>> compiled_lua(Role role, const std::string& so
 
 }  // namespace
 
-namespace {
-
-Result<std::shared_ptr<const Lua>> compiled_formula(const std::string& formula) {
-  const std::string source = "return function(x, y) local u, e = x, 2.718281828459045 return " + formula + "\nend";
-  return KeptResults::get("formula in Lua", source, [&] { return compiled_lua(Role::value, source); });
-}
-
-// Words Lua's message for people who write formulas.
-std::string plain_problem(const Error& error) {
-  std::string why = error.message;
-  if (why.starts_with("malformed number near")) return why + "; write 2*x for the product";
-  for (const std::string_view inner : {" near 'end'", " near <eof>"})
-    if (why.ends_with(inner)) why.replace(why.size() - inner.size(), inner.size(), " at its end");
-  return why;
-}
-
-}  // namespace
-
-std::string formula_problem(const std::string& formula) {
-  const auto name = formula.find_last_not_of('\'');
-  if (name == std::string::npos) return "it is empty";
-  if (const std::string_view word = std::string_view(formula).substr(0, name + 1); is_name(word)) return "";
-  const auto made = compiled_formula(lua::as_difference(formula));
-  return made ? "" : plain_problem(made.error());
-}
-
 namespace lua {
-
-std::string push_formula(lua_State* l, Machine& m, const std::string& formula) {
-  const auto made = compiled_formula(formula);
-  if (!made) return plain_problem(made.error());
-  const std::size_t longest = m.longest;
-  const std::size_t in_code = m.push_code((*made)->serial, (*made)->compiled);
-  m.longest = std::max(longest, in_code);
-  m.lenient = false;
-  const int status = lua_pcall(l, 0, 1, 0);
-  m.lenient = true;
-  return status == LUA_OK ? "" : lua_tostring(l, -1);
+Result<CompiledFormula> compiled_chunk(const std::string& source) {
+  const auto made = KeptResults::get("formula in Lua", source, [&] { return compiled_lua(Role::value, source); });
+  if (!made) return made.error();
+  return CompiledFormula{(*made)->serial, (*made)->compiled};
 }
-
 }  // namespace lua
 
 Result<std::shared_ptr<const Routine>> make_lua(Role role, std::string source) {

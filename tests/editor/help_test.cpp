@@ -67,7 +67,7 @@ TEST(Help, RoadsLeadToWords) {
     EXPECT_TRUE(help_text(r.word, Scene()).starts_with(fmt::format("{}: {}", r.word, r.leads)));
   }
   for (const char* word : {"loop", "easing", "path", "opacity", "alpha", "sheet", "time", "rgb", "channel", "f-curve",
-                           "property", "ik", "morph", "depth-of-field", "dope-sheet", "keyframe", "interpolation"})
+                           "property", "ik", "depth-of-field", "dope-sheet", "keyframe", "interpolation"})
     EXPECT_FALSE(foreign_word_hint(word).empty()) << word;
   EXPECT_EQ(help_text("opacity", Scene()),
             "opacity: transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5\n"
