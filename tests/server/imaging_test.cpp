@@ -470,8 +470,7 @@ TEST(Imaging, HelpIsForHosts) {
   Stage s;
   const auto host = s.imaging.arrive();
   const std::string all = s.say(host, "help");
-  for (const char* word : {"Shell commands", "\\n  open ", "\\n  play "})
-    EXPECT_FALSE(holds(all, word)) << word;
+  for (const char* word : {"Shell commands", "\\n  open ", "\\n  play "}) EXPECT_FALSE(holds(all, word)) << word;
   for (const char* word : {"bundle ", "subscribe ", "animate ", "Rows of display lists"}) EXPECT_TRUE(holds(all, word));
   EXPECT_TRUE(holds(s.say(host, "help bundle"), "together, at one moment: all or none; end has the answer"));
   const std::string events = s.say(host, "help subscribe");
