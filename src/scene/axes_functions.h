@@ -267,7 +267,7 @@ inline const FunctionSpec axes_functions[] = {
      .kinds = bit(Kind::bars) | bit(Kind::columns) | bit(Kind::pie),
      .sentence = "The bars or slices of a chart, in order.",
      .written = "(A B)",
-     .example = "create b columns of=(3 1 4)\nset b.parts (b/3 b/1)"},
+     .example = "create b columns of=(3 1 4)\nset b.parts (b/3 b/1 b/2)"},
     {.name = "gap",
      .type = Type::scalar,
      .rest = 0.25,

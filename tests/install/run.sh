@@ -37,7 +37,7 @@ verdict "README.md shows the example" "$(sed 1,2d "$here/../../packaging/example
 libraries=$(PKG_CONFIG_PATH="$folder/prefix/lib/pkgconfig" pkg-config --cflags --libs betwixt 2>&1)
 # shellcheck disable=SC2086 # it is several words
 g++ "$folder/prefix/share/doc/libbetwixt-dev/examples/still.cpp" -o "$folder/still" $libraries >"$folder/log" 2>&1 || tail -n 5 "$folder/log"
-verdict "the example, with pkg-config" "$(cd "$folder" && cp prefix/share/betwixt/examples/bounce.bx . && ./still && file -b still.png | cut -c 1-25)" "PNG image data, 640 x 360,"
+verdict "the example, with pkg-config" "$(cd "$folder" && cp prefix/share/betwixt/examples/bounce.bx . && ./still && file -b still.png | cut -c 1-25)" "PNG image data, 640 x 360"
 verdict "the installed program" \
   "$("$folder/prefix/bin/betwixt" eval "$folder/prefix/share/betwixt/examples/bounce.bx" --at 12f ball.position.y --json |
     sed -E 's/.*"ball.position.y":([^}]*).*/\1/')" "1"
