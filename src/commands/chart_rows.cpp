@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/utf8.h"
 #include "commands/furniture_rows.h"
 #include "language/formula.h"
 #include "language/values.h"
@@ -29,12 +30,9 @@ bool entries(Furnishing& f, std::vector<Entry>& out) {
   const LetList& keys = f.said.keys;
   if (!keys.empty() && keys.size() != values.size())
     return f.problem = fmt::format("there are {} values and {} keys", values.size(), keys.size()), false;
-  LetList all;
-  for (const LetItem& item : values)  // a vector in a list is three numbers
-    all.push_back(item);
   std::set<std::string> taken;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto* q = std::get_if<Quantity>(&all[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto* q = std::get_if<Quantity>(&values[i]);
     if (!q || !std::isfinite(q->value))
       return f.problem = "the values of a chart are numbers", f.hint = "as in of=(3 1 4)", false;
     Entry e;
@@ -45,8 +43,6 @@ bool entries(Furnishing& f, std::vector<Entry>& out) {
     e.name = f.name + "/" + e.name;
     out.push_back(std::move(e));
   }
-  std::string parts;
-  for (const Entry& e : out) parts += (parts.empty() ? "" : " ") + e.name;
   return true;
 }
 
@@ -89,18 +85,18 @@ void make_chart(Furnishing& f, bool up) {
   }
 }
 
-// Returns the widest text of each column, in letters.
-std::vector<double> widths(const std::vector<LetList>& rows) {
-  std::vector<double> out;
-  for (const LetList& row : rows) {
-    if (row.size() > out.size()) out.resize(row.size());
-    for (std::size_t c = 0; c < row.size(); ++c)
-      out[c] = std::max(out[c], static_cast<double>(cell_text(row[c]).size()));
-  }
-  return out;
+// Returns the letters of the widest cell.
+double widest_of(const std::vector<LetList>& rows) {
+  double widest = 1;
+  for (const LetList& row : rows)
+    for (const LetItem& cell : row) {
+      const std::string text = cell_text(cell);
+      widest = std::max(widest, static_cast<double>(std::count_if(text.begin(), text.end(), begins_character)));
+    }
+  return widest;
 }
 
-// Returns the rows, with vectors (which three numbers in brackets are) as their numbers. `columns`: what most have.
+// Returns the rows, which all have as many values; otherwise none, and the problem.
 std::vector<LetList> cells(Furnishing& f) {
   std::vector<LetList> rows = f.said.rows;
   const std::size_t columns = rows[0].size();
@@ -161,9 +157,7 @@ void make_table(Furnishing& f) {
   if (rows.empty()) return;
   Vec3 cell = f.vector("cell");
   const double em = std::min(0.5 * cell.y, 0.36);
-  double widest = 1;
-  for (const double w : widths(rows)) widest = std::max(widest, w);
-  if (!f.says("cell")) cell.x = std::max(cell.x, 0.62 * em * widest + 0.5);
+  if (!f.says("cell")) cell.x = std::max(cell.x, 0.62 * em * widest_of(rows) + 0.5);
   put_cells(f, rows, cell, em, rows.size() > 1);
   const double w = cell.x * static_cast<double>(rows[0].size()) / 2, h = cell.y * static_cast<double>(rows.size()) / 2;
   for (std::size_t r = 0; r <= rows.size(); ++r) {

@@ -189,6 +189,8 @@ bool twerper(Command&, const Selected& to, Twerper& out, TwerperArguments&);
 // Compiles the code of a value. The code knows the names made by `let`; if `placed`, also its place in the command's
 // pattern.
 Result<std::shared_ptr<const Routine>> make_code(const Command&, std::string source, bool placed, Role = Role::value);
+// Carries out lines of the language inside a command. Changes the scene even if one of them fails.
+Diagnostics carried_out(Command&, std::string_view lines);
 // Runs a command of the author's own.
 bool own_command(Command&, const NamedProcedure&);
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "commands/furniture_rows.h"
-#include "commands/reader.h"
 #include "language/formula.h"
 #include "procedure/lua.h"
 #include "program/on_axes.h"
@@ -58,8 +57,9 @@ bool formula_is_good(Command& k, const Object& o, std::string_view name, std::st
   // The place: that of the word that the message names, or of the whole formula.
   const std::string_view line = k.script.source.text;
   std::string_view place = about;
-  if (const auto at = line.find(**text); !(*text)->empty() && at != std::string_view::npos) {
-    place = line.substr(at, (*text)->size());
+  const std::string quoted = "\"" + **text + "\"";
+  if (const auto at = line.find(quoted); !(*text)->empty() && at != std::string_view::npos) {
+    place = line.substr(at + 1, (*text)->size());
     const auto near = problem.find("near '");
     const auto end = near == std::string::npos ? near : problem.find('\'', near + 6);
     if (end != std::string::npos)
@@ -72,14 +72,7 @@ bool formula_is_good(Command& k, const Object& o, std::string_view name, std::st
 }  // namespace
 
 bool carry_out_lines(Command& k, const std::string& lines, std::string_view about) {
-  Diagnostics said;
-  LoadOptions options = k.script.options;
-  options.now.reset();
-  Script inner(k.scene, said, options);
-  inner.depth = k.script.depth + 1;
-  inner.root = k.script.root;
-  read_text(k.scene, inner, lines, k.script.source.name);
-  for (const Diagnostic& d : said)
+  for (const Diagnostic& d : carried_out(k, lines))
     if (d.severity == Severity::error) return k.cursor.fail(d.what.code, d.what.message, about, d.what.hint);
   return true;
 }

@@ -90,22 +90,20 @@ void make_polar_axes(Furnishing& f) {
   axis(f, 'x', f.number("radius"), "centre");
   const double away = f.number("radius") + 1.6 * f.number("digits");
   for (int degrees = 30; degrees < 360; degrees += 30)
-    f.line("create {}/{}deg text text=\"{}°\" size={} color={} position=({} {})", f.name, "a" + std::to_string(degrees),
+    f.line("create {}/{} text text=\"{}°\" size={} color={} position=({} {})", f.name, "a" + std::to_string(degrees),
            degrees, write_number(f.number("digits")), label_color, write_number(away * std::cos(degrees * pi / 180)),
            write_number(away * std::sin(degrees * pi / 180) - 0.36 * f.number("digits")));
 }
 
 void make_plane_grid(Furnishing& f) {
   if (!good_axis(f, "x") || !good_axis(f, "y")) return;
-  const Vec3 size = f.vector("size");
-  const std::string name = f.name;
+  const std::string& name = f.name;
   f.line("create {}/grid polyline width=0.025 color={}", name, colors[0]);
   f.line("set {0}/grid.points = \"axes.grid('{0}')\"", name);
   for (const auto& [word, color] : {std::pair{"right", colors[2]}, {"up", colors[3]}}) {
     f.line("create {}/{} arrow width=0.07 color={} position=(0 0 0.01)", name, word, color);
     f.line("set {0}/{1}.to = \"axes.place('{0}', vec({2}))\"", name, word, word[0] == 'r' ? "1, 0" : "0, 1");
   }
-  (void)size;
 }
 
 // ---- Plots

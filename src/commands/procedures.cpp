@@ -167,16 +167,7 @@ struct Hosting : Host {
   }
   Status run_line(std::string_view line) {
     program_.reset();
-    Diagnostics said;
-    LoadOptions options = k.script.options;
-    options.now.reset();  // they have no line in a history
-    Script inner(k.scene, said, options);
-    inner.depth = k.script.depth + 1;
-    inner.root = k.script.root;
-    inner.copied = k.script.copied;
-    read_text(k.scene, inner, line, k.script.source.name);
-    k.script.copied = inner.copied;
-    for (const Diagnostic& d : said) {
+    for (const Diagnostic& d : carried_out(k, line)) {
       const std::string what = fmt::format("{} (in \"{}\")", d.what.message, line.substr(0, 80));
       if (d.severity == Severity::error) return fail(d.what.code, what, d.what.hint);
       if (d.severity == Severity::warning) k.script.note(Severity::warning, what, {k.script.verb, 0}, d.what.hint);
@@ -312,6 +303,19 @@ bool own_command(Command& k, const NamedProcedure& p) {
           ? with_line(e.place.line, e.message)
           : fmt::format("{}:{}: {}", file, own.code_at.line + std::max(e.place.line, 1) - 1, e.message);
   return c.fail(e.code, fmt::format("{}: {}", own.name, what), {start - own.name.size(), own.name.size()}, e.hint);
+}
+
+Diagnostics carried_out(Command& k, std::string_view lines) {
+  Diagnostics said;
+  LoadOptions options = k.script.options;
+  options.now.reset();  // they have no line in a history
+  Script inner(k.scene, said, options);
+  inner.depth = k.script.depth + 1;
+  inner.root = k.script.root;
+  inner.copied = k.script.copied;
+  read_text(k.scene, inner, lines, k.script.source.name);
+  k.script.copied = inner.copied;
+  return said;
 }
 
 std::span<const Verb> procedures_verbs() { return procedures_rows; }

@@ -32,54 +32,40 @@ struct Chart {
   }
 };
 
-Result<Value> asked_value(Machine& m, const std::string& target) {
-  return m.call->questions->value(target, m.call->seconds, m.call->steps);
-}
-double asked_number(Machine& m, const std::string& target) {
-  const auto v = asked_value(m, target);
-  const auto* d = v ? std::get_if<double>(&*v) : nullptr;
-  const auto* b = v ? std::get_if<bool>(&*v) : nullptr;
-  return d ? *d : b && *b ? 1 : 0;
-}
-
 // Reads the values of the chart that the first argument names. Returns why not, or "".
 std::string read_values(lua_State* l, Machine& m, Chart& out) {
   if (lua_type(l, 1) != LUA_TSTRING) return "the first argument must be the name of a chart, in quotes";
   if (!lua_isnumber(l, 2)) return "the second argument must be the number of a part";
   if (!m.call->questions) return "only code that computes a value can use it";
   const std::string name = lua_tostring(l, 1);
-  const auto parts = asked_value(m, name + ".parts");
-  if (!parts) return parts.error().message;
-  const auto* names = std::get_if<Names>(&*parts);
+  const auto parts = value_now(m, name + ".parts");
+  const auto* names = parts ? std::get_if<Names>(&*parts) : nullptr;
   const double one = lua_tonumber(l, 2);
-  if (!names || !(one >= 1 && one <= static_cast<double>((*names)->size()))) return "there is no part of that number";
+  if (!names) return "there is no chart '" + name + "'";
+  if (!(one >= 1 && one <= static_cast<double>((*names)->size()))) return "there is no part of that number";
   out.one = static_cast<std::size_t>(one) - 1;
-  for (const std::string& part : **names) out.values.push_back(asked_number(m, part + ".value"));
+  for (const std::string& part : **names) out.values.push_back(number_now(m, part + ".value"));
   return "";
 }
 
 std::string read_chart(lua_State* l, Machine& m, Chart& out) {
   if (auto why = read_values(l, m, out); !why.empty()) return why;
   const std::string name = lua_tostring(l, 1);
-  const auto size = asked_value(m, name + ".size"), range = asked_value(m, name + ".range");
+  const auto size = value_now(m, name + ".size"), range = value_now(m, name + ".range");
   if (!size || !range) return "it is no chart of bars";
   out.size = std::get<Vec3>(*size);
-  out.gap = asked_number(m, name + ".gap"), out.sorted = asked_number(m, name + ".sorted") != 0;
+  out.gap = number_now(m, name + ".gap"), out.sorted = number_now(m, name + ".sorted") != 0;
   const Vec3 ends = std::get<Vec3>(*range);
   out.low = ends.x, out.high = ends.y;
   if (ends.x == ends.y) {
     out.low = out.high = 0;
     for (const double v : out.values) out.low = std::min(out.low, v), out.high = std::max(out.high, v);
   }
-  const auto up = asked_value(m, ".upwards");
-  out.up = !up || !std::holds_alternative<bool>(*up) || std::get<bool>(*up);
+  out.up = number_now(m, ".upwards") != 0;
   return "";
 }
 
-int push_pair(lua_State* l, double x, double y) {
-  const double n[] = {x, y, 0};
-  return push(l, Kind::vector, n), 1;
-}
+int push_pair(lua_State* l, double x, double y) { return push_place(l, {x, y, 0}), 1; }
 
 int extent_of(lua_State* l, Machine& m) {
   Chart c;
@@ -117,7 +103,7 @@ int number_of(lua_State* l, Machine& m) {
   if (lua_type(l, 1) != LUA_TSTRING)
     return fail_with(l, "chart.number: the argument must be the name of a bar, in quotes");
   if (!m.call->questions) return fail_with(l, "chart.number: only code that computes a value can use it");
-  const double v = asked_number(m, std::string(lua_tostring(l, 1)) + ".value");
+  const double v = number_now(m, std::string(lua_tostring(l, 1)) + ".value");
   const double step = std::abs(v) >= 100 ? 1 : std::abs(v) >= 10 ? 0.1 : 0.01;
   const double rounded = std::round(v / step) * step;
   const bool whole = std::abs(rounded - std::round(rounded)) < step / 2;

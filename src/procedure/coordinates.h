@@ -4,6 +4,7 @@
 // What the functions of axes, plots and charts share.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ namespace betwixt::lua {
 // Finds the axes that the first argument names. "": those of the object whose value it is. Returns why not, or "".
 std::string find_axes(lua_State*, Machine&, AxesSpace&);
 std::string find_axes(Machine&, std::string_view name, AxesSpace&);
+// Reads a target now. A target that cannot be read is nullopt, 0 or "".
+std::optional<Value> value_now(Machine&, const std::string& target);
+double number_now(Machine&, const std::string& target);  // on is 1
+std::string text_now(Machine&, const std::string& target);
+void push_place(lua_State*, Vec3);
 void push_points(lua_State*, const std::vector<Vec3>&);
 
 // Code that is compiled, with its number for Machine::push_code.

@@ -18,6 +18,7 @@ Result<lua::CompiledFormula> compiled_formula(const std::string& formula) {
 // Words Lua's message for people who write formulas.
 std::string plain_problem(const Error& error) {
   std::string why = error.message;
+  if (why.starts_with("line ")) why.erase(0, std::min(why.size(), why.find(": ") + 2));  // of the code around it
   if (why.starts_with("malformed number near")) return why + "; write 2*x for the product";
   for (const std::string_view inner : {" near 'end'", " near <eof>"})
     if (why.ends_with(inner)) why.replace(why.size() - inner.size(), inner.size(), " at its end");

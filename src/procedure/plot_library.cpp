@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "procedure/axes_library.h"
 #include "procedure/coordinates.h"
@@ -17,22 +16,6 @@ namespace {
 constexpr double beyond = std::numeric_limits<double>::infinity();
 constexpr Vec3 lifted{beyond, beyond, beyond};
 constexpr int most_names = 20;  // of plots that name plots
-
-// Reads a function of the object whose value is computed, or of another.
-std::optional<Value> said_of(Machine& m, const std::string& target) {
-  auto found = m.call->questions->value(target, m.call->seconds, m.call->steps);
-  return found ? std::optional(*std::move(found)) : std::nullopt;
-}
-double own_number(Machine& m, const std::string& target) {
-  const auto v = said_of(m, target);
-  const auto* d = v ? std::get_if<double>(&*v) : nullptr;
-  return d ? *d : 0;
-}
-std::string own_text(Machine& m, const std::string& target) {
-  const auto v = said_of(m, target);
-  const auto* text = v ? std::get_if<Text>(&*v) : nullptr;
-  return text ? std::string(**text) : std::string();
-}
 
 bool is_word(const std::string& s) {
   return !s.empty() && std::all_of(s.begin(), s.end(), [](unsigned char c) {
@@ -52,7 +35,7 @@ Meant meant(Machine& m, std::string text) {
     int slopes = 0;
     for (; name.ends_with('\''); ++slopes) name.pop_back();
     if (!is_word(name) || name == "x" || name == "y" || name == "u" || name == "t") break;
-    const auto there = said_of(m, name + ".of");
+    const auto there = value_now(m, name + ".of");
     if (!there || !std::holds_alternative<Text>(*there)) break;
     text = *std::get<Text>(*there), out.slopes += slopes;
   }
@@ -140,11 +123,12 @@ struct Plotting {
   Formula of;
   double from = 0, to = 1;
 
-  std::string open(lua_State* l, Machine& m) {
-    if (auto why = find_axes(m, "", space); !why.empty()) return why;
+  // `name`: of the plot; "": of the object whose value it is.
+  std::string open(lua_State* l, Machine& m, const std::string& name = "") {
+    if (auto why = find_axes(m, name, space); !why.empty()) return why;
     if (!space.x.good() || !(space.size.x > 0)) return "its axes have no length: give x two different numbers";
-    if (auto why = of.open(l, m, own_text(m, ".of")); !why.empty()) return why;
-    from = own_number(m, ".from"), to = own_number(m, ".to");
+    if (auto why = of.open(l, m, text_now(m, name + ".of")); !why.empty()) return why;
+    from = number_now(m, name + ".from"), to = number_now(m, name + ".to");
     return "";
   }
   bool along_axis() const { return from == to; }
@@ -226,7 +210,7 @@ int area_of(lua_State* l, Machine& m) {
   Plotting p;
   if (auto why = p.open(l, m); !why.empty()) return fail_with(l, why);
   Formula base;
-  if (auto why = base.open(l, m, own_text(m, ".base")); !why.empty()) return fail_with(l, why);
+  if (auto why = base.open(l, m, text_now(m, ".base")); !why.empty()) return fail_with(l, why);
   p.within_axis();
   if (p.from > p.to) std::swap(p.from, p.to);
   const auto top = p.curve(p.of), bottom = p.curve(base);
@@ -251,23 +235,37 @@ int area_of(lua_State* l, Machine& m) {
   return push_points(l, out), 1;
 }
 
+// The rectangles of a Riemann sum, from left to right.
+struct Rectangles {
+  double step = 0;
+  std::vector<std::pair<double, double>> all;  // the left side and the height
+};
+Rectangles rectangles(Machine& m, Plotting& p, const std::string& name) {
+  p.within_axis();
+  const int count = static_cast<int>(std::clamp(std::round(number_now(m, name + ".count")), 0.0, 2000.0));
+  const std::string touch = text_now(m, name + ".touch");
+  const double share = touch == "right" ? 1 : touch == "middle" ? 0.5 : 0;
+  Rectangles out;
+  out.step = count > 0 ? (p.to - p.from) / count : 0;
+  for (int i = 0; i < count; ++i) {
+    const double x = p.from + i * out.step, y = p.of(x + share * out.step).x;
+    if (std::isfinite(y)) out.all.emplace_back(x, y);
+  }
+  return out;
+}
+
 int riemann_of(lua_State* l, Machine& m) {
   Plotting p;
   if (auto why = p.open(l, m); !why.empty()) return fail_with(l, why);
-  p.within_axis();
-  const int count = static_cast<int>(std::clamp(std::round(own_number(m, ".count")), 0.0, 2000.0));
-  const std::string touch = own_text(m, ".touch");
-  const double share = touch == "right" ? 1 : touch == "middle" ? 0.5 : 0;
+  const Rectangles sum = rectangles(m, p, "");
+  if (!p.of.problem().empty()) return fail_with(l, p.of.problem());
+  const double zero = p.space.y.scale == AxisScale::log ? p.space.y.low : 0;
   std::vector<Vec3> out;
-  for (int i = 0; i < count; ++i) {
-    const double step = (p.to - p.from) / count, x = p.from + i * step, y = p.of(x + share * step).x;
-    if (!std::isfinite(y)) continue;
+  for (const auto& [x, y] : sum.all) {
     if (!out.empty()) out.push_back(lifted);
-    const double zero = p.space.y.scale == AxisScale::log ? p.space.y.low : 0;
-    for (const auto& [a, b] : {std::pair{x, zero}, {x + step, zero}, {x + step, y}, {x, y}})
+    for (const auto& [a, b] : {std::pair{x, zero}, {x + sum.step, zero}, {x + sum.step, y}, {x, y}})
       out.push_back(kept_inside(p.space.place({a, b, 0}), p.half()));
   }
-  if (!p.of.problem().empty()) return fail_with(l, p.of.problem());
   return push_points(l, out), 1;
 }
 
@@ -275,27 +273,18 @@ int sum_of(lua_State* l, Machine& m) {
   if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "plot.sum: write the name of a Riemann sum, in quotes");
   const std::string name = lua_tostring(l, 1);
   Plotting p;
-  if (auto why = find_axes(m, name, p.space); !why.empty()) return fail_with(l, why);
-  if (auto why = p.of.open(l, m, own_text(m, name + ".of")); !why.empty()) return fail_with(l, why);
-  p.from = own_number(m, name + ".from"), p.to = own_number(m, name + ".to");
-  p.within_axis();
-  const int count = static_cast<int>(std::clamp(std::round(own_number(m, name + ".count")), 0.0, 2000.0));
-  const std::string touch = own_text(m, name + ".touch");
-  const double share = touch == "right"    ? 1
-                       : touch == "middle" ? 0.5
-                                           : 0,
-               step = count > 0 ? (p.to - p.from) / count : 0;
-  double sum = 0;
-  for (int i = 0; i < count; ++i)
-    if (const double y = p.of(p.from + (i + share) * step).x; std::isfinite(y)) sum += y * step;
+  if (auto why = p.open(l, m, name); !why.empty()) return fail_with(l, why);
+  const Rectangles all = rectangles(m, p, name);
   if (!p.of.problem().empty()) return fail_with(l, p.of.problem());
+  double sum = 0;
+  for (const auto& [x, y] : all.all) sum += y * all.step;
   return lua_pushnumber(l, sum), 1;
 }
 
 int tangent_of(lua_State* l, Machine& m) {
   Plotting p;
   if (auto why = p.open(l, m); !why.empty()) return fail_with(l, why);
-  const double at = own_number(m, ".at"), step = own_number(m, ".step"), long_ = own_number(m, ".length");
+  const double at = number_now(m, ".at"), step = number_now(m, ".step"), long_ = number_now(m, ".length");
   const double h = step != 0 ? step : 1e-5 * std::abs(p.space.x.high - p.space.x.low);
   const auto place = [&](double x) { return p.space.place({x, p.of(x).x, 0}); };
   const Vec3 here = place(at), a = step != 0 ? here : place(at - h), b = place(at + h);
@@ -327,7 +316,7 @@ int field_of(lua_State* l, Machine& m) {
   Plotting p;
   if (auto why = p.open(l, m); !why.empty()) return fail_with(l, why);
   const double across = std::max(p.space.size.x, p.space.size.y);
-  const double density = std::clamp(own_number(m, ".density"), 1.0, 100.0), cell = across / density;
+  const double density = std::clamp(number_now(m, ".density"), 1.0, 100.0), cell = across / density;
   const int columns = std::max(1, static_cast<int>(p.space.size.x / cell)),
             rows = std::max(1, static_cast<int>(p.space.size.y / cell));
   struct Arrow {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "program/asking.h"
 #include "track/procedure.h"
 
@@ -100,9 +102,8 @@ Result<AxesSpace> axes_space(const Program::Compiled& c, ObjectId id, Time t, As
 }
 
 bool points_by_axes(const Scene& scene, const Object& o) {
-  const bool plain =
-      o.kind == Kind::polyline || o.kind == Kind::curve || o.kind == Kind::polygon || o.kind == Kind::points;
-  return plain && axes_of(scene, o);
+  const bool places = find_built_in(o.kind, "bare").has_value();  // the formula of a plot gives places
+  return has_points(o.kind) && !places && axes_of(scene, o);
 }
 
 Points placed_points(const Program::Compiled& c, std::uint32_t object, const Points& numbers, Time t, Asking& asking) {
@@ -110,7 +111,13 @@ Points placed_points(const Program::Compiled& c, std::uint32_t object, const Poi
   if (!space) return numbers;
   std::vector<Vec3> places;
   places.reserve(numbers->size());
-  for (const Vec3 p : *numbers) places.push_back(space->place(p));
+  const bool apart = c.document.scene().objects[object].kind == Kind::points;  // nothing joins them
+  for (const Vec3 p : *numbers) {
+    const Vec3 place = space->place(p);
+    const bool there = std::isfinite(place.x + place.y + place.z);
+    if (there) places.push_back(place);
+    if (!there && !apart) places.push_back({HUGE_VAL, HUGE_VAL, HUGE_VAL});  // a break
+  }
   return Points(std::move(places));
 }
 

@@ -6,6 +6,7 @@
 
 #include "program/compiled.h"
 #include "scene/axes.h"
+#include "scene/kinds.h"
 
 namespace betwixt {
 
@@ -15,9 +16,6 @@ Result<AxesSpace> axes_space(const Program::Compiled&, ObjectId, Time, Asking&);
 ObjectId axes_of(const Scene&, const Object&);
 // Returns code that computes the place of such an object from its position.
 const Value& placed_by_axes();
-inline bool has_coordinates(Kind kind) {
-  return kind == Kind::axes || kind == Kind::number_line || kind == Kind::polar_axes || kind == Kind::plane_grid;
-}
 // Returns whether the points of an object are numbers of axes. (The points of plots are places already.)
 bool points_by_axes(const Scene&, const Object&);
 // Returns the places of points that are numbers of axes; those without a place are breaks.

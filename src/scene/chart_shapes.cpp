@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Outlines of plots, charts and marks.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,33 +29,24 @@ Contours broken_contours(const Shape& s) {
 }
 
 Contours bar_contours(const Shape& s) {
-  const double x = s.size.x, y = s.size.y;
-  if (!sane(s.size) || x == 0 || y == 0) return {};
-  const double r = std::min({std::max(0.0, s.corner), std::abs(x) / 2, std::abs(y) / 2});
-  const bool up = s.height > 0.5;  // it grows along y, and has round corners at its upper end
-  const double a = up ? -x / 2 : 0, b = up ? x / 2 : x, c = up ? 0 : -y / 2, d = up ? y : y / 2;
-  std::vector<Vec3> out;
-  const auto corner = [&](Vec3 at, Vec3 before, Vec3 after) {
-    constexpr int steps = 8;
-    if (!(r > 0)) return out.push_back(at);
-    for (int i = 0; i <= steps; ++i) {
-      const double t = pi / 2 * i / steps;
-      out.push_back(at + r * ((1 - std::sin(t)) * before + (1 - std::cos(t)) * after));
-    }
+  if (!sane(s.size) || s.size.x == 0 || s.size.y == 0) return {};
+  // Along its growth, and across: seen from its foot, the corners at its end are round.
+  const bool up = s.height > 0.5;
+  const double grown = up ? s.size.y : s.size.x, half = std::abs(up ? s.size.x : s.size.y) / 2;
+  const double r = std::clamp(s.corner, 0.0, std::min(std::abs(grown), half)), way = grown < 0 ? -1 : 1;
+  const auto at = [&](double along, double across) {
+    return up ? Vec3{-across, way * along, 0} : Vec3{way * along, across, 0};
   };
-  const double sx = x < 0 ? -1 : 1, sy = y < 0 ? -1 : 1;
-  const Vec3 ex{sx, 0, 0}, ey{0, sy, 0};
-  if (up) {
-    out = {{-sx * std::abs(x) / 2, 0, 0}, {sx * std::abs(x) / 2, 0, 0}};
-    corner({sx * std::abs(x) / 2, d, 0}, -ey, -ex);
-    corner({-sx * std::abs(x) / 2, d, 0}, ex, -ey);
-  } else {
-    out = {{a, sy * c, 0}};
-    corner({b, sy * c, 0}, -ex, ey);
-    corner({b, sy * d, 0}, -ey, -ex);
-    out.push_back({a, sy * d, 0});
-  }
-  if (sx * sy < 0) std::reverse(out.begin(), out.end());
+  constexpr int steps = 8;
+  const double end = std::abs(grown);
+  std::vector<Vec3> out{at(0, -half)};
+  for (const double side : {-1.0, 1.0})
+    for (int i = 0; i <= (r > 0 ? steps : 0); ++i) {
+      const double a = pi / 2 * (side < 0 ? i : steps - i) / steps;
+      out.push_back(r > 0 ? at(end - r + r * std::sin(a), side * (half - r + r * std::cos(a))) : at(end, side * half));
+    }
+  out.push_back(at(0, half));
+  if (way < 0) std::reverse(out.begin(), out.end());
   return {out};
 }
 

@@ -47,6 +47,12 @@ inline Mesh cloud_mesh(const Shape& s, const Detail& d) {
   return balls_mesh(*s.points, s.width, sphere_mesh(around, around / 2));
 }
 
+// Returns the row of a line with a width.
+constexpr KindRow a_line(KindRow row) {
+  row.fill = Fill::surface, row.line = row.detailed = true;
+  row.extent = of_line, row.mesh = stroke_mesh;
+  return row;
+}
 // Returns the row of a flat shape, the area of its contours, which can have a depth.
 template <auto contours>
 constexpr KindRow flat(KindRow row) {

@@ -45,6 +45,7 @@ struct KindRow {
   std::string_view sentence = {}, written = {}, example = {};  // for help; `written`: its own parameters
   std::string_view functions = {};  // the shared ones: "radius height"; the others name their kinds themselves
   bool placed = true;               // whether objects of it have a place
+  bool coordinates = false;         // others are placed by its numbers: `on`
   bool ground = false;              // grounds and walls: not what a film is about
   Fill fill = Fill::nothing;
   bool deep = false;      // an outline that can have a depth
@@ -67,6 +68,7 @@ std::optional<Kind> find_kind(std::string_view name);
 std::string written_of(const KindRow&);  // with the parameters that all kinds of its sort have
 std::string a_kind(Kind);                // "a sphere", "an environment"
 inline bool drawable(Kind k) { return row_of(k).fill != Fill::nothing; }
+inline bool has_coordinates(Kind k) { return row_of(k).coordinates; }
 inline bool placed(Kind k) { return row_of(k).placed; }
 
 // The names, by the number of the kind.

@@ -216,8 +216,9 @@ TEST(AxesOfFilms, SayWhatIsWrong) {
        "y has a logarithmic scale, so both its ends must be above 0"},
       {"create a axes x=(0 1e300)", 17, ErrorCode::range, nullptr},
       {"create f plot of=\"x\"", 10, ErrorCode::syntax, "a plot needs axes"},
-      {"create f plot on=ax of=\"sin(x\"", 25, ErrorCode::syntax, nullptr},
-      {"create f plot on=ax of=\"2x\"", 25, ErrorCode::syntax, nullptr},
+      {"create f plot on=ax of=\"sin(x\"", 25, ErrorCode::syntax, "the formula has an error: ')' expected at its end"},
+      {"create f plot on=ax of=\"2x\"", 25, ErrorCode::syntax,
+       "the formula has an error: malformed number near '2x'; write 2*x for the product"},
       {"create f plot on=ball of=\"x\"", 8, ErrorCode::type, "'ball' is a sphere, which has no coordinates"},
       {"create f plot on=nowhere", 18, ErrorCode::name, nullptr},
       {"create b bars", 10, ErrorCode::syntax, "a chart of bars needs its values"},
@@ -255,6 +256,9 @@ TEST(Plots, EndWhateverTheFormula) {
     const LoadedFilm s(axes + "create f plot on=ax of=\"" + of + "\"\n");
     std::vector<std::string> problems;
     s.program.read(*find_targets("f.points", s.loaded.document), {}, &problems);
+    const bool endless = std::string_view(of).find("while") != std::string_view::npos;
+    EXPECT_EQ(problems.size(), endless ? 1u : 0u) << of;
+    if (endless) EXPECT_NE(problems.at(0).find("it took more than 1000000 steps"), std::string::npos) << problems.at(0);
   }
 }
 
