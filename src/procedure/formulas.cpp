@@ -19,6 +19,8 @@ Result<lua::CompiledFormula> compiled_formula(const std::string& formula) {
 std::string plain_problem(const Error& error) {
   std::string why = error.message;
   if (why.starts_with("line ")) why.erase(0, std::min(why.size(), why.find(": ") + 2));  // of the code around it
+  constexpr std::string_view only_line = " at line 1";
+  if (const auto at = why.find(only_line); at != std::string::npos) why.erase(at, only_line.size());
   if (why.starts_with("malformed number near")) return why + "; write 2*x for the product";
   for (const std::string_view inner : {" near 'end'", " near <eof>"})
     if (why.ends_with(inner)) why.replace(why.size() - inner.size(), inner.size(), " at its end");
