@@ -114,6 +114,8 @@ class Engine {
   #lost = false;
   #reader = null;
   #loading_reader = null;
+  #formulas = null;  // the loading of the font of formulas
+  #has_formulas = false;
   #files = {};  // of the film that is opening
 
   constructor(module) {
@@ -127,11 +129,31 @@ class Engine {
     this.algebra = algebraOf((...all) => this.call(...all));
   }
 
-  // Loads the reader of meshes, scenes, drawings and pictures if one of the files needs it.
-  async prepare(files) {
-    if (this.#reader || Object.keys(files).every((path) => /\.(bx|ttf|otf|ttc)$/i.test(path))) return;
+  // Loads what only some films need: the reader of meshes, scenes, drawings and pictures, and the font of formulas.
+  async prepare(text, files) {
+    await Promise.all([this.#needs_reader(files) && this.#load_reader(), this.#needs_formulas(text, files) && this.#load_formulas()]);
+  }
+  // Returns whether a film can be opened without loading anything.
+  is_prepared(text, files) { return !this.#needs_reader(files) && !this.#needs_formulas(text, files); }
+
+  #needs_reader(files) {
+    return !this.#reader && Object.keys(files).some((path) => !/\.(bx|ttf|otf|ttc)$/i.test(path));
+  }
+  // The word may stand in a comment; then the font is loaded for nothing.
+  #needs_formulas(text, files) {
+    const scripts = () => Object.entries(files).filter(([path]) => /\.bx$/i.test(path)).map(([, held]) =>
+      typeof held === "string" ? held : new TextDecoder().decode(held));
+    return !this.#has_formulas && [text, ...scripts()].some((script) => /\btex\b/.test(script));
+  }
+  async #load_reader() {
     this.#loading_reader ??= reader().finally(() => (this.#loading_reader = null));
     this.#reader = await this.#loading_reader;
+  }
+  async #load_formulas() {
+    this.#formulas ??= wasmBytes("betwixt-formulas").finally(() => (this.#formulas = null));
+    const bytes = await this.#formulas;
+    if (!this.#has_formulas) this.#add_font("formulas.otf", new Uint8Array(bytes));
+    this.#has_formulas = true;
   }
 
   // Opens the film of a script. `files` has the bytes of its files by path, and fonts (.ttf, .otf) by any path.

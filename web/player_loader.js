@@ -97,8 +97,9 @@ class FilmLoader {
     }
   }
 
-  // Opens a new text: at once, unless files must be fetched first.
+  // Opens a new text: at once, unless something must be fetched first.
   #open_again() {
+    if (!this.source.is_prepared(this.#engine)) return this.#open_later();
     let film;
     try {
       film = this.source.open_now(this.#engine);
@@ -111,6 +112,9 @@ class FilmLoader {
       return;
     }
     film.dispose();
+    this.#open_later();
+  }
+  #open_later() {
     const loading = (this.#loading = new AbortController());
     this.source.open(this.#engine, loading.signal)
       .then((film) => (loading.signal.aborted ? film.dispose() : this.#inside.take(film)))

@@ -40,7 +40,7 @@ Status write_lesson(const std::string& path, const Motion& motion, const LessonO
   if (options.steps > most_lesson_steps)
     return fail(ErrorCode::range, fmt::format("{} steps are too many for a lesson", options.steps),
                 fmt::format("the limit is {}", most_lesson_steps));
-  const auto player = read_player(false);
+  const auto player = read_player({});
   if (!player) return player.error();
   const std::string text = to_string(motion);
   std::string script = "\n\"use strict\";\n(() => {\n";

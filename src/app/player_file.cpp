@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/player_file.h"
 
+#include <fmt/format.h>
 #include <stdlib.h>
 
 #include <filesystem>
@@ -23,6 +24,14 @@ bool begins_with_word(std::string_view text, std::string_view word) {
   return true;
 }
 
+// Removes a part of the player (web/put_together.py).
+void leave_out(std::string& player_text, std::string_view part) {
+  const std::string begin = fmt::format("// begin of the {}\n", part), end = fmt::format("// end of the {}\n", part);
+  const std::size_t first = player_text.find(begin), last = player_text.find(end);
+  if (first != player_text.npos && last != player_text.npos && first < last)
+    player_text.erase(first, last + end.size() - first);
+}
+
 }  // namespace
 
 Result<std::string> find_player() {
@@ -42,15 +51,13 @@ Result<std::string> find_player() {
   return missing("the player for web pages is missing");
 }
 
-Result<std::string> read_player(bool with_reader) {
+Result<std::string> read_player(PlayerParts parts) {
   const auto path = find_player();
   if (!path) return path;
   auto text = read_whole(*path);
   if (!text) return fail(ErrorCode::machine, text.error().message, text.error().hint);
-  constexpr std::string_view begin = "// begin of the reader\n", end = "// end of the reader\n";
-  const std::size_t first = text->find(begin), last = text->find(end);
-  if (!with_reader && first != text->npos && last != text->npos && first < last)
-    text->erase(first, last + end.size() - first);
+  if (!parts.reader) leave_out(*text, "reader");
+  if (!parts.formulas) leave_out(*text, "formulas");
   // These sequences would end the script element too early.
   for (std::size_t at = text->find('<'); at != text->npos; at = text->find('<', at + 1))
     for (const std::string_view ender : {"/script", "!--"})

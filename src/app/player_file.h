@@ -13,9 +13,14 @@ namespace betwixt {
 
 // Returns its path: BETWIXT_PLAYER, beside the program, or the installed one. Errors: machine (not found).
 Result<std::string> find_player();
-// Returns its content, fit for a <script> element. Without the reader of meshes, scenes, drawings and pictures it is a
-// quarter smaller. Errors: machine.
-Result<std::string> read_player(bool with_reader);
+// The parts of the player that only some films need.
+struct PlayerParts {
+  bool reader = false;    // of meshes, scenes, drawings and pictures: a quarter of the player
+  bool formulas = false;  // the font of formulas
+};
+
+// Returns its content with the wanted parts, fit for a <script> element. Errors: machine.
+Result<std::string> read_player(PlayerParts);
 
 // Escapes a text for a <script type="…"> element that is no JavaScript. Sequences that would end it get a backslash
 // more (<\/script, <\!--, <\script), which the page removes again.

@@ -85,7 +85,12 @@ int web(WebCall& call) {
     files += films.back().files.size();
   }
   if (const Status s = no_two_of_one_name(films); !s) return complain(s.error(), wrong_input);
-  const auto player = read_player(call.link || std::any_of(films.begin(), films.end(), needs_reader));
+  PlayerParts parts{call.link, call.link};
+  for (const PageFilm& film : films) {
+    const PlayerParts needed = needed_parts(film);
+    parts.reader |= needed.reader, parts.formulas |= needed.formulas;
+  }
+  const auto player = read_player(parts);
   if (!player) return complain(player.error(), machine_failed);
   PageOptions options;
   options.title = !call.title.empty()              ? call.title

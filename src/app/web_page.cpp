@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -22,7 +23,6 @@
 #include "base/utf8.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
-#include "exchange/formulas.h"
 #include "exchange/typefaces.h"
 #include "export/formats.h"
 #include "language/json.h"
@@ -90,6 +90,15 @@ bool has_only_usual_letters(std::string_view text) {
   return true;
 }
 
+bool has_word(std::string_view text, std::string_view word) {
+  const auto is_letter = [&](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+  };
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + word.size())) return true;
+  return false;
+}
+
 // Collects the fonts of all texts that the film shows, which the page must contain, and the effects that pages leave
 // out.
 void look_through(PageFilm& film, const Document& document) {
@@ -115,7 +124,6 @@ void look_through(PageFilm& film, const Document& document) {
     moves |= frame.camera.shutter > 0, focuses |= frame.camera.aperture > 0;
     for (const Item& item : frame.items) look(item.shape), look(item.toward);
   }
-  if (!document.scene().formulas->empty()) paths.insert(font_file({std::string(formula_font_name)}).path);
   for (const std::string& path : paths)
     if (auto bytes = read_whole(path)) film.files["fonts/" + fs::path(path).filename().string()] = *std::move(bytes);
   if (moves) film.lost.emplace_back("pages do not show motion blur (shutter)");
@@ -211,12 +219,16 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
   return film;
 }
 
-// The same files for which engine.js loads the reader.
-bool needs_reader(const PageFilm& film) {
+// The same files and texts for which engine.js loads them.
+PlayerParts needed_parts(const PageFilm& film) {
   static constexpr std::string_view without[] = {"bx", "ttf", "otf", "ttc"};
-  return std::any_of(film.files.begin(), film.files.end(), [](const auto& file) {
-    return std::find(std::begin(without), std::end(without), ending(file.first)) == std::end(without);
-  });
+  PlayerParts parts{false, has_word(film.text, "tex")};
+  for (const auto& [name, bytes] : film.files) {
+    const std::string kind = ending(name);
+    parts.reader |= std::find(std::begin(without), std::end(without), kind) == std::end(without);
+    parts.formulas |= kind == "bx" && has_word(bytes, "tex");
+  }
+  return parts;
 }
 
 std::string_view page_look() { return page_css; }

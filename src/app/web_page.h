@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/player_file.h"
 #include "betwixt/document.h"
 #include "betwixt/result.h"
 
@@ -38,8 +39,8 @@ struct PageOptions {
   bool edit = true;                         // shows the texts beside the pictures
   std::string player;  // the text of betwixt-player.js; if empty, the page loads it and page_look() from its own folder
 };
-// Returns whether one of the film's files is a mesh, a scene, a drawing or a picture.
-bool needs_reader(const PageFilm&);
+// Returns the parts of the player that the film needs.
+PlayerParts needed_parts(const PageFilm&);
 std::string web_page(const std::vector<PageFilm>&, const PageOptions&);
 std::string_view page_look();  // betwixt-page.css
 

@@ -20,30 +20,20 @@ struct AxesReader {
   const Time t;
   Asking& asking;
 
-  std::optional<FunctionId> function(std::string_view name) const { return find_built_in(kind, name); }
-  Vec3 vector(std::string_view name) const {
-    const Target target{id, *function(name)};
+  template <class T>
+  T read(std::string_view name) const {
+    const Target target{id, *find_built_in(kind, name)};
     asking.note_read(target);
     const Value v = c.read(target, t, asking);
-    const auto* p = std::get_if<Vec3>(&v);
-    return p ? *p : Vec3{};
+    const auto* typed = std::get_if<T>(&v);
+    return typed ? *typed : T{};
   }
-  double number(std::string_view name) const {
-    const Target target{id, *function(name)};
-    asking.note_read(target);
-    const Value v = c.read(target, t, asking);
-    const auto* d = std::get_if<double>(&v);
-    return d ? *d : 0;
-  }
+  Vec3 vector(std::string_view name) const { return read<Vec3>(name); }
+  double number(std::string_view name) const { return read<double>(name); }
   Axis axis(std::string_view name, std::string_view scale = {}) const {
     const Vec3 v = vector(name);
-    Axis out{v.x, v.y, v.z, AxisScale::linear};
-    if (!scale.empty()) {
-      const Value word = c.read(Target{id, *function(scale)}, t, asking);
-      if (const auto* text = std::get_if<Text>(&word))
-        out.scale = **text == "log" ? AxisScale::log : **text == "time" ? AxisScale::time : AxisScale::linear;
-    }
-    return out;
+    const Text word = scale.empty() ? Text() : read<Text>(scale);
+    return {v.x, v.y, v.z, *word == "log" ? AxisScale::log : *word == "time" ? AxisScale::time : AxisScale::linear};
   }
 
   AxesSpace space() const {

@@ -50,8 +50,12 @@ std::vector<std::string_view> choices(const FunctionSpec&);
 std::span<const FunctionSpec> built_in_functions();
 std::optional<FunctionId> find_built_in(Kind kind, std::string_view name);
 
-// Returns whether objects of the kind have points, which axes place instead of the position.
-inline bool has_points(Kind kind) { return find_built_in(kind, "points").has_value(); }
+// Returns whether objects of the kind have a list of points, which axes place instead of the position. (The points of a
+// star are a number.)
+inline bool has_points(Kind kind) {
+  const auto f = find_built_in(kind, "points");
+  return f && built_in_functions()[*f].type == Type::points;
+}
 
 // Ids of functions that the program needs by name.
 namespace fn {

@@ -27,6 +27,13 @@ TEST(AxesOfFilms, PlaceWhatIsOnThem) {
   EXPECT_EQ(m(0, 0), 1);  // zooming stretches no circle
 }
 
+TEST(AxesOfFilms, PlaceEveryKind) {
+  for (const char* kind : {"star", "sphere", "text text=\"a\"", "group", "light", "line", "arrow"}) {
+    const LoadedFilm s(axes + "create a " + kind + " on=ax position=(7 1)\n");
+    EXPECT_NEAR(length(place(s, "a", "1f") - Vec3{2, 1, 0}), 0, 1e-12) << kind;
+  }
+}
+
 TEST(AxesOfFilms, PointsAreNumbersToo) {
   const LoadedFilm s(axes + "create way polyline on=ax points=((0 0) (10 2))\n");
   const auto frame = s.frame("1f");
