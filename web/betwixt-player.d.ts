@@ -74,8 +74,9 @@ export interface Film {
 
 export interface Engine {
   readonly version: string;
-  /** Loads the reader of meshes, scenes, drawings and pictures if one of these files needs it. */
-  prepare(files: Record<string, Uint8Array>): Promise<void>;
+  /** Loads the reader of meshes, scenes, drawings and pictures if one of these files needs it, and the fonts of
+   * formulas and code if the text has any. */
+  prepare(files: Record<string, Uint8Array>, text?: string): Promise<void>;
   /** Opens a film. Does not throw for errors in the script: see `Film.ok`. */
   open(text: string, how?: { name?: string; files?: Record<string, Uint8Array> }): Film;
   readonly algebra: Algebra;

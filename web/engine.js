@@ -7,6 +7,9 @@
 
 const Betwixt = (globalThis.Betwixt ??= {});
 
+// The fonts that only some films need, and the words in their scripts (web/put_together.py, src/app/web_page.cpp).
+const some_fonts = { "betwixt-formulas": /\btex\b/, "betwixt-code": /\bcode\b/ };
+
 class Film {
   changed = null;  // a function, called after each edit; its argument: whether the duration is another one
   #engine;
@@ -114,8 +117,7 @@ class Engine {
   #lost = false;
   #reader = null;
   #loading_reader = null;
-  #formulas = null;  // the loading of the font of formulas
-  #has_formulas = false;
+  #fonts = {};  // those of some_fonts that are loaded, or loading
   #files = {};  // of the film that is opening
 
   constructor(module) {
@@ -129,31 +131,37 @@ class Engine {
     this.algebra = algebraOf((...all) => this.call(...all));
   }
 
-  // Loads what only some films need: the reader of meshes, scenes, drawings and pictures, and the font of formulas.
-  async prepare(text, files) {
-    await Promise.all([this.#needs_reader(files) && this.#load_reader(), this.#needs_formulas(text, files) && this.#load_formulas()]);
+  // Loads what only some films need: the reader of meshes, scenes, drawings and pictures, and the fonts of formulas and
+  // of code.
+  async prepare(files, text = "") {
+    await Promise.all([this.#needs_reader(files) && this.#load_reader(),
+                       ...this.#needed_fonts(files, text).map((name) => (this.#fonts[name] ??= this.#load_font(name)))]);
   }
   // Returns whether a film can be opened without loading anything.
-  is_prepared(text, files) { return !this.#needs_reader(files) && !this.#needs_formulas(text, files); }
+  is_prepared(files, text) { return !this.#needs_reader(files) && !this.#needed_fonts(files, text).length; }
 
   #needs_reader(files) {
     return !this.#reader && Object.keys(files).some((path) => !/\.(bx|ttf|otf|ttc)$/i.test(path));
   }
   // The word may stand in a comment; then the font is loaded for nothing.
-  #needs_formulas(text, files) {
-    const scripts = () => Object.entries(files).filter(([path]) => /\.bx$/i.test(path)).map(([, held]) =>
-      typeof held === "string" ? held : new TextDecoder().decode(held));
-    return !this.#has_formulas && [text, ...scripts()].some((script) => /\btex\b/.test(script));
+  #needed_fonts(files, text) {
+    const scripts = [text, ...Object.entries(files).filter(([path]) => /\.bx$/i.test(path)).map(([, held]) =>
+      typeof held === "string" ? held : new TextDecoder().decode(held))];
+    return Object.keys(some_fonts).filter((name) =>
+      this.#fonts[name] !== true && scripts.some((script) => some_fonts[name].test(script)));
   }
   async #load_reader() {
     this.#loading_reader ??= reader().finally(() => (this.#loading_reader = null));
     this.#reader = await this.#loading_reader;
   }
-  async #load_formulas() {
-    this.#formulas ??= wasmBytes("betwixt-formulas").finally(() => (this.#formulas = null));
-    const bytes = await this.#formulas;
-    if (!this.#has_formulas) this.#add_font("formulas.otf", new Uint8Array(bytes));
-    this.#has_formulas = true;
+  async #load_font(name) {
+    try {
+      this.#add_font(`${name}.otf`, new Uint8Array(await wasmBytes(name)));
+      this.#fonts[name] = true;
+    } catch (error) {
+      delete this.#fonts[name];
+      throw error;
+    }
   }
 
   // Opens the film of a script. `files` has the bytes of its files by path, and fonts (.ttf, .otf) by any path.

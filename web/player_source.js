@@ -90,7 +90,7 @@ class FilmSource {
   // Opens the film and fetches the files that it lacks, until no missing file can be fetched.
   async open(engine, signal) {
     for (const tried = new Set(); ;) {
-      await engine.prepare(this.text, Object.fromEntries(this.files));
+      await engine.prepare(Object.fromEntries(this.files), this.text);
       const film = this.open_now(engine);
       const missing = this.missing(film).filter((path) => !tried.has(path));
       if (!missing.length) return film;
@@ -109,7 +109,7 @@ class FilmSource {
     }
   }
   // Returns whether the engine can open the film at once.
-  is_prepared(engine) { return engine.is_prepared(this.text, Object.fromEntries(this.files)); }
+  is_prepared(engine) { return engine.is_prepared(Object.fromEntries(this.files), this.text); }
   open_now(engine) {
     return engine.open(this.text, { name: this.name, files: Object.fromEntries(this.files) });
   }

@@ -45,7 +45,8 @@ def compressed(path):
 # The compiled programs: the engine, and the reader of foreign files.
 programs = ["betwixt", "betwixt-reader"]
 packed = {name: compressed(os.path.join(folder, name + ".wasm")) for name in programs}
-packed["betwixt-formulas"] = compressed(os.path.join(folder, "betwixt-formulas.otf"))
+fonts = ["betwixt-formulas", "betwixt-code"]
+packed.update({name: compressed(os.path.join(folder, name + ".otf")) for name in fonts})
 # Inside a function, the exports for other module systems are of no use.
 glue = {name: re.sub(r"if\s*\(typeof exports\s*===.*", "", read(folder, name + ".js"), flags=re.S) for name in programs}
 base64_script = read(here, "base64.js")  # the engine needs it before the player
@@ -53,7 +54,7 @@ parts = "".join(read(here, name) for name in engine_scripts + player_scripts + e
 head = f"// Betwixt {version}, <https://www.apache.org/licenses/LICENSE-2.0>: films from text. docs/web.md says what it does.\n"
 
 inline = """const wasmBytes = async (name) => {
-  if (!held[name]) throw new Error("this page has no font for formulas, because its films had none when it was made");
+  if (!held[name]) throw new Error("this page lacks a font of formulas or code, because its films had none when it was made");
   const stream = new DecompressionStream("gzip"), writer = stream.writable.getWriter();
   writer.write(bytes_of(held[name])).then(() => writer.close()).catch(() => {});  // the reader gets its errors
   return new Response(stream.readable).arrayBuffer();  // not through a Blob, which would take a way through another process
@@ -64,7 +65,7 @@ in_text = lambda name: f'held["{name}"]="{base64.b64encode(packed[name]).decode(
 # (src/app/player_file.cpp).
 part = lambda name, script: f"// begin of the {name}\n{script}// end of the {name}\n"
 some_parts = (part("reader", minified(glue["betwixt-reader"]) + in_text("betwixt-reader")) +
-              part("formulas", in_text("betwixt-formulas")))
+              "".join(part(name, in_text(name)) for name in fonts))
 plays = minified("(() => {\n" + parts + "})();\n")  # in a function, so that its names become short
 write(os.path.join(folder, "betwixt-player.js"),
       head + "(() => {\nconst held={};\n" + minified(glue["betwixt"] + base64_script + inline) + in_text("betwixt") + some_parts + plays + "})();\n")
@@ -73,6 +74,7 @@ beside = """const addresses = {
   "betwixt": () => new URL("./betwixt.wasm", import.meta.url),
   "betwixt-reader": () => new URL("./betwixt-reader.wasm", import.meta.url),
   "betwixt-formulas": () => new URL("./betwixt-formulas.otf", import.meta.url),
+  "betwixt-code": () => new URL("./betwixt-code.otf", import.meta.url),
 };
 const wasmBytes = async (name) => {
   const answer = await fetch(addresses[name]());
@@ -87,7 +89,7 @@ export const BetwixtPlayer = Betwixt.Player, BetwixtEditor = Betwixt.Editor;
 package = os.path.join(folder, "package")
 write(os.path.join(package, "betwixt-player.mjs"), head + minified(glue["betwixt"] + base64_script + beside + parts + exports, True))
 write(os.path.join(package, "betwixt-reader.mjs"), head + minified(glue["betwixt-reader"] + "export { makeReader };\n", True))
-for name, source in {"betwixt.wasm": folder, "betwixt-reader.wasm": folder, "betwixt-formulas.otf": folder, "betwixt-player.js": folder, "betwixt-player.d.ts": here, "README.md": here,
+for name, source in {"betwixt.wasm": folder, "betwixt-reader.wasm": folder, "betwixt-formulas.otf": folder, "betwixt-code.otf": folder, "betwixt-player.js": folder, "betwixt-player.d.ts": here, "README.md": here,
                      "LICENSE": os.path.join(here, "..")}.items():
     shutil.copyfile(os.path.join(source, name), os.path.join(package, name))
 about = json.loads(read(here, "package.json"))
@@ -98,4 +100,4 @@ size = lambda text: len(gzip.compress(text.encode(), 9))
 sizes = {"engine": len(packed["betwixt"]), "its glue": size(minified(glue["betwixt"])), "player": size(plays)}
 print("compressed:", ", ".join(f"{what} {n}" for what, n in sizes.items()), f"in all {sum(sizes.values())} bytes;",
       f"what reads files {len(packed['betwixt-reader']) + size(minified(glue['betwixt-reader']))};",
-      f"the font of formulas {len(packed['betwixt-formulas'])}")
+      "fonts:", ", ".join(f"{name} {len(packed[name])}" for name in fonts))

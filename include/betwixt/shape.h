@@ -57,7 +57,8 @@ enum class Kind : std::uint8_t {
   bar,
   table,
   matrix,
-  brace
+  brace,
+  code
 };
 
 // The style of letters besides their font. `typed` is the number of visible letters; it counts blanks and line ends.
@@ -111,11 +112,12 @@ struct Shape {
   bool filled = true, stroke_round = false;
   Points points, holes;
   Text text, font;
+  Text language;  // of code, whose words are parts (src/scene/code_languages.h); "": a plain text
   std::shared_ptr<const OwnFont> own_font;  // a font that the film brings as a file; nullptr: one of the machine's
   Letters letters;
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const Outline> formula;  // with an em of 1 m; shared by all shapes with the same text
-  // Of a formula: marked parts, one a line. Only they are drawn (`only_parts`), or everything else.
+  // Of a formula or of code: parts, one a line. Only they are drawn (`only_parts`), or everything else.
   Text parts;
   bool only_parts = false;
   bool matches = false;  // while it turns into another text, signs go to equal signs

@@ -57,7 +57,8 @@ Result<std::string> read_player(PlayerParts parts) {
   auto text = read_whole(*path);
   if (!text) return fail(ErrorCode::machine, text.error().message, text.error().hint);
   if (!parts.reader) leave_out(*text, "reader");
-  if (!parts.formulas) leave_out(*text, "formulas");
+  if (!parts.formulas) leave_out(*text, "betwixt-formulas");
+  if (!parts.code) leave_out(*text, "betwixt-code");
   // These sequences would end the script element too early.
   for (std::size_t at = text->find('<'); at != text->npos; at = text->find('<', at + 1))
     for (const std::string_view ender : {"/script", "!--"})

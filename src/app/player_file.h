@@ -17,6 +17,7 @@ Result<std::string> find_player();
 struct PlayerParts {
   bool reader = false;    // of meshes, scenes, drawings and pictures: a quarter of the player
   bool formulas = false;  // the font of formulas
+  bool code = false;      // the font of code
 };
 
 // Returns its content with the wanted parts, fit for a <script> element. Errors: machine.

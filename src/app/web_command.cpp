@@ -85,10 +85,10 @@ int web(WebCall& call) {
     files += films.back().files.size();
   }
   if (const Status s = no_two_of_one_name(films); !s) return complain(s.error(), wrong_input);
-  PlayerParts parts{call.link, call.link};
+  PlayerParts parts{call.link, call.link, call.link};
   for (const PageFilm& film : films) {
     const PlayerParts needed = needed_parts(film);
-    parts.reader |= needed.reader, parts.formulas |= needed.formulas;
+    parts.reader |= needed.reader, parts.formulas |= needed.formulas, parts.code |= needed.code;
   }
   const auto player = read_player(parts);
   if (!player) return complain(player.error(), machine_failed);

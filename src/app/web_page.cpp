@@ -26,6 +26,7 @@
 #include "exchange/typefaces.h"
 #include "export/formats.h"
 #include "language/json.h"
+#include "scene/code_languages.h"
 #include "scene/document.h"
 #include "syntax/script_text.h"
 #include "syntax/texts.h"
@@ -109,6 +110,7 @@ void look_through(PageFilm& film, const Document& document) {
   const auto look = [&](const std::shared_ptr<const Shape>& shape) {
     if (!shape || shape->kind != Kind::text || shape->formula || shape->own_font) return;
     const Typeface face{*shape->font, shape->letters.weight, shape->letters.italic};
+    if (!shape->language->empty() && face == Typeface{std::string(code_font)}) return;  // a part of the player
     if (face == Typeface{std::string(usual_font)} && has_only_usual_letters(*shape->text)) return;
     if (!find_font(face.family)) return;
     const FontFile file = font_file(face);
@@ -222,11 +224,15 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
 // The same files and texts for which engine.js loads them.
 PlayerParts needed_parts(const PageFilm& film) {
   static constexpr std::string_view without[] = {"bx", "ttf", "otf", "ttc"};
-  PlayerParts parts{false, has_word(film.text, "tex")};
+  PlayerParts parts;
+  const auto look_at = [&](const std::string& script) {
+    parts.formulas |= has_word(script, "tex"), parts.code |= has_word(script, "code");
+  };
+  look_at(film.text);
   for (const auto& [name, bytes] : film.files) {
     const std::string kind = ending(name);
     parts.reader |= std::find(std::begin(without), std::end(without), kind) == std::end(without);
-    parts.formulas |= kind == "bx" && has_word(bytes, "tex");
+    if (kind == "bx") look_at(bytes);
   }
   return parts;
 }

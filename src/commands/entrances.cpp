@@ -9,6 +9,7 @@
 #include "commands/furnishing.h"
 #include "language/values.h"
 #include "scene/document.h"
+#include "scene/formula_parts.h"
 #include "scene/kinds.h"
 
 namespace betwixt {
@@ -61,7 +62,7 @@ bool has_function(const Object& o, std::string_view name) { return find_built_in
 // Returns the letters of a text that can be seen one by one; 0 if code or TeX makes them.
 std::size_t letters_of(const Stage& s, const Object& o) {
   const auto tex = find_built_in(o.kind, "tex");
-  if (o.kind != Kind::text || (tex && o.find(*tex))) return 0;
+  if (!has_letters(o.kind) || (tex && o.find(*tex))) return 0;
   const Slot* slot = o.find(fn::text);
   if (!slot || (slot->set && std::holds_alternative<Procedure>(*slot->set))) return 0;
   const Text text = s.value<Text>(o, fn::text);
@@ -76,9 +77,15 @@ void fade(Stage& s, const Object& o, bool in) {
   s.move(o.name + ".transparency", in ? "1" : seen, in ? seen : "1", "linear");
 }
 
+// Returns whether the letters are typed with those of a block of code.
+bool is_part_of_code(const Stage& s, const Object& o) {
+  const ObjectId whole = shown_part(o) ? formula_of_part(s.scene(), o) : ObjectId{};
+  return whole && s.scene().objects[whole.index].kind == Kind::code;
+}
+
 // Draws one object in the way that suits its kind.
 void draw(Stage& s, const Object& o, bool in) {
-  if (!drawable(o.kind)) return;
+  if (!drawable(o.kind) || is_part_of_code(s, o)) return;
   const bool line = row_of(o.kind).line;
   if (const std::size_t letters = letters_of(s, o); letters > 0) {
     const std::string all = std::to_string(letters);

@@ -203,6 +203,7 @@ const FurnitureRow* furniture_of(Kind kind) {
       {Kind::pie, Takes::numbers, false, make_pie},
       {Kind::table, Takes::cells, false, make_table},
       {Kind::matrix, Takes::cells, false, make_matrix},
+      {Kind::code, Takes::nothing, false, make_code},
   };
   for (const FurnitureRow& row : rows)
     if (row.kind == kind) return &row;

@@ -51,6 +51,8 @@ void make_columns(Furnishing&);
 void make_pie(Furnishing&);
 void make_table(Furnishing&);
 void make_matrix(Furnishing&);
+// code_rows.cpp
+void make_code(Furnishing&);
 
 // The colours of what has no colour of its own.
 inline constexpr std::string_view line_color = "#8b95a7", label_color = "#c3cad6", grid_color = "#39424f";

@@ -113,7 +113,7 @@ void add_outlines(FontFace& face, const SetLine& line, const std::string& text, 
       out.contours.push_back(std::move(contour));
     }
     if (!begun && out.contours.size() > first)
-      out.letters.push_back({first, text.substr(line[i].begin, line[i].end - line[i].begin)});
+      out.letters.push_back({first, text.substr(line[i].begin, line[i].end - line[i].begin), {}, line[i].begin});
   }
 }
 

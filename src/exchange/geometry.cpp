@@ -11,6 +11,7 @@
 #include "exchange/outlines.h"
 #include "exchange/shapes.h"
 #include "exchange/simplify.h"
+#include "scene/code_languages.h"
 #include "scene/kinds.h"
 #include "scene/primitives.h"
 #include "scene/strokes.h"
@@ -86,10 +87,21 @@ Mesh text_mesh(const Shape& s) {
 Mesh made(const KindRow& row, const Shape& s, const Detail& detail) {
   if (!by_contours(s)) return row.mesh(s, detail);
   const Pen pen = pen_of(s);
-  if (!row.contours && !s.formula && pen.fills && !(pen.width > 0)) return text_mesh(s);
+  if (!row.contours && !s.formula && s.language->empty() && pen.fills && !(pen.width > 0)) return text_mesh(s);
   // A contour that crosses itself is filled wherever it encloses something. Holes are always cut out.
   return drawn(outline_of(s), pen, sane(s.depth) ? s.depth : 0,
                s.holes->empty() ? Winding::nonzero : Winding::positive);
+}
+
+// Gives the letters of code the classes of their words, and leaves out those that other parts draw.
+void take_code_apart(Outline& outline, const Shape& s) {
+  const auto tokens = code_tokens(*s.text, *s.language);
+  for (Letter& letter : outline.letters) {
+    const auto behind = std::upper_bound(tokens.begin(), tokens.end(), letter.at,
+                                         [](std::size_t at, const CodeToken& t) { return at < t.at; });
+    if (behind != tokens.begin()) letter.part = code_class_names[static_cast<std::size_t>((behind - 1)->is)];
+  }
+  keep_shown_parts(outline, s);
 }
 
 }  // namespace
@@ -105,6 +117,7 @@ Outline outline_of(const Shape& s) {
   if (!sane(s.size.y) || !(s.size.y > 0) || !sane(s.depth)) return {};
   if (s.formula) return set_formula(s);
   Outline outline = text_outline(*s.text, font_of(s), s.letters);
+  if (!s.language->empty()) take_code_apart(outline, s);
   for (auto& contour : outline.contours)
     for (auto& p : contour) p = s.size.y * p;
   return outline;

@@ -29,7 +29,8 @@ inline std::size_t hash_of(const Shape& s) {
   h = mixed(mixed(h, s.stroke), static_cast<std::size_t>(s.filled));
   for (const auto* points : {&s.points, &s.holes})
     for (const Vec3 p : **points) h = mixed(h, p);
-  return mixed(mixed(mixed(h, std::hash<std::string>{}(*s.text)), std::hash<std::string>{}(*s.font)),
+  return mixed(mixed(mixed(h, std::hash<std::string>{}(*s.text)),
+                     std::hash<std::string>{}(*s.font) ^ std::hash<std::string>{}(*s.language)),
                std::size_t{s.letters.typed});
 }
 

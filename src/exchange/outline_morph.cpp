@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
 
+#include "exchange/code_match.h"
 #include "exchange/outlines.h"
 #include "exchange/shapes.h"
 #include "exchange/text_match.h"
@@ -40,11 +42,12 @@ struct DrawnGlyph {
   std::vector<Island> islands;
   Box place;
   std::vector<Contour> contours;  // as they are in the outline
-  std::string part;               // of a formula
+  std::string part;               // of a formula, or of code
+  std::size_t at = 0;             // its first byte in the text
 };
 
 DrawnGlyph glyph(std::string text, std::vector<Contour> contours, Vec3 toward, bool single) {
-  DrawnGlyph made{std::move(text), {}, {}, {}, {}};
+  DrawnGlyph made{std::move(text), {}, {}, {}, {}, 0};
   std::vector<std::pair<double, Contour*>> sorted;
   // The first contour of a polygon is never a hole; contours of the opposite direction are.
   const bool turned = single && !contours.empty() && turn(contours.front(), toward) < 0;
@@ -79,7 +82,7 @@ std::vector<DrawnGlyph> glyphs(const Outline& outline, bool single) {
       all.pop_back();
       continue;
     }
-    all.back().contours.assign(at(first), at(end)), all.back().part = letter.part;
+    all.back().contours.assign(at(first), at(end)), all.back().part = letter.part, all.back().at = letter.at;
   }
   return all;
 }
@@ -280,17 +283,36 @@ Outline whole_outline(Shape s) {
   return outline_of(s);
 }
 
-// Adds what a shape draws: a sign that goes from a part to no part, or back, belongs to the part.
-Morph matched(const Shape& a, const Shape& b) {
-  Morph morph{a, b, {}, Winding::positive};
-  const auto from = glyphs(whole_outline(a), false), to = glyphs(whole_outline(b), false);
+// Returns the letters of code that go where others are.
+Partners pairs_of_code(const Shape& a, const std::vector<DrawnGlyph>& from, const Shape& b,
+                       const std::vector<DrawnGlyph>& to) {
+  const auto partner = match_code(*a.text, *b.text, *b.language);
+  std::map<std::size_t, std::size_t> there;  // by the first byte
+  for (std::size_t j = 0; j < to.size(); ++j) there[to[j].at] = j;
+  Partners out;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    if (from[i].at < partner.size())
+      if (const auto j = there.find(partner[from[i].at]); j != there.end()) out.emplace_back(i, j->second);
+  return out;
+}
+
+Partners pairs_of_signs(const Shape& a, const std::vector<DrawnGlyph>& from, const Shape& b,
+                        const std::vector<DrawnGlyph>& to) {
+  if (!b.language->empty()) return pairs_of_code(a, from, b, to);
   const auto signs = [](const std::vector<DrawnGlyph>& all) {
     std::vector<MatchedSign> out;
     for (const DrawnGlyph& g : all) out.push_back({g.text, g.part, g.place.middle()});
     return out;
   };
+  return match_signs(signs(from), signs(to));
+}
+
+// Adds what a shape draws: a sign that goes from a part to no part, or back, belongs to the part.
+Morph matched(const Shape& a, const Shape& b) {
+  Morph morph{a, b, {}, Winding::positive};
+  const auto from = glyphs(whole_outline(a), false), to = glyphs(whole_outline(b), false);
   std::vector<bool> goes(from.size()), comes(to.size());
-  for (const auto& [i, j] : match_signs(signs(from), signs(to))) {
+  for (const auto& [i, j] : pairs_of_signs(a, from, b, to)) {
     goes[i] = comes[j] = true;
     if (shows_part(b, from[i].part.empty() ? to[j].part : from[i].part)) pair_signs(from[i], to[j], morph.pairs);
   }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The tables `axes` and `plot` of code: the pieces of axes, plots and charts are computed by these functions.
+// The tables `axes`, `plot`, `chart`, `block` and `link` of code: these functions compute the pieces of axes, plots,
+// charts, blocks of code and connections.
 #pragma once
 
 #include <lua.hpp>
@@ -11,5 +12,7 @@ namespace betwixt::lua {
 extern const luaL_Reg axes_functions[];
 extern const luaL_Reg plot_functions[];
 extern const luaL_Reg chart_functions[];
+extern const luaL_Reg code_functions[];
+extern const luaL_Reg link_functions[];
 
 }  // namespace betwixt::lua

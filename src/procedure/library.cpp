@@ -289,6 +289,8 @@ void open_library(lua_State* l, Machine& m) {
   table("axes", axes_functions);
   table("plot", plot_functions);
   table("chart", chart_functions);
+  table("block", code_functions);
+  table("link", link_functions);
 
   // The order of lookup: the globals of this call, the library, the procedures.
   lua_createtable(l, 0, 1);

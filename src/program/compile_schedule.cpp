@@ -7,6 +7,7 @@
 
 #include "program/compile.h"
 #include "program/on_axes.h"
+#include "scene/formula_parts.h"
 
 namespace betwixt {
 namespace {
@@ -157,7 +158,7 @@ struct ScheduleCompiler {
   // Whether a text turns into others, and what it is a part of.
   void describe_text(std::uint32_t node, Drawable& d) {
     const std::uint32_t object = compiled.nodes[node].object;
-    if (scene.objects[object].kind != Kind::text) return;
+    if (!has_letters(scene.objects[object].kind)) return;
     if (const auto piece = compiled.pieces_of_formulas.find(object); piece != compiled.pieces_of_formulas.end()) {
       d.whole = static_cast<std::int32_t>(compiled.node_of[piece->second.whole]);
       compiled.formula_pieces.push_back(node);

@@ -30,6 +30,7 @@ class Timeless final : public Questions {
   Result<Value> value(std::string_view, double, std::uint64_t&) override { return no(); }
   Result<Vec3> place(std::string_view, double, double, std::uint64_t&) override { return no(); }
   Status axes(std::string_view, double, AxesSpace&, std::uint64_t&) override { return no(); }
+  Turn turn(std::string_view) override { return asked_ = true, Turn(); }
   Result<State> state(std::string_view, double, std::uint64_t&) override { return no(); }
 
  private:

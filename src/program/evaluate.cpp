@@ -103,8 +103,10 @@ Value Program::Compiled::shape_part(const Binding& b, Time t, const double* numb
 Shape Program::Compiled::shape(std::uint32_t object, Time t, const double* numbers, Asking& asking) const {
   const Scene& scene = document.scene();
   Shape s;
-  s.kind = scene.objects[object].kind;
-  const auto described = shaping.find(s.kind);
+  const auto piece = pieces_of_formulas.find(object);  // shares the functions of the whole
+  const Kind kind = scene.objects[piece == pieces_of_formulas.end() ? object : piece->second.whole].kind;
+  s.kind = kind == Kind::code ? Kind::text : kind;
+  const auto described = shaping.find(kind);
   if (described == shaping.end()) return s;
   for (const FunctionId f : described->second)
     spec_of(scene, f).shape(s, shape_part(find_shown(object, f), t, numbers, asking), scene);

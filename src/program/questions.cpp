@@ -11,6 +11,7 @@
 #include "program/along.h"
 #include "program/on_axes.h"
 #include "program/steps.h"
+#include "scene/formula_parts.h"
 #include "scene/kinds.h"
 
 namespace betwixt {
@@ -73,6 +74,14 @@ Status FilmQuestions::axes(std::string_view name, double seconds, AxesSpace& out
   if (!found) return found.error();
   out = *found;
   return Nothing{};
+}
+
+Questions::Turn FilmQuestions::turn(std::string_view name) {
+  const ObjectId id = scene().names.find(name);
+  if (!id || !has_letters(scene().objects[id.index].kind)) return {};
+  const auto turn = c.text_turn(id.index, t, asking);
+  const auto* text = turn ? std::get_if<Text>(&turn->to) : nullptr;
+  return text ? Turn{**text, turn->share} : Turn();
 }
 
 Result<State> FilmQuestions::state(std::string_view name, double seconds, std::uint64_t& cost) {

@@ -25,6 +25,7 @@ struct FilmQuestions : Questions {
   Result<Value> value(std::string_view target, double seconds, std::uint64_t& cost) override;
   Result<Vec3> place(std::string_view line, double share, double seconds, std::uint64_t& cost) override;
   Status axes(std::string_view object, double seconds, AxesSpace& out, std::uint64_t& cost) override;
+  Turn turn(std::string_view object) override;
   Result<State> state(std::string_view name, double seconds, std::uint64_t& cost) override;
 
  private:

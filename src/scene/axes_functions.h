@@ -38,7 +38,7 @@ inline constexpr KindBits curves_of_formulas = bits_of({Kind::plot, Kind::area, 
 inline constexpr KindBits furnished_kinds =
     flat_axes | curves_of_formulas |
     bits_of({Kind::number_line, Kind::polar_axes, Kind::tangent, Kind::vector_field, Kind::bars, Kind::columns,
-             Kind::pie, Kind::table, Kind::matrix});
+             Kind::pie, Kind::table, Kind::matrix, Kind::code});
 
 inline const FunctionSpec axes_functions[] = {
     {.name = "on",
@@ -138,8 +138,8 @@ inline const FunctionSpec axes_functions[] = {
     {.name = "numbers",
      .type = Type::boolean,
      .rest = true,
-     .kinds = flat_axes | bit(Kind::polar_axes) | bit(Kind::number_line),
-     .sentence = "Whether axes have numbers at their ticks.",
+     .kinds = flat_axes | bit(Kind::polar_axes) | bit(Kind::number_line) | bit(Kind::code),
+     .sentence = "Whether axes have numbers at their ticks, and code at its lines.",
      .written = "on or off",
      .example = "create ax axes\nset ax.numbers off"},
     measure({.name = "digits",

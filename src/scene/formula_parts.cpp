@@ -25,7 +25,7 @@ ObjectId formula_of_part(const Scene& s, const Object& o) {
   const Slot* const slot = o.find(fn::attachment);
   const auto* const to = slot && slot->set ? std::get_if<Attachment>(&*slot->set) : nullptr;
   const Object* const whole = to ? find_object(s, to->parent) : nullptr;
-  return whole && whole->kind == Kind::text && !shown_part(*whole) ? to->parent : ObjectId{};
+  return whole && has_letters(whole->kind) && !shown_part(*whole) ? to->parent : ObjectId{};
 }
 
 std::vector<ObjectId> parts_by_content(const Scene& s, std::string_view name) {

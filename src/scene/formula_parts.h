@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The marked parts of formulas. A part is known by what it contains; the second part with the same content has "#2"
-// behind it. The object of a part is coupled to that of the formula. `f/a` names the parts of f that contain a.
+// The marked parts of formulas, and the parts of code that have a class (code_languages.h). A part is known by what it
+// contains; the second part with the same content has "#2" behind it. The object of a part is coupled to that of the
+// formula. `f/a` names the parts of f that contain a.
 #pragma once
 
 #include <string>
@@ -12,6 +13,8 @@
 #include "scene/document.h"
 
 namespace betwixt {
+
+inline bool has_letters(Kind kind) { return kind == Kind::text || kind == Kind::code; }
 
 FunctionId part_function();
 // Returns the part that an object shows; nullptr if it is no part.

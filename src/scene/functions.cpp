@@ -156,7 +156,7 @@ const FunctionSpec function_rows[] = {
              .example = "create floor plane\nset floor.size (20 20)"}),
     measure({.name = "size",
              .rest = 1.0,
-             .kinds = bit(Kind::text),
+             .kinds = letter_kinds,
              .shape =
                  [](Shape& s, const Value& v, const Scene&) {
                    s.size = {1, std::get<double>(v), 1};
@@ -199,7 +199,7 @@ const FunctionSpec function_rows[] = {
     {.name = "text",
      .type = Type::text,
      .rest = Text(),
-     .kinds = bit(Kind::text),
+     .kinds = letter_kinds,
      .shape = [](Shape& s, const Value& v, const Scene&) { s.text = std::get<Text>(v); },
      .sentence = "The characters of a text.",
      .written = "\"…\"",
@@ -207,7 +207,7 @@ const FunctionSpec function_rows[] = {
     {.name = "font",
      .type = Type::text,
      .rest = Text(std::string("DejaVu Sans")),
-     .kinds = bit(Kind::text),
+     .kinds = letter_kinds,
      .shape =
          [](Shape& s, const Value& v, const Scene& scene) {
            s.font = std::get<Text>(v), s.own_font = nullptr;
@@ -219,7 +219,7 @@ const FunctionSpec function_rows[] = {
      .example = "create title text\nset title.font \"DejaVu Sans\""},
     measure({.name = "depth",
              .rest = 0.0,
-             .kinds = bit(Kind::text) | flat_kinds,
+             .kinds = letter_kinds | flat_kinds,
              .shape = put_measure<&Shape::depth>,
              .sentence = "How thick letters and flat shapes are.",
              .example = "create title text\nset title.depth 0.2"}),

@@ -34,6 +34,10 @@ bool shows_part(const Shape& s, std::string_view part) {
   return listed == s.only_parts;
 }
 
+void keep_shown_parts(Outline& out, const Shape& s) {
+  if (s.only_parts || !s.parts->empty()) keep_letters(out, [&](const Letter& l) { return shows_part(s, l.part); });
+}
+
 Outline set_formula(const Shape& s) {
   Extent all;  // of the whole, so that letters keep their places while it is typed
   for (const Contour& contour : s.formula->contours)
@@ -43,7 +47,7 @@ Outline set_formula(const Shape& s) {
     out.contours.resize(out.letters[s.letters.typed].first);
     out.letters.resize(s.letters.typed);
   }
-  if (s.only_parts || !s.parts->empty()) keep_letters(out, [&](const Letter& l) { return shows_part(s, l.part); });
+  keep_shown_parts(out, s);
   if (all.empty()) return out;
   const double from = s.letters.align == Align::left    ? all.low.x
                       : s.letters.align == Align::right ? all.high.x

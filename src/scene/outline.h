@@ -18,13 +18,16 @@ using Contour = std::vector<Vec3>;
 struct Letter {
   std::size_t first = 0;  // its first contour; they end where the next letter's begin
   std::string text;       // as written (UTF-8); for formulas, an identification of the glyph
-  std::string part = {};  // of a formula: the marked part that it belongs to (formula_parts.h); "": to none
+  std::string part = {};  // the part of a formula or of code that it belongs to (formula_parts.h); "": to none
+  std::size_t at = 0;     // of texts: its first byte
 };
 struct Outline {
   std::vector<Contour> contours;
   std::vector<Letter> letters;  // from left to right, line by line, without blanks
 };
 
+// Leaves out the letters of parts that the shape does not draw.
+void keep_shown_parts(Outline&, const Shape&);
 // Returns the formula of a text in its size, aligned, as far as it is typed. The shape must have a `formula`.
 Outline set_formula(const Shape&);
 // Whether the shape draws the letters of a part (""; those of none).

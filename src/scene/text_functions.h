@@ -8,7 +8,9 @@
 #include <array>
 #include <cmath>
 
+#include "scene/code_languages.h"
 #include "scene/document.h"
+#include "scene/flat_functions.h"
 #include "scene/functions.h"
 
 namespace betwixt {
@@ -32,7 +34,7 @@ inline const FunctionSpec text_functions[] = {
     {.name = "align",
      .type = Type::text,
      .rest = Text(std::string("centre")),
-     .kinds = bit(Kind::text),
+     .kinds = letter_kinds,
      .words = "left|centre|right",
      .shape = [](Shape& s, const Value& v, const Scene&) { s.letters.align = word_in(align_names, v, Align::centre); },
      .sentence = "Whether the lines of a text begin at x = 0, end there or have their middles there.",
@@ -41,7 +43,7 @@ inline const FunctionSpec text_functions[] = {
     {.name = "weight",
      .type = Type::text,
      .rest = Text(std::string("regular")),
-     .kinds = bit(Kind::text),
+     .kinds = letter_kinds,
      .words = "thin|extralight|light|regular|medium|semibold|bold|extrabold|black",
      .shape = [](Shape& s, const Value& v, const Scene&) { s.letters.weight = weight_of(v); },
      .sentence = "How heavy the letters of a text are.",
@@ -51,7 +53,7 @@ inline const FunctionSpec text_functions[] = {
     {.name = "slant",
      .type = Type::text,
      .rest = Text(std::string("upright")),
-     .kinds = bit(Kind::text),
+     .kinds = letter_kinds,
      .words = "upright|italic",
      .shape = [](Shape& s, const Value& v, const Scene&) { s.letters.italic = is_italic(v); },
      .sentence = "Whether letters are italic.",
@@ -60,7 +62,7 @@ inline const FunctionSpec text_functions[] = {
     {.name = "typed",
      .type = Type::scalar,
      .rest = static_cast<double>(most_letters),
-     .kinds = bit(Kind::text),
+     .kinds = letter_kinds,
      .low = 0,
      .high = most_letters,
      .shape =
@@ -90,8 +92,34 @@ inline const FunctionSpec text_functions[] = {
      .rest = Text(),
      .kinds = bit(Kind::text),
      .by_script = true,
-     .sentence = "The marked part of its parent's formula that a text shows; Betwixt sets it.",
+     .sentence = "The part of its parent's formula or code that a text shows; Betwixt sets it.",
      .written = "\"a\""},
+    {.name = "language",
+     .type = Type::text,
+     .rest = Text(std::string("plain")),
+     .kinds = bit(Kind::code),
+     .words = std::string(code_language_words()),
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.language = std::get<Text>(v); },
+     .by_script = true,
+     .sentence = "The language of code, which tells its colors.",
+     .written = "python, javascript, cpp …",
+     .example = "create c code text=\"x = 1\"\nset c.language python"},
+    {.name = "lines",
+     .type = Type::pair,
+     .rest = Vec3{},
+     .kinds = bit(Kind::code),
+     .low = 0,
+     .high = most_letters,
+     .sentence = "The first and the last line of code that are marked; (0 0): none. `highlight` sets it.",
+     .written = "(first last)",
+     .example = "create c code text=\"a\\nb\\nc\"\nset c.lines (2 3)"},
+    {.name = "panel",
+     .type = Type::boolean,
+     .rest = true,
+     .kinds = bit(Kind::code),
+     .sentence = "Whether code has a panel behind it.",
+     .written = "on or off",
+     .example = "create c code text=\"x = 1\"\nset c.panel off"},
 };
 
 }  // namespace betwixt

@@ -63,6 +63,12 @@ class Questions {
   virtual const Routine* procedure(std::string_view name) = 0;
   // Finds the coordinates of axes, or of the axes that an object is on, at a time. "": of the object itself.
   virtual Status axes(std::string_view object, double seconds, AxesSpace& out, std::uint64_t& cost) = 0;
+  // Returns the text that the text of an object turns into, and how far it is; 0 if it stays.
+  struct Turn {
+    std::string text;
+    double share = 0;
+  };
+  virtual Turn turn(std::string_view object) = 0;
   // Returns the state of a stepped procedure (role `steps`) at a time.
   virtual Result<State> state(std::string_view name, double seconds, std::uint64_t& cost) = 0;
 };

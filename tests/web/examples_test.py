@@ -42,11 +42,12 @@ script = f"""window.canvas = document.createElement("canvas"); canvas.width = {w
     const engine = await Betwixt.engine(), text = await (await get(name)).text(), files = {{}};
     const bold = new Uint8Array(await (await fetch("/fonts/DejaVuSans-Bold.ttf")).arrayBuffer());
     if (text.includes("weight=bold")) files["DejaVuSans-Bold.ttf"] = bold;
+    await engine.prepare(files, text);
     if (window.film) film.dispose();
     window.film = engine.open(text, {{ name, files }});
     for (let i = 0; i < 20 && film.wants.length; ++i) {{
       for (const path of film.wants) files[path] = new Uint8Array(await (await get(path)).arrayBuffer());
-      await engine.prepare(files);
+      await engine.prepare(files, text);
       film.dispose(), window.film = engine.open(text, {{ name, files }});
     }}
     return film.ok ? {{ firstFrame: film.firstFrame, lastFrame: film.lastFrame }} : film.message;

@@ -160,6 +160,7 @@ void draw(QPainter& p, Kind k, const QColor& c) {
       for (const QPointF at : {QPointF(4, 5), QPointF(11, 4), QPointF(7, 9), QPointF(12, 11), QPointF(4, 12.5)})
         p.drawEllipse(at, 1, 1);
       return;
+    case Kind::code:
     case Kind::text:
       p.setPen(QPen(c, 1.8));
       p.drawLine(QPointF(3.5, 3.5), QPointF(12.5, 3.5));

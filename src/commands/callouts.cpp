@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Texts beside things: they follow the things, and stand where nothing else is.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/utf8.h"
+#include "commands/command.h"
+#include "commands/connecting.h"
+#include "commands/furnishing.h"
+#include "commands/furniture_rows.h"
+#include "commands/measuring.h"
+#include "language/values.h"
+#include "program/compiled.h"
+#include "scene/kinds.h"
+
+namespace betwixt {
+namespace {
+
+struct TextSide {
+  std::string_view word;  // "": only if no side is said
+  double x, y;
+};
+constexpr TextSide text_sides[] = {{"right", 1, 0}, {"above", 0, 1}, {"left", -1, 0}, {"below", 0, -1},
+                                   {"", 1, 1},      {"", -1, 1},     {"", 1, -1},     {"", -1, -1}};
+
+struct Beside {
+  double size = 0.28;  // of the letters
+  bool line = false;   // from the text to the thing
+  double away() const { return line ? 0.7 : 0.12; }
+};
+
+struct Rect {
+  Vec3 low, high;
+  bool meets(const Rect& b) const {
+    return low.x < b.high.x && b.low.x < high.x && low.y < b.high.y && b.low.y < high.y;
+  }
+  bool holds(const Rect& b) const {
+    return low.x <= b.low.x && b.high.x <= high.x && low.y <= b.low.y && b.high.y <= high.y;
+  }
+};
+
+// Returns where other things are at a time, without those around the thing, such as a panel that it lies on.
+std::vector<Rect> taken(Command& k, ObjectId id, const Rect& own, Time t) {
+  std::vector<ObjectId> all;
+  const std::vector<ObjectId> parts = k.script.below(k.scene, k.scene.objects[id.index].name, false);
+  for (std::uint32_t i = 0; i < k.scene.objects.size(); ++i) {
+    const Object& o = k.scene.objects[i];
+    const bool part = std::find(parts.begin(), parts.end(), ObjectId{i}) != parts.end();
+    if (!o.removed && i != id.index && !part && drawable(o.kind)) all.push_back({i});
+  }
+  std::vector<Rect> out;
+  for (const Measured& m : measured(k.scene, all, t))
+    if (const Rect r{m.low, m.high}; m.any && !r.holds(own)) out.push_back(r);
+  return out;
+}
+
+// Returns what the camera sees in the plane of the thing; nullopt if it does not look straight at it.
+std::optional<Rect> view_at(Command& k, double z, Time t) {
+  const Camera eye = Program::compile(Document(std::make_shared<const Scene>(k.scene))).frame(t).camera;
+  const Vec3 along = transform_vector(eye.world, {0, 0, -1}), up = transform_vector(eye.world, {0, 1, 0});
+  if (along.z > -0.999 || up.y < 0.999) return std::nullopt;
+  const Vec3 at = transform_point(eye.world, {});
+  const double far = at.z - z;
+  const double width = eye.orthographic ? eye.height * eye.aspect : 2 * far * std::tan(eye.fov / 2);
+  const Vec3 half{width / 2, width / eye.aspect / 2, 0};
+  return far > 0 ? std::optional(Rect{at - half, at + half}) : std::nullopt;
+}
+
+Rect text_beside(const Rect& own, const TextSide& side, Vec3 text, double away) {
+  const Vec3 middle = 0.5 * (own.low + own.high), half = 0.5 * (own.high - own.low);
+  const double slanted = side.x != 0 && side.y != 0 ? 0.7 : 1;
+  const Vec3 at = middle + Vec3{side.x * (half.x + slanted * away + text.x / 2),
+                                side.y * (half.y + slanted * away + text.y / 2), 0};
+  return {at - 0.5 * text, at + 0.5 * text};
+}
+
+// Returns the first side on which the text meets nothing and is in the picture; if there is none, the first that is
+// allowed.
+Rect free_place(const Rect& own, std::string_view said, Vec3 text, double away, const std::vector<Rect>& others,
+                const std::optional<Rect>& view) {
+  std::optional<Rect> first;
+  for (const double further : {1.0, 1.8, 3.0})
+    for (const TextSide& side : text_sides) {
+      if (!said.empty() && side.word != said) continue;
+      const Rect there = text_beside(own, side, text, further * away);
+      if (!first) first = there;
+      if (view && !view->holds(there)) continue;
+      if (std::none_of(others.begin(), others.end(), [&](const Rect& r) { return r.meets(there); })) return there;
+    }
+  return *first;
+}
+
+template <bool line>
+bool put_beside(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  ObjectId id;
+  c.space();
+  const std::string_view word = c.peek_word();
+  if (!values(k).object(id)) return false;
+  std::string text, said;
+  if (!c.text(text)) return false;
+  Time length = from_seconds(0.5);
+  for (const TextSide& side : text_sides)
+    if (!side.word.empty() && c.accept_word(side.word)) said = side.word;
+  if (c.accept_word("for") && !c.length(length)) return false;
+  if (length <= Time{}) return c.fail(ErrorCode::range, "the length must be greater than 0", word, "as in for 12f");
+  if (!finish(c)) return false;
+  const Beside how{0.28, line};
+  const std::string thing = s.objects[id.index].name, name = thing + (line ? "-callout" : "-label");
+  const Time t = time.value_or(Time{});
+  const Measured m = measured(s, {id}, t)[0];
+  const auto inward = inverse(m.world);
+  if (!m.any || !inward) return c.fail(ErrorCode::range, fmt::format("'{}' draws nothing at this time", thing), word);
+  const Rect own{m.low, m.high};
+  const auto letters = static_cast<double>(std::count_if(text.begin(), text.end(), begins_character));
+  const Vec3 extent{0.6 * letters * how.size, how.size, 0};
+  const Rect there = free_place(own, said, extent, how.away(), taken(k, id, own, t), view_at(k, m.middle().z, t));
+  const Vec3 middle = m.middle(), off = 0.5 * (there.low + there.high) - middle,
+             inner = transform_point(*inward, middle);
+  const auto n = [](double v) { return write_number(std::round(v * 1e4) / 1e4); };
+  std::string lines = fmt::format("create {} text text={} size={} color={}\n", name, write_text(text), n(how.size),
+                                  line ? "#ffd166" : label_color);
+  lines += fmt::format("set {}.position = \"value('{}.world') * vec({}, {}, {}) + vec({}, {}, 0.02)\"\n", name, thing,
+                       n(inner.x), n(inner.y), n(inner.z), n(off.x), n(off.y - 0.36 * how.size));
+  if (line) {
+    Link link;
+    const Vec3 half = 0.5 * m.size();
+    const double sx = std::max(1e-9, betwixt::length(transform_vector(m.world, {1, 0, 0}))),
+                 sy = std::max(1e-9, betwixt::length(transform_vector(m.world, {0, 1, 0})));
+    link.name = name + "/line", link.arrow = false, link.width = 0.02, link.gap = 0.06;
+    link.from = {name, {0, 0.36 * how.size, 0}, extent.x / 2, 0.7 * how.size};
+    link.to = {thing, inner, half.x / sx, half.y / sy};
+    lines += lines_of_link(link);
+  }
+  if (time) lines += fmt::format("at {} fade-in {} for {}\n", write_time(t, s.rate), name, write_time(length, s.rate));
+  Rollback rollback(s);
+  if (!carry_out_lines(k, lines, word)) return false;
+  return rollback.keep(), true;
+}
+
+constexpr Verb callouts_rows[] = {
+    {"label", "[at TIME] label OBJECT \"TEXT\" [right|left|above|below] [for L]",
+     "Puts a text beside an object, where nothing else is; it follows the object and stays upright.",
+     "create b circle\nlabel b \"a disc\" below", Verb::timed, put_beside<false>,
+     "OBJECT;;right left above below for…"},
+    {"callout", "[at TIME] callout OBJECT \"TEXT\" [right|left|above|below] [for L]",
+     "Puts a text near an object, with a line between them; it follows the object and stays upright.",
+     "create b circle\nat 12f callout b \"a disc\"", Verb::timed, put_beside<true>,
+     "OBJECT;;right left above below for…"},
+};
+
+}  // namespace
+
+std::span<const Verb> callouts_verbs() { return callouts_rows; }
+
+}  // namespace betwixt

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/connecting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "commands/command.h"
+#include "commands/furnishing.h"
+#include "commands/furniture_rows.h"
+#include "commands/measuring.h"
+#include "language/values.h"
+#include "scene/kinds.h"
+
+namespace betwixt {
+namespace {
+
+constexpr std::array<std::string_view, 3> routes{"straight", "curved", "angled"};
+
+std::string end_in_code(const LinkEnd& e) {
+  const auto number = [](double v) { return write_number(std::round(v * 1e4) / 1e4); };
+  return fmt::format("'{}', {}, {}, {}, {}", e.name, number(e.middle.x), number(e.middle.y), number(e.width),
+                     number(e.height));
+}
+
+// Measures the border of an object now.
+bool end_of_link(Command& k, ObjectId id, std::string_view about, LinkEnd& out) {
+  const Object& o = k.scene.objects[id.index];
+  out.name = o.name;
+  if (!placed(o.kind)) return k.cursor.fail(ErrorCode::type, fmt::format("'{}' has no place", o.name), about);
+  const Measured m = measured(k.scene, {id}, k.time.value_or(Time{}))[0];
+  if (!m.any) return true;  // a group: the line goes to its origin
+  const auto inward = inverse(m.world);
+  const Vec3 scale{length(transform_vector(m.world, {1, 0, 0})), length(transform_vector(m.world, {0, 1, 0})), 1};
+  if (!inward || !(scale.x > 0) || !(scale.y > 0)) return true;
+  out.middle = transform_point(*inward, m.middle());
+  out.width = 0.5 * m.size().x / scale.x, out.height = 0.5 * m.size().y / scale.y;
+  const bool is_round =
+      o.kind == Kind::sphere || o.kind == Kind::disc || o.kind == Kind::ring || o.kind == Kind::regular;
+  if (is_round) out.height = 0;
+  return true;
+}
+
+std::string last_of(const std::string& name) { return name.substr(name.rfind('/') + 1); }
+
+bool connect(Command& k) {
+  auto& [s, c, time, layer, script] = k;
+  ObjectId a, b;
+  c.space();
+  const std::string_view first = c.peek_word();
+  if (!values(k).object(a)) return false;
+  if (!c.accept_word("to"))
+    return c.fail_here(ErrorCode::syntax, "'to' is missing here", "as in connect box1 to box2 curved");
+  c.space();
+  const std::string_view second = c.peek_word();
+  if (!values(k).object(b)) return false;
+  if (a == b) return c.fail(ErrorCode::name, "an object cannot be connected to itself", second);
+  Link link;
+  while (!c.at_line_end()) {
+    const std::string_view word = c.next_word();
+    if (std::find(routes.begin(), routes.end(), word) != routes.end()) {
+      link.route = word;
+    } else if (word == "as") {
+      c.space();
+      const std::string_view name = c.next_word();
+      link.name = name;
+    } else if (word == "label" && c.accept('=')) {
+      if (!c.text(link.label)) return false;
+    } else if (word == "arrow" && c.accept('=')) {
+      const std::string_view said = c.next_word();
+      if (said != "on" && said != "off") return no_choice(c, said, "arrow is on or off");
+      link.arrow = said == "on";
+    } else {
+      return no_choice(c, word, "expected straight, curved, angled, as NAME, label=\"…\" or arrow=off",
+                       did_you_mean(word, {routes.begin(), routes.end()}));
+    }
+  }
+  if (!finish(c)) return false;
+  if (!end_of_link(k, a, first, link.from) || !end_of_link(k, b, second, link.to)) return false;
+  if (link.name.empty()) link.name = link.from.name + "-" + last_of(link.to.name);
+  std::string lines = lines_of_link(link);
+  if (time)
+    lines += fmt::format("at {} draw {} for {}\n", write_time(*time, s.rate), link.name,
+                         write_time(from_seconds(0.5), s.rate));
+  Rollback rollback(s);
+  if (!carry_out_lines(k, lines, first)) return false;
+  return rollback.keep(), true;
+}
+
+constexpr Verb connecting_rows[] = {
+    {"connect", "[at TIME] connect A to B [straight|curved|angled] [label=\"…\"] [arrow=off] [as NAME]",
+     "Draws a line from A to B that follows both; with a time it is drawn then. Its name is A-B.",
+     "create a rectangle position=(-3 0)\ncreate b circle position=(3 1)\nconnect a to b curved", Verb::timed, connect,
+     "OBJECT; to; OBJECT; straight curved angled as…"},
+};
+
+}  // namespace
+
+std::string lines_of_link(const Link& l) {
+  const double tip = l.arrow ? 5 * l.width : 0;
+  std::string out = fmt::format("create {} polyline width={} color={}\n", l.name, write_number(l.width), line_color);
+  out += fmt::format("set {}.points = \"link.points({}, {}, '{}', {}, {})\"\n", l.name, end_in_code(l.from),
+                     end_in_code(l.to), l.route, write_number(l.gap), write_number(tip));
+  if (l.arrow) {
+    out += fmt::format("create {}/tip polygon points=(({} 0) (0 {}) (0 {})) color={}\n", l.name, write_number(tip),
+                       write_number(0.5 * tip), write_number(-0.5 * tip), line_color);
+    out += fmt::format("set {0}/tip.position = \"link.tip('{0}')\"\nset {0}/tip.rotation.z = \"link.turn('{0}')\"\n",
+                       l.name);
+  }
+  if (!l.label.empty()) {
+    out += fmt::format("create {}/label text text={} size=0.24 color={}\n", l.name, write_text(l.label), label_color);
+    out += fmt::format("set {0}/label.position = \"link.middle('{0}', 0.2) - vec(0, 0.08)\"\n", l.name);
+  }
+  return out;
+}
+
+std::span<const Verb> connecting_verbs() { return connecting_rows; }
+
+}  // namespace betwixt

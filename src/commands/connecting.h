@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Lines between two objects, which follow them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "betwixt/math.h"
+
+namespace betwixt {
+
+// The border of an object in its own space. A height of 0: a circle of this radius.
+struct LinkEnd {
+  std::string name;
+  Vec3 middle;
+  double width = 0, height = 0;  // half of its size
+};
+struct Link {
+  std::string name;
+  LinkEnd from, to;
+  std::string route = "straight";  // or curved, angled
+  std::string label;               // "": none
+  bool arrow = true;
+  double gap = 0.08, width = 0.04;
+};
+// Returns the lines of the language that make it: the line, its tip and its label.
+std::string lines_of_link(const Link&);
+
+}  // namespace betwixt
