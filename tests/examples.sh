@@ -62,6 +62,14 @@ holds 'what the wheel in the ring draws closes' 'same(v[4], v[20]) && same(v[8],
 holds 'the dot is as high as the hand' 'v[4] == 240 && same(v[2], -sqrt(3))' sine 49f dot.position hand.rotation.z
 holds 'five circles draw the sum of five sines' 'same(v[2], 1.9 * (1 - 1 / 3 + 1 / 5 - 1 / 7 + 1 / 9))' fourier 21f dot.position
 holds 'the bars are as wide as cities are large' 'same(v[1], 23.3 / 4) && same(v[3], 3.5 / 4)' race 81f bar2.size bar5.size
+holds 'one eigenvector becomes three times as long, the other stays' 'same(v[1], 4.5 / sqrt(2)) && same(v[2], v[1]) && same(v[4], -1.5 / sqrt(2))' \
+  eigenvectors 145f v2.to v6.to
+holds 'bubble sort puts the bars in order' 'v[1] < v[2] && v[2] < v[3] && v[3] < v[4] && v[4] < v[5] && v[5] < v[6] && v[6] < v[7]' \
+  bubble-sort 289f b{1..7}.position.x
+holds 'the areas of clouds stay the same' 'same(v[1] * v[2], v[5] * v[6]) && same(v[3] * v[4], v[7] * v[8]) && same(v[5], v[7])' \
+  bayes-areas 85f,133f days/clouds1.size days/clouds2.size
+holds 'a damped pendulum loses energy' 'v[2] ^ 2 / 2 - 6 * cos(v[1]) < -6 * cos(2.9) - 1' pendulum-phase 289f dot.position
+holds 'the search ends at 53' 'v[1] == v[2] && same(v[1], 3)' binary-search 217f look.position.x b11.position.x
 holds 'the ride ends where it began' 'same(v[1], v[4]) && same(v[2], v[5]) && same(v[3], v[6])' ride 1f,193f eye.position
 holds 'the fifth fish is where the leader was 15.36 frames before' 'same(v[1], v[10]) && same(v[2], v[11])' \
   swarm 84.64f,100f fish0.position fish5.position

@@ -7,10 +7,13 @@
 #   tools/gallery.sh PROGRAM   makes the page and its pictures
 #   tools/gallery.sh --check   fails if the page differs from the examples
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
-films='pendulum-wave 60 bars 80 gears 40 spirograph 200 sine 110 ride 100 swarm 100 letters 60 completing-the-square 130 unfold 55 walk 60 fourier 170 race 170'
+films='pendulum-wave 60 bars 80 gears 40 spirograph 200 sine 110 ride 100 swarm 100 letters 60 completing-the-square 130 unfold 55 walk 60 fourier 170 race 170
+derivative-limit 150 riemann-sums 120 linear-map 145 eigenvectors 200 fourier-series 121 taylor-polynomials 265 phase-portrait 289
+pendulum-phase 200 unit-circle 150 complex-map 120 pythagoras 56 inequalities 217 bayes-areas 265 table-to-chart 103 bubble-sort 23
+binary-search 100'
 
 page() {
-  printf '# Gallery\n\nShort films, each with its whole script. `./test` renders them, and `tools/gallery.sh PROGRAM` makes this page.\n'
+  printf '# Gallery\n\nShort films, each with its whole script. `./test` renders them, and `tools/gallery.sh PROGRAM` makes this page.\nThe films from [derivative-limit](#derivative-limit) on are for lessons.\n'
   set -- $films
   for (( ; $#; )); do
     printf '\n## %s\n\n%s\n\n![%s](pictures/gallery/%s.png)\n\n<!-- live: new -->\n```\n' "$1" "$(sed -n '/^# /!q; s/^# //p' "$root/examples/$1.bx")" "$1" "$1"
@@ -31,6 +34,13 @@ where you build scene, lights and loop by hand there.
 
 END
   python3 "$root/bench/scripts/lengths.py"
+  cat <<'END'
+
+The sixteen films for lessons have counterparts in Manim, which we have not run either ([bench/teaching](../bench/teaching/README.md)).
+These are the numbers of characters:
+
+END
+  python3 "$root/bench/teaching/count.py"
 }
 
 case ${1-} in
