@@ -9,7 +9,7 @@
 root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 films='pendulum-wave 60 bars 80 gears 40 spirograph 200 sine 110 ride 100 swarm 100 letters 60 completing-the-square 130 unfold 55 walk 60 fourier 170 race 170
 derivative-limit 150 riemann-sums 120 linear-map 145 eigenvectors 200 fourier-series 121 taylor-polynomials 265 phase-portrait 289
-pendulum-phase 200 unit-circle 150 complex-map 120 pythagoras 56 inequalities 217 bayes-areas 265 table-to-chart 103 bubble-sort 23
+pendulum-phase 200 unit-circle 150 complex-map 120 pythagoras 56 inequalities 217 bayes-areas 241 table-to-chart 103 bubble-sort 23
 binary-search 100'
 
 page() {

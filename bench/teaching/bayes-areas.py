@@ -31,4 +31,4 @@ class BayesAreas(Scene):
         self.play(Transform(clouds1, share1), Transform(clouds2, share2), run_time=2)
         self.play(FadeIn(shares), run_time=0.5)
         self.play(Write(rule))
-        self.wait(3.5)
+        self.wait(2.5)

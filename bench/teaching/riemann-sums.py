@@ -33,8 +33,8 @@ class RiemannSums(Scene):
                 Text(f"area = {area():.3f}", font_size=36),
             ).arrange(DOWN, aligned_edge=LEFT).set_color(BLUE).next_to(whole, DOWN, buff=0.5)
         )
-        self.add(axes, rectangles, texts)
-        self.play(Create(curve), Write(whole))
+        self.add(axes, rectangles, curve, texts)
+        self.play(Write(whole))
         for k in (8, 16, 32):
             self.wait(1.5)
             n.set_value(k)
