@@ -168,8 +168,16 @@ bool focuses_elsewhere(Command&, const Target&, const Value&, std::string_view a
 bool has_code(const Track&);
 // Reads the part of a row that follows its time.
 bool event(Command&, const Selected& to, Time);
-// Reads the interpolation that follows an event: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V]
-bool way(Command&, const Selected& to, Event&);
+// Adds the event to all tracks that it is for.
+bool put_row(Command&, const Selected& to, Event, std::string_view about);
+// Reads the interpolation that follows an event: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V]; with `lasts` also
+// [for L].
+bool way(Command&, const Selected& to, Event&, std::optional<Time>* lasts = nullptr);
+
+// ---- moves.cpp
+
+// Adds two events: what is there at the event's time, and its value at the end.
+bool put_for(Command&, const Selected& to, Event, Time length, std::string_view about);
 
 // ---- rates.cpp
 

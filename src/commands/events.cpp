@@ -130,7 +130,9 @@ bool keep_there(Scene& s, const Target& t, const Event& event) {
   return all;
 }
 
-bool put(Command& k, const Selected& to, Event event, std::string_view about) {
+}  // namespace
+
+bool put_row(Command& k, const Selected& to, Event event, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (to.type() == Type::attachment && std::holds_alternative<Procedure>(event.value)) {
     for (const Target& t : to.targets) say_fall_ends(k, t.object, event.time, about);
@@ -171,8 +173,6 @@ bool put(Command& k, const Selected& to, Event event, std::string_view about) {
   return true;
 }
 
-}  // namespace
-
 // Reads = "…": a value that code computes.
 bool computed(Command& k, const Selected& to, Value& out) {
   auto& [s, c, time, layer, script] = k;
@@ -203,51 +203,6 @@ bool computed(Command& k, const Selected& to, Value& out) {
   out = Procedure{*std::move(code)};
   return true;
 }
-
-namespace {
-
-// Returns whether `match for` follows, and takes it.
-bool goes_for_some_time(Cursor& c) {
-  Cursor ahead = c;
-  if (!ahead.accept_word("match") || !ahead.accept_word("for")) return false;
-  c = ahead;
-  return true;
-}
-
-// Returns the text that a target has at a time, as far as its own events say.
-Value text_at(const Scene& s, const Target& t, Time when) {
-  const Slot* const slot = s.objects[t.object.index].find(t.function);
-  Value out = slot && slot->set ? *slot->set : spec_of(s, t.function).rest;
-  if (slot)
-    slot->track->events.each([&](const Event& e) {
-      if (e.time <= when && !e.keep) out = e.value;
-    });
-  return out;
-}
-
-// Reads LENGTH after `match for`, and writes two events: the text that is there now, and the new one.
-bool match_for(Command& k, const Selected& to, Event e, std::string_view about) {
-  auto& [s, c, time, layer, script] = k;
-  const char* const start = (c.space(), c.at);
-  Time length;
-  if (!c.length(length) || !finish(c)) return false;
-  if (length <= Time{}) return c.fail(ErrorCode::range, "the length of a match must be above 0", c.since(start));
-  script.sheet.tracks.clear();  // they are not those of the scene after it was copied
-  Rollback all(s);
-  for (const Target& t : to.targets) {
-    Selected one = to;
-    one.targets = {t};
-    Event begin;
-    begin.time = e.time, begin.value = text_at(s, t, e.time), begin.twerper = *find_twerper("match");
-    Event end = e;
-    end.time = e.time + length;
-    if (!put(k, one, std::move(begin), about) || !put(k, one, std::move(end), about)) return false;
-  }
-  all.keep();
-  return true;
-}
-
-}  // namespace
 
 // Reads the part of a row after its time: VALUE [cut VALUE] [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V], or keep
 // TWERPER.
@@ -293,54 +248,10 @@ bool event(Command& k, const Selected& to, Time when) {
     }
   }
   const std::string_view about(value_at, static_cast<std::size_t>(c.at - value_at));
-  if (to.type() == Type::text && goes_for_some_time(c)) return match_for(k, to, std::move(e), about);
-  if (!way(k, to, e)) return false;
-  return put(k, to, std::move(e), about);
-}
-
-// Reads an event's interpolation: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V] [handle…=(L V)].
-bool way(Command& k, const Selected& to, Event& e) {
-  auto& [s, c, time, layer, script] = k;
-  bool chosen = false;
-  while (!c.at_line_end()) {
-    const char* start = c.at;
-    const std::string_view w = c.peek_word();
-    const bool ease = w == "ease-in" || w == "ease-out";  // an option if a length follows, otherwise a twerper
-    if (ease) {
-      c.word(), c.space();
-      if (starts_like_time(c.peek()))
-        return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing after {}", w), fmt::format("as in {}=4f", w));
-    }
-    if (ease && c.peek() != '=') c.at = start;
-    if (w == "ease" && c.at + w.size() < c.end && c.at[w.size()] == '=')
-      return c.fail(ErrorCode::name, "there is no option 'ease'", w,
-                    "ease-in=4f slows down before an event; ease-out=4f starts slowly after it");
-    if (ease && c.accept('=')) {
-      Time length;
-      if (!c.length(length)) return false;
-      if (length < Time{}) return c.fail(ErrorCode::range, "an ease must not be negative", c.since(start));
-      (w == "ease-in" ? e.detail.edit().ease_in : e.detail.edit().ease_out) = length;
-      continue;
-    }
-    if (w == "tangent" || w == "tangent-in" || w == "tangent-out") {
-      c.word();
-      if (!tangent(k, to, w, e)) return false;
-      continue;
-    }
-    if (w == "handle-in" || w == "handle-out") {
-      c.word();
-      if (!handle(k, to, w, e)) return false;
-      continue;
-    }
-    if (chosen)
-      return c.fail_here(ErrorCode::syntax,
-                         fmt::format("'{}' is not expected here: this event already has a twerper", w.substr(0, 40)));
-    TwerperArguments arguments;
-    if (!twerper(k, to, e.twerper, arguments)) return false;
-    if (arguments != TwerperArguments{}) e.detail.edit().arguments = arguments;
-    chosen = true;
-  }
-  return !e.keep || chosen || c.fail_here(ErrorCode::syntax, "'keep' needs a twerper, as in keep linear");
+  std::optional<Time> lasts;
+  if (!way(k, to, e, &lasts)) return false;
+  if (!lasts) return put_row(k, to, std::move(e), about);
+  return put_for(k, to, std::move(e), *lasts, about);
 }
 
 bool time_or_segment(Cursor& c, Time& from, std::optional<Time>& until) {

@@ -172,4 +172,58 @@ bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arg
   return twerper_arguments(c, out, w, arguments);
 }
 
+// Reads an event's interpolation: [TWERPER] [ease-in=L] [ease-out=L] [tangent…=V] [handle…=(L V)] [for L].
+bool way(Command& k, const Selected& to, Event& e, std::optional<Time>* lasts) {
+  auto& [s, c, time, layer, script] = k;
+  bool chosen = false;
+  while (!c.at_line_end()) {
+    const char* start = c.at;
+    const std::string_view w = c.peek_word();
+    const bool ease = w == "ease-in" || w == "ease-out";  // an option if a length follows, otherwise a twerper
+    if (ease) {
+      c.word(), c.space();
+      if (starts_like_time(c.peek()))
+        return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing after {}", w), fmt::format("as in {}=4f", w));
+    }
+    if (ease && c.peek() != '=') c.at = start;
+    if (w == "ease" && c.at + w.size() < c.end && c.at[w.size()] == '=')
+      return c.fail(ErrorCode::name, "there is no option 'ease'", w,
+                    "ease-in=4f slows down before an event; ease-out=4f starts slowly after it");
+    if (ease && c.accept('=')) {
+      Time length;
+      if (!c.length(length)) return false;
+      if (length < Time{}) return c.fail(ErrorCode::range, "an ease must not be negative", c.since(start));
+      (w == "ease-in" ? e.detail.edit().ease_in : e.detail.edit().ease_out) = length;
+      continue;
+    }
+    if (w == "tangent" || w == "tangent-in" || w == "tangent-out") {
+      c.word();
+      if (!tangent(k, to, w, e)) return false;
+      continue;
+    }
+    if (w == "handle-in" || w == "handle-out") {
+      c.word();
+      if (!handle(k, to, w, e)) return false;
+      continue;
+    }
+    if (lasts && w == "for") {
+      c.word();
+      c.space();
+      start = c.at;
+      if (!c.length(lasts->emplace())) return false;
+      if (**lasts <= Time{}) return c.fail(ErrorCode::range, "the length must be above 0", c.since(start));
+      if (!chosen) e.twerper = *find_twerper(to.type() == Type::text ? "match" : "ease-in-out");
+      return finish(c);
+    }
+    if (chosen)
+      return c.fail_here(ErrorCode::syntax,
+                         fmt::format("'{}' is not expected here: this event already has a twerper", w.substr(0, 40)));
+    TwerperArguments arguments;
+    if (!twerper(k, to, e.twerper, arguments)) return false;
+    if (arguments != TwerperArguments{}) e.detail.edit().arguments = arguments;
+    chosen = true;
+  }
+  return !e.keep || chosen || c.fail_here(ErrorCode::syntax, "'keep' needs a twerper, as in keep linear");
+}
+
 }  // namespace betwixt
