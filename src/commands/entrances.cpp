@@ -59,10 +59,14 @@ struct Stage {
 
 bool has_function(const Object& o, std::string_view name) { return find_built_in(o.kind, name).has_value(); }
 
-// Returns the letters of a text that can be seen one by one; 0 if code or TeX makes them.
+// Returns the letters of a text or a formula that can be seen one by one; 0 if code or LaTeX makes them.
 std::size_t letters_of(const Stage& s, const Object& o) {
+  if (!has_letters(o.kind)) return 0;
   const auto tex = find_built_in(o.kind, "tex");
-  if (!has_letters(o.kind) || (tex && o.find(*tex))) return 0;
+  if (tex && o.find(*tex)) {
+    const auto formula = s.scene().formulas->find(*s.value<Text>(o, *tex));
+    if (formula != s.scene().formulas->end()) return formula->second->letters.size();
+  }
   const Slot* slot = o.find(fn::text);
   if (!slot || (slot->set && std::holds_alternative<Procedure>(*slot->set))) return 0;
   const Text text = s.value<Text>(o, fn::text);
@@ -77,15 +81,12 @@ void fade(Stage& s, const Object& o, bool in) {
   s.move(o.name + ".transparency", in ? "1" : seen, in ? seen : "1", "linear");
 }
 
-// Returns whether the letters are typed with those of a block of code.
-bool is_part_of_code(const Stage& s, const Object& o) {
-  const ObjectId whole = shown_part(o) ? formula_of_part(s.scene(), o) : ObjectId{};
-  return whole && s.scene().objects[whole.index].kind == Kind::code;
-}
+// Returns whether the letters are typed with those of a formula or of a block of code.
+bool is_part_of_letters(const Stage& s, const Object& o) { return shown_part(o) && formula_of_part(s.scene(), o); }
 
 // Draws one object in the way that suits its kind.
 void draw(Stage& s, const Object& o, bool in) {
-  if (!drawable(o.kind) || is_part_of_code(s, o)) return;
+  if (!drawable(o.kind) || is_part_of_letters(s, o)) return;
   const bool line = row_of(o.kind).line;
   if (const std::size_t letters = letters_of(s, o); letters > 0) {
     const std::string all = std::to_string(letters);

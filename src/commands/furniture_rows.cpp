@@ -28,8 +28,15 @@ void labels(Furnishing& f, char axis, double length, std::string_view align) {
   f.line("set {}.display = \"value('{}.numbers')\"", all, f.name);
 }
 
+// Returns the color that the author has set, in the form of the language.
+std::string color_or(const Furnishing& f, std::string_view otherwise) {
+  if (!f.colored()) return std::string(otherwise);
+  const auto c = std::get<Color>(f.value("color"));
+  return fmt::format("rgb({} {} {})", write_number(c.r), write_number(c.g), write_number(c.b));
+}
+
 void axis(Furnishing& f, char axis, double length, std::string_view align) {
-  f.line("create {}/{} polyline width=0.03 color={}", f.name, axis, line_color);
+  f.line("create {}/{} polyline width=0.03 color={}", f.name, axis, color_or(f, line_color));
   f.line("set {0}/{1}.points = \"axes.line('{0}', '{1}')\"", f.name, axis);
   if (length > 0) labels(f, axis, length, align);
 }

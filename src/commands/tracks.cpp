@@ -9,6 +9,7 @@
 
 #include "base/cancellation.h"
 #include "base/names.h"
+#include "commands/furnishing.h"
 #include "commands/verbs.h"
 #include "track/curve.h"
 
@@ -95,6 +96,22 @@ bool compute_component(Command& k, const Selected& to, const Value& code) {
   return true;
 }
 
+// Couples an object that goes to other axes to them, if it was coupled to those that it was on.
+bool goes_to_axes(Command& k, ObjectId id, const Value& v, std::string_view about) {
+  const Object& o = k.scene.objects[id.index];
+  const Slot *on = o.find(fn::on_axes), *slot = o.find(fn::attachment);
+  const auto* was = on && on->set ? std::get_if<ObjectId>(&*on->set) : nullptr;
+  const auto* coupled = slot && slot->set ? std::get_if<Attachment>(&*slot->set) : nullptr;
+  const auto* axes = std::get_if<ObjectId>(&v);
+  if (!axes || !*axes || (coupled && coupled->parent && (!was || coupled->parent != *was))) return true;
+  Object moved = o;
+  moved.slot(fn::on_axes).set = v;
+  ObjectId parent;
+  if (!put_on_axes(k, moved, parent, about)) return false;
+  set_value(k.scene, Target{id, fn::attachment}, Attachment{AttachmentKind::couple, parent, false});
+  return true;
+}
+
 bool set_alike(Command& k, const Selected& to) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view w = to.text;
@@ -127,7 +144,11 @@ bool set_alike(Command& k, const Selected& to) {
     if (!draws(k, t, w) || !focuses_elsewhere(k, t, v, w) || !has_components(k, t, w)) return false;
   }
   say_unseen(k, to, w);
-  for (const Target& t : to.targets) Cancellation::check(), set_value(s, t, v);
+  for (const Target& t : to.targets) {
+    Cancellation::check();
+    if (t.function == fn::on_axes && !goes_to_axes(k, t.object, v, w)) return false;
+    set_value(s, t, v);
+  }
   say_missing_style(k, s.objects[to.targets[0].object.index], to.targets[0].function, v, w);
   for (const Target& t : to.targets)
     if (!make_parts(k, t.object, t.function, v, w)) return false;

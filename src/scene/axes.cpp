@@ -161,8 +161,9 @@ std::vector<double> ticks_of(const Axis& axis, double length, double apart) {
   double step = tick_step(axis, length, apart);
   if (!((high - low) / step < most_ticks)) step = readable((high - low) / (most_ticks / 2.0));
   std::vector<double> out;
-  // A given step counts from the low end if 0 is not one of its ticks, as in (1 13 3).
-  const double phase = axis.step > 0 ? std::remainder(axis.low, step) : 0;
+  // A given step counts from 0 if the axis has it, otherwise from the low end, as in (1 13 3).
+  const bool counts = axis.step > 0 && (low > 0 || high < 0);
+  const double phase = counts ? std::remainder(axis.low, step) : 0;
   const double from = std::abs(phase) < 1e-9 * step ? 0 : axis.low;
   for (auto k = static_cast<long long>(std::ceil((low - from) / step - 1e-9));; ++k) {
     const double number = from + static_cast<double>(k) * step;
@@ -178,8 +179,11 @@ std::string tick_label(const Axis& axis, double number, double step) {
   if (number == 0) return "0";
   if (std::abs(number) >= 1e6 || std::abs(number) < 1e-4 || (step > 0 && step < 1e-5)) return as_power(number);
   if (axis.scale == AxisScale::log) return with_minus(fmt::format("{:g}", number));
+  // As many decimals as the number and the step need; three digits of a step that has no end, such as a quarter of pi.
   int decimals = 0;
-  for (double s = step; decimals < 6 && std::abs(s - std::round(s)) > 1e-6 * s; s *= 10) ++decimals;
+  const auto is_whole = [](double v) { return std::abs(v - std::round(v)) <= 1e-6 * std::max(1.0, std::abs(v)); };
+  for (double by = 1; decimals <= 6 && !(is_whole(step * by) && is_whole(number * by)); by *= 10) ++decimals;
+  if (decimals > 6) decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(step))), 0, 6);
   return with_minus(grouped(fmt::format("{:.{}f}", number, decimals)));
 }
 
