@@ -58,7 +58,8 @@ enum class Kind : std::uint8_t {
   table,
   matrix,
   brace,
-  code
+  code,
+  diagram  // has no shape
 };
 
 // The style of letters besides their font. `typed` is the number of visible letters; it counts blanks and line ends.

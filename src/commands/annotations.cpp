@@ -38,7 +38,7 @@ struct Annotation {
     lines += fmt::format(format, std::forward<A>(arguments)...) + "\n";
   }
   void at(const std::string& what) {
-    line("at {} {} for {}", write_time(from, k.scene.rate), what, write_time(length, k.scene.rate));
+    line("at {} {} for {}", write_time(from, k.scene.rate), what, write_seconds(length));
   }
 };
 
@@ -134,6 +134,8 @@ void mark_lines(Annotation& a, std::optional<std::pair<double, double>> to) {
     at(a.from, lines + " " + pair(now.x, now.y) + " ease-in-out");
     at(end, lines + " " + pair(to->first, to->second) + " hold");
   } else if (to) {
+    const Slot* slot = a.object.find(*find_built_in(Kind::code, "lines"));
+    if (a.from > Time{} && (!slot || slot->track->events.empty())) at(Time{}, lines + " (0 0) hold");
     at(a.from, lines + " " + pair(to->first, to->second) + " hold");
     at(a.from, mark + ".transparency 1 linear");
     at(end, mark + ".transparency 0 hold");

@@ -136,7 +136,7 @@ bool put_beside(Command& k) {
     link.to = {thing, inner, half.x / sx, half.y / sy};
     lines += lines_of_link(link);
   }
-  if (time) lines += fmt::format("at {} fade-in {} for {}\n", write_time(t, s.rate), name, write_time(length, s.rate));
+  if (time) lines += fmt::format("at {} fade-in {} for {}\n", write_time(t, s.rate), name, write_seconds(length));
   Rollback rollback(s);
   if (!carry_out_lines(k, lines, word)) return false;
   return rollback.keep(), true;

@@ -83,8 +83,8 @@ bool connect(Command& k) {
   if (link.name.empty()) link.name = link.from.name + "-" + last_of(link.to.name);
   std::string lines = lines_of_link(link);
   if (time)
-    lines += fmt::format("at {} draw {} for {}\n", write_time(*time, s.rate), link.name,
-                         write_time(from_seconds(0.5), s.rate));
+    lines +=
+        fmt::format("at {} draw {} for {}\n", write_time(*time, s.rate), link.name, write_seconds(from_seconds(0.5)));
   Rollback rollback(s);
   if (!carry_out_lines(k, lines, first)) return false;
   return rollback.keep(), true;

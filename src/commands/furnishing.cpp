@@ -69,6 +69,16 @@ bool formula_is_good(Command& k, const Object& o, std::string_view name, std::st
   return k.cursor.fail(ErrorCode::syntax, fmt::format("the formula has an error: {}", problem), place);
 }
 
+// Returns the place in the text of `of` where a problem is, if it is in this line.
+std::string_view place_of_problem(Command& k, const Furnishing& f, std::string_view otherwise) {
+  if (f.problem_at == 0) return otherwise;
+  const std::string_view line = k.script.source.text;
+  const std::string text = f.text("of");
+  const auto at = line.find("\"" + text + "\"");
+  if (text.empty() || at == line.npos) return otherwise;
+  return line.substr(at + static_cast<std::size_t>(f.problem_at), 1);
+}
+
 }  // namespace
 
 bool carry_out_lines(Command& k, const std::string& lines, std::string_view about) {
@@ -101,17 +111,18 @@ bool furnish(Command& k, ObjectId id, const Furniture& said, std::string_view ab
   if (!row) return true;
   if (const Slot* bare = o.find(fn::bare); bare && bare->set && bare->set == Value(true)) return true;
   for (const std::string_view formula : {"of", "base"})
-    if (!formula_is_good(k, o, formula, about)) return false;
+    if (row->needs_axes && !formula_is_good(k, o, formula, about)) return false;
   if (row->needs_axes && !axes_of(k.scene, o))
     return k.cursor.fail(ErrorCode::syntax, fmt::format("{} needs axes", a_kind(o.kind)), about,
                          "create axes first, then write on=NAME, as in on=ax");
   if (row->takes != Takes::nothing && said.rows.empty())
     return k.cursor.fail(ErrorCode::syntax, fmt::format("{} needs its values", a_kind(o.kind)), about,
                          row->takes == Takes::cells ? "as in of=((1 2) (3 4))" : "as in of=(3 1 4)");
-  Furnishing to{k.scene, id, o.name, said, {}, {}, {}};
+  Furnishing to{k.scene, id, o.name, said, {}, {}, {}, 0};
   row->make(to);
   if (!to.problem.empty())
-    return k.cursor.fail(ErrorCode::range, to.problem, said.of_at.empty() ? about : said.of_at, to.hint);
+    return k.cursor.fail(ErrorCode::range, to.problem, place_of_problem(k, to, said.of_at.empty() ? about : said.of_at),
+                         to.hint);
   if (!to.lines.empty() && !carry_out_lines(k, to.lines, about)) return false;
   // Whoever writes the film writes the pieces too.
   k.scene.objects.edit(id.index).slot(fn::bare).set = true;

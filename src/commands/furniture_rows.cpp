@@ -211,6 +211,7 @@ const FurnitureRow* furniture_of(Kind kind) {
       {Kind::table, Takes::cells, false, make_table},
       {Kind::matrix, Takes::cells, false, make_matrix},
       {Kind::code, Takes::nothing, false, make_code},
+      {Kind::diagram, Takes::nothing, false, make_diagram},
   };
   for (const FurnitureRow& row : rows)
     if (row.kind == kind) return &row;

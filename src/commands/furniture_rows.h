@@ -22,6 +22,7 @@ struct Furnishing {
   const Furniture& said;
   std::string lines;
   std::string problem, hint;  // set if it cannot be made
+  int problem_at = 0;         // the column in the text of `of`, from 1; 0: none
 
   const Object& object() const { return scene.objects[id.index]; }
   template <class... A>
@@ -53,6 +54,8 @@ void make_table(Furnishing&);
 void make_matrix(Furnishing&);
 // code_rows.cpp
 void make_code(Furnishing&);
+// diagram_rows.cpp
+void make_diagram(Furnishing&);
 
 // The colours of what has no colour of its own.
 inline constexpr std::string_view line_color = "#8b95a7", label_color = "#c3cad6", grid_color = "#39424f";

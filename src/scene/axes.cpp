@@ -182,8 +182,8 @@ std::string tick_label(const Axis& axis, double number, double step) {
   // As many decimals as the number and the step need; three digits of a step that has no end, such as a quarter of pi.
   int decimals = 0;
   const auto is_whole = [](double v) { return std::abs(v - std::round(v)) <= 1e-6 * std::max(1.0, std::abs(v)); };
-  for (double by = 1; decimals <= 6 && !(is_whole(step * by) && is_whole(number * by)); by *= 10) ++decimals;
-  if (decimals > 6) decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(step))), 0, 6);
+  for (double by = 1; decimals <= 4 && !(is_whole(step * by) && is_whole(number * by)); by *= 10) ++decimals;
+  if (decimals > 4) decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(step))), 0, 6);
   return with_minus(grouped(fmt::format("{:.{}f}", number, decimals)));
 }
 

@@ -38,7 +38,7 @@ inline constexpr KindBits curves_of_formulas = bits_of({Kind::plot, Kind::area, 
 inline constexpr KindBits furnished_kinds =
     flat_axes | curves_of_formulas |
     bits_of({Kind::number_line, Kind::polar_axes, Kind::tangent, Kind::vector_field, Kind::bars, Kind::columns,
-             Kind::pie, Kind::table, Kind::matrix, Kind::code});
+             Kind::pie, Kind::table, Kind::matrix, Kind::code, Kind::diagram});
 
 inline const FunctionSpec axes_functions[] = {
     {.name = "on",
