@@ -7,7 +7,7 @@ find_package(Qt6 REQUIRED COMPONENTS Widgets Network Test)
 file(GLOB_RECURSE studio_sources CONFIGURE_DEPENDS src/studio/*.cpp src/studio/*.h)
 list(FILTER studio_sources EXCLUDE REGEX "_program.cpp$")
 add_library(betwixt_studio_room STATIC ${studio_sources} src/app/command.cpp src/app/streams.cpp src/app/live_input.cpp src/app/hearing.cpp
-            src/app/sound_device.cpp src/app/templates.cpp src/studio/words/words.qrc)
+            src/app/sound_device.cpp src/app/templates.cpp src/studio/words/words.qrc src/studio/shell/icons.qrc)
 target_include_directories(betwixt_studio_room PRIVATE ${CMAKE_BINARY_DIR}/made)
 set_target_properties(betwixt_studio_room PROPERTIES AUTOMOC ON AUTORCC ON UNITY_BUILD ${BETWIXT_JUMBO} UNITY_BUILD_BATCH_SIZE 5)
 target_precompile_headers(betwixt_studio_room PRIVATE <QtWidgets> <fmt/format.h> <algorithm> <map> <optional> <string> <vector>)

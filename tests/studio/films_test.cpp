@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QtWidgets>
 
+#include "studio/course/film_chooser.h"
 #include "studio/film.h"
 #include "studio/shell/recovery.h"
 #include "studio/shell/theme.h"
@@ -51,12 +52,13 @@ struct Desk {
     QTest::keySequence(films.windowHandle(), QKeySequence(keys));
   }
   // Answers the next questions with the buttons of these names.
-  static void answer(QStringList buttons, int* asked) {
+  static void answer(QStringList buttons, int* asked, QString* question = nullptr) {
     auto* look = new QTimer(qApp);
     QObject::connect(look, &QTimer::timeout, look, [=]() mutable {
       auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
       if (!box || !box->isVisible()) return;
       ++*asked;
+      if (question) *question = box->text();
       const QString button = buttons.takeFirst();
       if (buttons.isEmpty()) look->stop(), look->deleteLater();
       for (QAbstractButton* b : box->buttons())
@@ -94,6 +96,29 @@ class FilmsTest : public QObject {
     d.films.open("no.bx");
     QCOMPARE(d.names(), (QStringList{"a.bx", "b.bx"}));
     QVERIFY(d.films.windowTitle().startsWith("b.bx"));
+  }
+
+  // File, New: Escape leaves the films that are there; a film that is chosen gets a tab of its own.
+  void newLeavesWhatIsThere() {
+    Desk d;
+    d.films.open("a.bx");
+    d.films.current().new_film();
+    auto* chooser = d.films.current().findChild<FilmChooser*>();
+    QVERIFY(QTest::qWaitForWindowExposed(chooser));
+    QTest::keyClick(chooser, Qt::Key_Escape);
+    QCOMPARE(d.names(), QStringList{"a.bx"});
+    QCOMPARE(QByteArray::fromStdString(d.now().text()), first_text);
+    QTRY_VERIFY(!d.films.current().findChild<FilmChooser*>());
+    d.films.current().new_film();
+    d.films.current().findChild<FilmChooser*>()->accept();
+    QCOMPARE(d.names(), (QStringList{"a.bx", "new film"}));
+  }
+
+  void theWindowHasTheIcon() {
+    Desk d;
+    QVERIFY(!d.films.windowIcon().isNull());
+    const QColor ball = d.films.windowIcon().pixmap(128, 128).toImage().pixelColor(82, 50);  // the gold ball
+    QVERIFY2(ball.red() > 200 && ball.green() > 130 && ball.blue() < 120, qPrintable(ball.name()));
   }
 
   void aFilmThatIsOpenIsShownAgain() {
@@ -168,9 +193,11 @@ class FilmsTest : public QObject {
     d.films.open("b.bx");
     d.films.go_to(*d.films.windows()[0]);
     int asked = 0;
-    Desk::answer({"Stay"}, &asked);
+    QString question;
+    Desk::answer({"Stay"}, &asked, &question);
     d.press("Ctrl+W");
     QCOMPARE(asked, 1);
+    QVERIFY2(question.contains("'a.bx'"), qPrintable(question));
     QCOMPARE(d.names().size(), 2);
     Desk::answer({"Discard"}, &asked);
     d.press("Ctrl+W");

@@ -10,6 +10,7 @@
 #include "studio/shell/key_sheet.h"
 #include "studio/shell/keys.h"
 #include "studio/shell/keys_page.h"
+#include "studio/shell/palette.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
 #include "studio/viewport/viewport.h"
@@ -43,6 +44,12 @@ bool uses(QWidget& w, QEvent::Type type, int key, Qt::KeyboardModifiers with) {
   type == QEvent::ShortcutOverride ? e.ignore() : e.accept();
   static_cast<QObject&>(w).event(&e);  // without the keys of the window
   return e.isAccepted();
+}
+
+QAction* menu_row(const QMenu& menu, const QString& name) {
+  for (QAction* a : menu.actions())
+    if (a->text() == name) return a;
+  qFatal("no row '%s'", qPrintable(name));
 }
 
 }  // namespace
@@ -130,8 +137,24 @@ class KeyboardTest : public QObject {
     QTest::keyClick(&picture, Qt::Key_X);
     QVERIFY(s.window.viewport().pulls());
     QTest::keyClick(&picture, Qt::Key_Escape);
+    // After a scale, I inserts an event of the scale too.
+    QTest::keyClick(&picture, Qt::Key_S);
+    QTest::keyClick(&picture, Qt::Key_2);
+    QTest::keyClick(&picture, Qt::Key_Return);
+    QVERIFY2(s.film.text().endsWith("set ball.scale (2 2 2)\n"), qPrintable(s.film.text()));
     QTest::keyClick(&picture, Qt::Key_I);
-    QVERIFY2(s.film.workspace.session_lines().back().starts_with("at 1f ball.position"), "I inserts an event");
+    QCOMPARE(s.film.events_of("ball.rotation"), 1);
+    QCOMPARE(s.film.events_of("ball.scale"), 1);
+    s.film.workspace.undo();  // one step
+    QCOMPARE(s.film.events_of("ball.scale"), 0);
+    // Shift-A shows the kinds at the pointer.
+    QTest::keyClick(&picture, Qt::Key_A, Qt::ShiftModifier);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    QVERIFY2(menu, "Shift+A");
+    menu_row(*menu, "torus")->trigger(), menu->close();
+    QVERIFY2(s.film.text().contains("create torus1 torus"), qPrintable(s.film.text()));
+    QCOMPARE(s.film.workspace.selected(), (std::vector{s.film.id("torus1")}));
+    s.film.select("ball");
     keys().set_preset("after-effects");
     QTest::keyClick(&picture, Qt::Key_P);
     QVERIFY(s.window.viewport().pulls());
@@ -165,6 +188,43 @@ class KeyboardTest : public QObject {
       }
     }
     QVERIFY(found > 10);
+  }
+
+  // The menu Object has the same kinds.
+  void theMenuAddsObjects() {
+    Studio s;
+    const QMenu* kinds = menu_row(*s.window.menuBar()->findChild<QMenu*>("Object"), "Add object")->menu();
+    QVERIFY(kinds && kinds->actions().size() > 10);
+    menu_row(*kinds, "box")->trigger();
+    QVERIFY2(s.film.text().endsWith("create box1 box\n"), qPrintable(s.film.text()));
+  }
+
+  // Presets are where people look for them: in the menu Edit, in the list of keys, and in the palette.
+  void presetsAreFound() {
+    Studio s;
+    s.window.show_keys();
+    auto* sheet = s.window.findChild<KeySheet*>();
+    auto* preset = sheet->findChild<QComboBox*>("preset");
+    const int blender = preset->findText("Blender");
+    QVERIFY(blender > 0);
+    preset->setCurrentIndex(blender);
+    emit preset->activated(blender);
+    QCOMPARE(keys().preset(), "blender");
+    QVERIFY(sheet->findChild<QTextBrowser*>()->toPlainText().contains("Shift+D"));
+    sheet->close();
+    for (const QString words : {"blender", "after effects", "keymap", "preset"}) {
+      Palette palette(s.window);
+      palette.findChild<QLineEdit*>()->setText(words);
+      const auto* found = palette.findChild<QListWidget*>();
+      bool there = false;
+      for (int i = 0; i < std::min(3, found->count()); ++i)
+        there = there || found->item(i)->text().contains("Key preset");
+      QVERIFY2(there, qPrintable(words));
+    }
+    menu_row(*s.window.menuBar()->findChild<QMenu*>("Edit"), "Key preset…")->trigger();
+    auto* page = s.window.findChild<KeysPage*>();
+    QVERIFY(page && page->isVisible());
+    QCOMPARE(page->findChild<QComboBox*>("preset")->currentText(), "Blender");
   }
 
   void theFileKeepsTheDifferencesOnly() {

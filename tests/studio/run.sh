@@ -72,17 +72,7 @@ maximised() {
       sleep 0.1
     done
     for how in add,maximized_vert,maximized_horz remove,above; do
-      timeout 900 "$build/bin/betwixt-studio" big.bx --discard >said 2>&1 &
-      studio=$!
-      for _ in {1..4000}; do
-        window=$(wmctrl -l 2>/dev/null | awk '/big.bx/ { print $1 }')
-        [ -z "$window" ] || break
-        kill -0 $studio 2>/dev/null || exit 1
-        sleep 0.1
-      done
-      sleep 1
-      wmctrl -i -r "$window" -b "$how"
-      sleep 1
+      show_big && wmctrl -i -r "$window" -b "$how" && sleep 1 || exit 1
       # Repeats until the window has got the key.
       for _ in {1..2000}; do
         xdotool windowfocus "$window" key ctrl+q 2>/dev/null
@@ -91,7 +81,41 @@ maximised() {
       done
       wait $studio || exit 1
     done
+    # With a change, it asks: Escape stays, and the second button, Discard, closes.
+    printf 'set ball.radius 2\n' >change.txt
+    show_big --session change.txt && wmctrl -i -r "$window" -b add,maximized_vert,maximized_horz && sleep 1 || exit 1
+    ask_by wmctrl -i -c "$window" && xdotool key Escape || exit 1
+    sleep 1
+    kill -0 $studio 2>/dev/null || exit 1
+    ask_by xdotool windowfocus "$window" key ctrl+q && xdotool key Tab key space || exit 1
+    wait $studio && ! grep -q radius big.bx
   )
+}
+
+# Starts the studio with big.bx. Sets `studio` and `window`.
+show_big() {
+  timeout 120 "$build/bin/betwixt-studio" big.bx --discard "$@" >said 2>&1 &
+  studio=$!
+  for _ in {1..4000}; do
+    window=$(wmctrl -l 2>/dev/null | awk '/big.bx/ { print $1 }')
+    [ -z "$window" ] || break
+    kill -0 $studio 2>/dev/null || return 1
+    sleep 0.1
+  done
+  sleep 1
+}
+
+# Carries out a command, again until the studio asks about unsaved changes, and gives the question the keys.
+ask_by() {
+  local question
+  for _ in {1..300}; do
+    "$@" 2>/dev/null
+    sleep 0.3
+    question=$(xdotool search --onlyvisible --name '^Betwixt$' 2>/dev/null | tail -n 1)
+    [ -z "$question" ] || { xdotool windowfocus "$question" && sleep 0.3 && return 0; }
+    kill -0 $studio 2>/dev/null || return 1
+  done
+  return 1
 }
 
 # Uses the studio as a screen reader does: on a display, and on a message bus of its own.
@@ -122,7 +146,12 @@ pictures() (
   # The width and the height in a PNG: 400 and 200.
   [ "$(od -An -tx1 -j16 -N8 a.png | tr -d ' ')" = 00000190000000c8 ] || exit 1
   film a.png --panel nothing && exit 1
-  grep -q "no panel 'nothing'" said
+  grep -q "no panel 'nothing'" said || exit 1
+  # Without a display, or with one that is not there, one sentence.
+  for display in '' :77; do
+    env -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM DISPLAY=$display timeout 60 "$build/bin/betwixt-studio" film.bx --discard 2>said
+    [ $? = 3 ] && [ "$(wc -l <said)" = 1 ] && grep -q 'needs a display' said || exit 1
+  done
 )
 
 for test in "$@"; do

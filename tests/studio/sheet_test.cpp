@@ -8,6 +8,7 @@
 
 #include "betwixt/language.h"
 #include "hands.h"
+#include "studio/shell/window.h"
 #include "studio/timeline/exposures.h"
 #include "studio/timeline/sheet_pane.h"
 
@@ -198,6 +199,33 @@ class SheetTest : public QObject {
     clock.start();
     for (int i = 0; i < 10; ++i) s.pane.update(), s.pane.render(&picture);
     qInfo("a picture of the sheet takes %.1f ms", clock.nsecsElapsed() / 1e7);
+  }
+
+  // Tab goes from the rows to each control that one sees, and Shift-Tab back.
+  void tabReachesEveryControl() {
+    Film made("rate 24\nrange 1f 48f\ncreate ball sphere\nball.position\n  1f (0 0 0)\n  12f (2 0 0)\n");
+    Window window(made.workspace);
+    window.resize(1400, 1000);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    QWidget* sheet = window.panel("sheet");
+    for (const bool columns : {false, true}) {
+      auto* last = sheet->findChild<QToolButton*>("columns");
+      last->setChecked(columns);
+      QStringList wanted{columns ? "exposures" : "sheet_pane", "search", "only_selected", "columns"};
+      for (const bool back : {false, true}) {
+        back ? last->setFocus() : sheet->setFocus();
+        QStringList reached;
+        while (sheet->isAncestorOf(QApplication::focusWidget())) {
+          reached << QApplication::focusWidget()->objectName();
+          QVERIFY2(reached.size() <= wanted.size(), qPrintable(reached.join(' ')));
+          back ? QTest::keyClick(window.windowHandle(), Qt::Key_Backtab, Qt::ShiftModifier)
+               : QTest::keyClick(window.windowHandle(), Qt::Key_Tab);
+        }
+        if (back) std::ranges::reverse(reached);
+        QCOMPARE(reached, wanted);
+      }
+    }
   }
 };
 

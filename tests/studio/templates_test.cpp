@@ -36,7 +36,7 @@ class TemplatesTest : public QObject {
   // The picture in the list is the picture of the film, also when it comes from the cache.
   void eachFilmHasItsPicture() {
     for (int time = 0; time < 2; ++time) {
-      FilmChooser chooser(nullptr);
+      FilmChooser chooser({}, nullptr);
       chooser.show();
       QListWidget& list = films(chooser);
       QCOMPARE(list.count(), static_cast<int>(film_templates().size()) + 1);
@@ -66,7 +66,6 @@ class TemplatesTest : public QObject {
     window.begin_film("create box2 box\n");
     for (const FilmTemplate& t : film_templates()) {
       window.new_film();  // asks nothing: the film is as it began
-      QCOMPARE(workspace.text(), "");
       FilmChooser& chooser = asked(window);
       QVERIFY(QTest::qWaitForWindowExposed(&chooser));
       QListWidget& list = films(chooser);
@@ -83,17 +82,49 @@ class TemplatesTest : public QObject {
     QCOMPARE(workspace.text(), std::string(film_templates().back().text));
   }
 
-  void escapeBeginsWithNothing() {
+  void escapeLeavesTheFilmThatIsThere() {
     Workspace workspace;
     Window window(workspace);
     window.show();
     window.open_example();
-    window.choose_film();
+    window.new_film();
     QVERIFY(QTest::qWaitForWindowExposed(&asked(window)));
     QCOMPARE(workspace.text(), example_film);
     QTest::keyClick(&asked(window), Qt::Key_Escape);
+    QCOMPARE(workspace.text(), example_film);
+    QTRY_VERIFY(!window.findChild<FilmChooser*>());
+    window.new_film();
+    asked(window).findChild<QPushButton*>("nothing")->click();
     QCOMPARE(workspace.text(), "");
     QVERIFY(!window.isWindowModified());
+  }
+
+  void filmsThatAreThereAndTheCourseAreOffered() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("mine.bx");
+    QFile out(file);
+    QVERIFY(out.open(QIODevice::WriteOnly) && out.write("create mine box\n") > 0);
+    out.close();
+    QSettings("betwixt", "studio").setValue("recent", QStringList{folder.filePath("gone.bx"), file});
+    Workspace workspace;
+    Window window(workspace);
+    window.show();
+    window.open_example();
+    window.new_film();
+    auto* recent = asked(window).findChild<QListWidget*>("opened_last");
+    QVERIFY(recent);
+    QCOMPARE(recent->count(), 1);
+    QCOMPARE(recent->item(0)->text(), "mine.bx");
+    QVERIFY(asked(window).findChild<QPushButton*>("open"));
+    recent->setCurrentRow(0);
+    QTest::keyClick(recent, Qt::Key_Return);
+    QCOMPARE(workspace.text(), "create mine box\n");
+    QTRY_VERIFY(!window.findChild<FilmChooser*>());
+    window.new_film();
+    asked(window).findChild<QPushButton*>("course")->click();
+    QVERIFY(window.panel("course")->isVisible());
+    QCOMPARE(workspace.text(), "create mine box\n");
+    QSettings("betwixt", "studio").remove("recent");
   }
 };
 

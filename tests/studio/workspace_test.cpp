@@ -14,6 +14,7 @@
 #include "studio/shell/actions.h"
 #include "studio/shell/control_names.h"
 #include "studio/shell/export_dialog.h"
+#include "studio/shell/manual.h"
 #include "studio/shell/palette.h"
 #include "studio/shell/theme.h"
 #include "studio/shell/window.h"
@@ -229,7 +230,7 @@ class DeskTest : public QObject {
         window.viewport().await_picture();
         window.grab();
         QCoreApplication::processEvents();
-        k == 1 ? window.open_example() : window.new_film();
+        k == 1 ? window.open_example() : window.begin_film({});
         QCoreApplication::processEvents();
         window.grab();
         QVERIFY(workspace.selected().empty());
@@ -355,6 +356,53 @@ class DeskTest : public QObject {
     ExportDialog part(workspace);
     part.findChild<QLineEdit*>("out")->setText("x.gif");
     QCOMPARE(part.command(), "betwixt render " + film_ + " -o x.gif --frames 2f..5f");
+  }
+
+  // The dialog shows the settings of the last time, those of each film.
+  void theExportKeepsItsSettings() {
+    Workspace workspace, other;
+    workspace.open(film_), other.open(film_);
+    {
+      ExportDialog dialog(workspace);
+      dialog.findChildren<QComboBox*>()[0]->setCurrentText("1920x1080");
+      dialog.findChildren<QSpinBox*>()[0]->setValue(16);
+      dialog.findChild<QLineEdit*>("out")->setText("x.gif");
+    }
+    const ExportDialog again(workspace), fresh(other);
+    QCOMPARE(again.command(), "betwixt render " + film_ + " -o x.gif --size 1920x1080 --samples 16");
+    QVERIFY2(!fresh.command().contains("1920"), qPrintable(fresh.command()));
+    workspace.open({}, Session::Earlier::discard);  // another film in the same tab
+    QVERIFY(!ExportDialog(workspace).command().contains("1920"));
+  }
+
+  void helpHasTheManualAndTheVersion() {
+    Workspace workspace;
+    Window window(workspace);
+    window.show();
+    window.show_about();
+    auto* about = window.findChild<QMessageBox*>("about");
+    QVERIFY(about && about->isVisible());
+    QFile changes(SOURCE_DIR "/CHANGELOG.md");
+    QVERIFY(changes.open(QIODevice::ReadOnly));
+    const QString version = QString::fromUtf8(changes.readAll()).section("\n## ", 1, 1).section(' ', 0, 0);
+    QVERIFY2(about->text().contains("Betwixt " + version) && about->text().contains("Apache License"),
+             qPrintable(about->text()));
+    about->close();
+    Manual manual(SOURCE_DIR "/docs");
+    manual.show();
+    auto* page = manual.findChild<ManualPage*>();
+    QVERIFY(page->toPlainText().contains("The studio shows a film"));
+    page->go(QUrl("language.md"));
+    QVERIFY(page->source().path().endsWith("/docs/language.md"));
+    page->backward();
+    QVERIFY(page->source().path().endsWith("/docs/studio.md"));
+    page->go(QUrl("#beginning-a-film"));
+    QCOMPARE(page->textCursor().block().text(), "Beginning a film");
+    auto* search = manual.findChild<QLineEdit*>("manual_search");
+    search->setText("ripple edit");
+    QTest::keyClick(search, Qt::Key_Return);
+    QCOMPARE(page->textCursor().selectedText(), "ripple edit");
+    QVERIFY(manual.isVisible());
   }
 
   void controlsAreLearnedAndRecorded() {

@@ -3,6 +3,7 @@
 #include "studio/course/film_chooser.h"
 
 #include <QDialogButtonBox>
+#include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -17,6 +18,7 @@
 namespace betwixt::studio {
 namespace {
 
+constexpr int most_opened_last = 5;
 constexpr QSize picture_size(320, 180);  // the size of the pictures, which are shown at the size of the text
 
 std::vector<FilmTemplate> all_films() {
@@ -29,7 +31,7 @@ std::vector<FilmTemplate> all_films() {
 
 }  // namespace
 
-FilmChooser::FilmChooser(QWidget* parent)
+FilmChooser::FilmChooser(const QStringList& opened_last, QWidget* parent)
     : QDialog(parent), films_(new QListWidget(this)), sentence_(new QLabel(this)) {
   setObjectName("film_chooser");
   setWindowTitle(tr("New film"));
@@ -49,10 +51,20 @@ FilmChooser::FilmChooser(QWidget* parent)
   }
   auto* buttons = new QDialogButtonBox(this);
   buttons->addButton(tr("Begin"), QDialogButtonBox::AcceptRole)->setToolTip(tr("begins with the marked film"));
-  buttons->addButton(tr("Empty script"), QDialogButtonBox::RejectRole)
-      ->setToolTip(tr("begins with nothing at all (Escape)"));
+  buttons->addButton(QDialogButtonBox::Cancel)->setToolTip(tr("leaves the film that is there (Escape)"));
+  const auto other = [&](const char* name, const QString& words, const QString& tip, auto does) {
+    QPushButton* button = buttons->addButton(words, QDialogButtonBox::ActionRole);
+    button->setObjectName(name), button->setToolTip(tip), button->setAutoDefault(false);
+    connect(button, &QPushButton::clicked, this, [this, does] { close(), does(); });
+  };
+  other("nothing", tr("Empty script"), tr("begins with nothing at all"), [this] { emit chosen({}); });
+  other("open", tr("Open…"), tr("opens a script that you have"), [this] { emit wants_file({}); });
+  other("course", tr("Course"), tr("five exercises that show you how to animate"), [this] { emit wants_course(); });
   auto* column = new QVBoxLayout(this);
-  column->addWidget(films_), column->addWidget(sentence_), column->addWidget(buttons);
+  column->addWidget(films_, 1), column->addWidget(sentence_);
+  if (!opened_last.isEmpty()) column->addWidget(new QLabel(tr("Opened last:"), this));
+  if (!opened_last.isEmpty()) column->addWidget(list_of(opened_last));
+  column->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(films_, &QListWidget::itemActivated, this, &QDialog::accept);
@@ -61,11 +73,31 @@ FilmChooser::FilmChooser(QWidget* parent)
     sentence_->setText(words.left(1).toUpper() + words.mid(1) + ".");
   });
   connect(this, &QDialog::accepted, this, &FilmChooser::choose);
-  connect(this, &QDialog::rejected, this, [this] { emit chosen(""); });
   connect(&pictures_, &SmallPictures::made, this, &FilmChooser::show_pictures);
   films_->setCurrentRow(0), films_->setFocus();
-  resize(5 * films_->gridSize().width() + 4 * em, 2 * films_->gridSize().height() + 6 * em);
+  const int below = opened_last.isEmpty() ? 0 : 2 * em + findChild<QListWidget*>("opened_last")->height();
+  resize(5 * films_->gridSize().width() + 4 * em, 2 * films_->gridSize().height() + 6 * em + below);
   show_pictures();
+}
+
+// Returns a list of the first of these films; Enter or a click opens one.
+QWidget* FilmChooser::list_of(const QStringList& files) {
+  auto* list = new QListWidget(this);
+  list->setObjectName("opened_last");
+  list->setAccessibleName(tr("Films that were opened last"));
+  for (const QString& file : files.mid(0, most_opened_last))
+    (new QListWidgetItem(QFileInfo(file).fileName(), list))->setToolTip(file);
+  const int row = fontMetrics().height() * 3 / 2;
+  list->setFixedHeight(row * list->count() + 2 * list->frameWidth());
+  for (int i = 0; i < list->count(); ++i) list->item(i)->setSizeHint({0, row});
+  const auto open = [this](const QListWidgetItem* item) {
+    const QString file = item->toolTip();
+    close();
+    emit wants_file(file);
+  };
+  connect(list, &QListWidget::itemActivated, this, open);
+  connect(list, &QListWidget::itemClicked, this, open);
+  return list;
 }
 
 bool FilmChooser::show_pictures() {

@@ -17,15 +17,18 @@ namespace betwixt::studio {
 class FilmChooser : public QDialog {
   Q_OBJECT
  public:
-  explicit FilmChooser(QWidget* parent);
+  FilmChooser(const QStringList& opened_last, QWidget* parent);
   void await_pictures();  // for screenshots
 
  Q_SIGNALS:
-  void chosen(const std::string& text);  // the script of the film; "" after Escape
+  void chosen(const std::string& text);  // the script of a new film
+  void wants_file(const QString&);       // a film that there is already; "": one for which to ask
+  void wants_course();
 
  private:
   bool show_pictures();  // returns false while one is missing
   void choose();
+  QWidget* list_of(const QStringList& files);
 
   SmallPictures pictures_;
   QListWidget* films_;

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/panels/outliner.h"
 
-#include <fmt/format.h>
-
 #include <QApplication>
 #include <QContextMenuEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -17,17 +14,14 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
-#include "betwixt/pick.h"
 #include "editor/made_by.h"
-#include "language/values.h"
-#include "scene/own_kinds.h"
 #include "studio/assets/look_lines.h"
+#include "studio/objects/creating.h"
 #include "studio/objects/object_actions.h"
 #include "studio/shell/key_focus.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/text_size.h"
 #include "studio/shell/theme.h"
-#include "studio/viewport/kind_icons.h"
 
 namespace betwixt::studio {
 
@@ -223,7 +217,6 @@ void OutlinerTree::paintEvent(QPaintEvent* e) {
 
 Outliner::Outliner(Workspace& workspace, QWidget* parent)
     : QWidget(parent),
-      workspace_(workspace),
       model_(new OutlinerModel(workspace, this)),
       tree_(new OutlinerTree(workspace, *model_, this)),
       pattern_(new QLineEdit(this)) {
@@ -239,23 +232,7 @@ Outliner::Outliner(Workspace& workspace, QWidget* parent)
   plus->setToolTip(tr("Makes an object: `create NAME KIND`"));
   plus->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(plus);
-  for (const KindRow& row : kinds()) {
-    if (!row.placed && row.kind != Kind::sound) continue;
-    const QString kind = text_of(row.name);
-    QAction* action = menu->addAction(kind_icon(row.kind), kind, this, [this, kind] { add(kind); });
-    action->setToolTip(text_of(row.sentence));
-  }
-  menu->setToolTipsVisible(true);
-  connect(menu, &QMenu::aboutToShow, this, [this, menu, built_in = menu->actions().size()] {
-    while (menu->actions().size() > built_in) delete menu->actions().back();
-    const Scene& s = workspace_.document().scene();
-    for (const OwnKind& own : s.kinds->all) {
-      const QString kind = text_of(own.name), model = text_of(s.objects[own.model().index].name);
-      QAction* action =
-          menu->addAction(kind_icon(s.objects[own.model().index].kind), kind, this, [this, kind] { add(kind); });
-      action->setToolTip(tr("A kind of this film, like %1").arg(model));
-    }
-  });
+  fill_kinds(*menu, workspace, this);
   plus->setMenu(menu);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(4, 2, 4, 2);
@@ -279,42 +256,5 @@ Outliner::Outliner(Workspace& workspace, QWidget* parent)
 }
 
 QSize Outliner::sizeHint() const { return {22 * fontMetrics().horizontalAdvance('m'), 300}; }
-
-// If the film has a ground, returns the position in which a new object stands on it.
-std::string Outliner::above_ground(const std::string& line, const std::string& name) const {
-  if (!workspace_.document().scene().appearance.ground || line.find("position=") != line.npos) return {};
-  const auto then = workspace_.session().look_ahead({line});
-  if (!then) return {};
-  const Frame frame = Program::compile(*then).frame(workspace_.time());
-  double lowest = 0;
-  for (const Item& item : frame.items)
-    if (item.id == then->find(name))
-      for (const Vec3& corner : drawn(item).corners) lowest = std::min(lowest, corner.y);
-  return lowest < -1e-9 ? fmt::format(" position=(0 {:.4g} 0)", -lowest) : "";
-}
-
-// Asks for a file if the kind needs one.
-void Outliner::add(const QString& kind) {
-  const std::string name = free_name(workspace_.document(), kind.toStdString() + "1");
-  std::string line = "create " + name + " " + kind.toStdString();
-  if (kind == "text") line += " text=\"text\"";
-  if (kind == "camera" && !workspace_.view() && workspace_.program().frame(workspace_.time()).items.empty()) {
-    line += " position=(0 2 11) look-at=(0 1.7 0)";  // what stands around the middle is in the picture
-  } else if (kind == "camera") {                     // where one looks from
-    const Mat4 eye =
-        workspace_.view() ? workspace_.view()->world : workspace_.program().frame(workspace_.time()).camera.world;
-    const Vec3 at = translation_of(eye), to = at - 10 * normalize(Vec3{eye(0, 2), eye(1, 2), eye(2, 2)});
-    line += fmt::format(" position=({:.4g} {:.4g} {:.4g}) look-at=({:.4g} {:.4g} {:.4g})", at.x, at.y, at.z, to.x, to.y,
-                        to.z);
-  }
-  if (kind == "light") line += " position=(4 8 6)";  // above, to the right and in front of the middle
-  if (kind == "mesh" || kind == "sound") {
-    const QString file = QFileDialog::getOpenFileName(this, tr("The file of %1").arg(name.c_str()));
-    if (file.isEmpty()) return;
-    line += " file=" + write_text(file.toStdString());
-  }
-  line += above_ground(line, name);
-  if (workspace_.say(line)) workspace_.select({workspace_.document().find(name)});
-}
 
 }  // namespace betwixt::studio

@@ -52,10 +52,6 @@ class Outliner : public QWidget {
   QSize sizeHint() const override;
 
  private:
-  void add(const QString& kind);
-  std::string above_ground(const std::string& line, const std::string& name) const;
-
-  Workspace& workspace_;
   OutlinerModel* model_;
   OutlinerTree* tree_;
   QLineEdit* pattern_;

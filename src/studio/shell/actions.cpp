@@ -19,7 +19,8 @@ namespace {
 
 // The actions on objects (ObjectActions): the panels that show objects have their keys.
 std::vector<ActionRow> object_rows() {
-  std::vector<ActionRow> rows;
+  std::vector<ActionRow> rows{{"Object", "Add object", "", "Shows the kinds of objects to create: `create NAME KIND`.",
+                               [](Window& w) { w.add_object(); }}};
   for (const ObjectActions::Row& row : ObjectActions::rows())
     rows.push_back({"Object", row.name, "", row.sentence,
                     [run = row.run](Window& w) { (ObjectActions::of(w.workspace()).*run)(); }});
@@ -50,6 +51,11 @@ std::vector<ActionRow> object_rows() {
 // The words of other programs.
 constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Insert event at playhead", "keyframe key set record"},
+    {"Insert position, rotation and scale", "keyframe locrotscale transform whole"},
+    {"Add object", "create new mesh cube primitive insert"},
+    {"Key preset…", "blender after effects keymap hotkeys shortcuts keyboard"},
+    {"Manual", "help documentation guide handbook"},
+    {"About Betwixt", "version licence license copyright"},
     {"Insert where it changed", "keyframe changed available"},
     {"Insert for the whole character", "keyframe all bones rig"},
     {"Hold until here", "keyframe freeze constant stepped pause"},
@@ -115,51 +121,55 @@ std::vector<ActionRow> key_rows() {
   const auto events = [](Window& w) -> EventActions& { return EventActions::of(w.workspace()); };
   const auto poses = [](Window& w) -> PoseActions& { return PoseActions::of(w.workspace()); };
   return {
-      {"Keys", "Insert event at playhead", "K", "Inserts an event on each track of the selection: `at T TARGET VALUE`.",
-       [=](Window& w) { events(w).insert(); }},
-      {"Keys", "Insert where it changed", "Alt+K",
+      {"Events", "Insert event at playhead", "K",
+       "Inserts an event on each track of the selection: `at T TARGET VALUE`.", [=](Window& w) { events(w).insert(); }},
+      {"Events", "Insert position, rotation and scale", "",
+       "Inserts an event on each track of the selection, and on its position, rotation and scale even if they have "
+       "none.",
+       [=](Window& w) { events(w).insert_transforms(); }},
+      {"Events", "Insert where it changed", "Alt+K",
        "Inserts an event only on those tracks of the selection that have changed since their last event.",
        [=](Window& w) { events(w).insert_changed(); }},
-      {"Keys", "Insert for the whole character", "Shift+K",
+      {"Events", "Insert for the whole character", "Shift+K",
        "Inserts an event on each track of the selection, of its parents, and of all that hangs on them.",
        [=](Window& w) { events(w).insert_character(); }},
-      {"Keys", "Hold until here", "Alt+E",
+      {"Events", "Hold until here", "Alt+E",
        "The tracks of the selection keep the values of their last events up to the playhead: `hold`.",
        [=](Window& w) { events(w).hold(); }},
-      {"Keys", "Breakdown…", "Shift+E",
+      {"Events", "Breakdown…", "Shift+E",
        "Inserts events at the playhead between the last and the next ones. A slider sets which they are nearer to.",
        [](Window& w) { w.ask_breakdown(); }},
-      {"Keys", "Retime by a curve…", "",
+      {"Events", "Retime by a curve…", "",
        "Moves the selected events in time, faster or slower by a curve; the first and the last one stay.",
        [](Window& w) { w.ask_retiming(); }},
-      {"Keys", "Next event", "Alt+Right", "Moves the playhead to the next event of the selection, or of all objects.",
+      {"Events", "Next event", "Alt+Right", "Moves the playhead to the next event of the selection, or of all objects.",
        [=](Window& w) { events(w).go_to_event(1); }},
-      {"Keys", "Previous event", "Alt+Left", "Moves the playhead to the event before.",
+      {"Events", "Previous event", "Alt+Left", "Moves the playhead to the event before.",
        [=](Window& w) { events(w).go_to_event(-1); }},
-      {"Keys", "Handle type…", "",
+      {"Events", "Handle type…", "",
        "How the curve passes the selected events: auto, smooth, straight, handles to drag, hold; in the sheet and the "
        "curves, V.",
        [](Window& w) { ask_key_type(w.workspace(), &w); }},
-      {"Keys", "Twerper by its picture…", "",
+      {"Events", "Twerper by its picture…", "",
        "Chooses the twerper (easing) of the selected events from small pictures; in the sheet and the curves, T.",
        [](Window& w) { ask_twerper(w.workspace(), &w); }},
-      {"Keys", "Simplify…", "",
+      {"Events", "Simplify…", "",
        "Removes the events that a tolerance makes unnecessary, and shows the result first: `clear …`.",
        [](Window& w) { ask_simplify(w.workspace(), &w); }},
-      {"Keys", "Separate axes", "",
+      {"Events", "Separate axes", "",
        "Gives each component a track of its own, so that x, y and z can have events at different times: "
        "`ball.position.x`.",
        [](Window& w) { separate_axes(w.workspace()); }},
-      {"Keys", "Copy pose", "Ctrl+Shift+C",
+      {"Events", "Copy pose", "Ctrl+Shift+C",
        "Copies the values of the selection, with all that hangs on it, at the playhead as `set` lines.",
        [=](Window& w) { poses(w).copy(); }},
-      {"Keys", "Paste pose", "Ctrl+Shift+V",
+      {"Events", "Paste pose", "Ctrl+Shift+V",
        "Gives the copied pose to the selection at the playhead: `at T TARGET VALUE`.",
        [=](Window& w) { poses(w).paste(false); }},
-      {"Keys", "Paste pose mirrored", "Ctrl+Alt+V",
+      {"Events", "Paste pose mirrored", "Ctrl+Alt+V",
        "Gives the copied pose to the selection with left and right exchanged.",
        [=](Window& w) { poses(w).paste(true); }},
-      {"Keys", "Go to poses", "", "Shows the poses that are kept beside the film.",
+      {"Events", "Go to poses", "", "Shows the poses that are kept beside the film.",
        [](Window& w) { w.show_panel("poses"); }},
   };
 }
@@ -201,6 +211,8 @@ std::vector<ActionRow> made_rows() {
        [](Window& w) { EventActions::of(w.workspace()).go_to_note(-1); }},
       {"Edit", "Preferences…", "Ctrl+,", "Language, colours, sizes, keys and playback.",
        [](Window& w) { w.show_preferences(); }},
+      {"Edit", "Key preset…", "", "The keys of Betwixt, of Blender or of After Effects; you can change each key.",
+       [](Window& w) { w.show_preferences("Keyboard"); }},
       {"Edit", "Insert time…", "",
        "Makes room at the playhead: later events and notes, and the end of the film, come later: `move …`, `range …`.",
        [](Window& w) { w.insert_time(); }},
@@ -315,6 +327,8 @@ std::vector<ActionRow> made_rows() {
        [](Window& w) { w.show_panel("course"); }},
       {"Help", "All keys", "F1", "Lists all keys; you can search, print and change them.",
        [](Window& w) { w.show_keys(); }},
+      {"Help", "Manual", "", "The pages about the studio and the language.", [](Window& w) { w.show_manual(); }},
+      {"Help", "About Betwixt", "", "The version and the licence.", [](Window& w) { w.show_about(); }},
   };
   std::vector<ActionRow> objects = object_rows();
   for (ActionRow& row : key_rows()) objects.push_back(std::move(row));

@@ -32,6 +32,8 @@
 namespace betwixt::studio {
 namespace {
 
+constexpr const char* kept_settings = "render_settings";
+
 // Quotes a word for a shell.
 QString quoted(const QString& s) {
   static const QRegularExpression plain("^[A-Za-z0-9_./:%=+@,-]+$");
@@ -116,6 +118,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
   auto* all = new QVBoxLayout(this);
   all->addLayout(form), all->addWidget(progress_), all->addLayout(buttons);
   setMinimumWidth(40 * fontMetrics().height());
+  recall();
 
   connect(choose, &QPushButton::clicked, this, [this] {
     const QString to = QFileDialog::getSaveFileName(this, tr("Render film"), out_->text());
@@ -125,6 +128,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
   for (QComboBox* c : {size_, style_, filter_})
     connect(c, &QComboBox::currentTextChanged, this, &ExportDialog::show_command);
   for (QSpinBox* s : {samples_, subframes_}) connect(s, &QSpinBox::valueChanged, this, &ExportDialog::show_command);
+  connect(open_, &QCheckBox::toggled, this, &ExportDialog::keep);
   connect(start_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(cancel_, &QPushButton::clicked, this,
           [this] { running() ? (void)::kill(static_cast<pid_t>(process_.processId()), SIGINT) : (void)close(); });
@@ -161,7 +165,36 @@ QString ExportDialog::command() const {
   return words.join(' ');
 }
 
-void ExportDialog::show_command() { command_->setText(command()); }
+void ExportDialog::show_command() {
+  command_->setText(command());
+  keep();
+}
+
+// The workspace is that of the film, and lasts as long as its tab.
+void ExportDialog::keep() {
+  QVariantMap kept{{"film", workspace_.session().file().c_str()},
+                   {"out", out_->text()},
+                   {"frames", frames_->text()},
+                   {"size", size_->currentText() == size_->itemText(0) ? QString() : size_->currentText()},
+                   {"style", style_->currentIndex()},
+                   {"filter", filter_->currentIndex()},
+                   {"samples", samples_->value()},
+                   {"subframes", subframes_->value()},
+                   {"open", open_->isChecked()}};
+  workspace_.setProperty(kept_settings, kept);
+}
+
+// Shows the settings of the last time. A play range that is set now comes before the frames of then.
+void ExportDialog::recall() {
+  const QVariantMap kept = workspace_.property(kept_settings).toMap();
+  if (kept.isEmpty() || kept["film"].toString() != text_of(workspace_.session().file())) return;
+  out_->setText(kept["out"].toString());
+  if (frames_->text().isEmpty()) frames_->setText(kept["frames"].toString());
+  if (const QString size = kept["size"].toString(); !size.isEmpty()) size_->setCurrentText(size);
+  style_->setCurrentIndex(kept["style"].toInt()), filter_->setCurrentIndex(kept["filter"].toInt());
+  samples_->setValue(kept["samples"].toInt()), subframes_->setValue(kept["subframes"].toInt());
+  open_->setChecked(kept["open"].toBool());
+}
 
 // Unsaved changes are rendered, too: the text goes to a temporary file beside the script.
 void ExportDialog::start() {

@@ -41,6 +41,8 @@ class ExportDialog : public QDialog {
 
  private:
   void show_command();
+  void keep();
+  void recall();
   void read();
   void take(const QByteArray& line);
   void finish(int code);

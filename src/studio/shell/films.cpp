@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/shell/films.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QStackedWidget>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "studio/shell/about.h"
 #include "studio/shell/text_of.h"
 #include "syntax/tokens.h"
 
@@ -30,6 +32,7 @@ Films::Films(const LoadOptions& options, Window::Manner manner)
     : options_(options), manner_(manner), tabs_(new QTabBar(this)), stack_(new QStackedWidget(this)) {
   manner_.films = this;
   setObjectName("films");
+  QApplication::setWindowIcon(program_icon());
   resize(1280, 800);
   tabs_->setObjectName("tabs");
   tabs_->setAutoHide(true), tabs_->setMovable(true), tabs_->setTabsClosable(true);

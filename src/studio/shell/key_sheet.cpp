@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/shell/key_sheet.h"
 
+#include <QComboBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPageSize>
 #include <QPdfWriter>
@@ -13,6 +15,7 @@
 #include <QTextDocument>
 
 #include "studio/shell/keys.h"
+#include "studio/shell/keys_page.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/window.h"
 
@@ -59,7 +62,8 @@ KeySheet::KeySheet(Window& window) : QDialog(&window), search_(new QLineEdit(thi
   auto* change = new QPushButton(tr("Change keys…"), this);
   for (QPushButton* b : {save, change}) b->setAutoDefault(false);
   auto* head = new QHBoxLayout;
-  head->addWidget(search_, 1), head->addWidget(save), head->addWidget(change);
+  head->addWidget(search_, 1), head->addWidget(new QLabel(tr("Preset"), this));
+  head->addWidget(make_preset_box(this)), head->addWidget(save), head->addWidget(change);
   auto* all = new QVBoxLayout(this);
   all->addLayout(head), all->addWidget(page_, 1);
   const auto show = [this] { page_->setHtml(key_sheet_html(search_->text())); };

@@ -38,18 +38,29 @@ class KeyField : public QLineEdit {
   }
 };
 
+QComboBox* make_preset_box(QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName("preset");
+  box->setAccessibleName(QObject::tr("Preset"));
+  box->setToolTip(QObject::tr("The keys of another program, for the actions that are here too"));
+  for (const KeyPreset& p : key_presets()) box->addItem(text_of(p.title), text_of(p.name));
+  Keys& keys = Keys::of_user();
+  const auto follow = [box, &keys] { box->setCurrentIndex(box->findData(keys.preset())); };
+  QObject::connect(box, &QComboBox::activated, box,
+                   [box, &keys](int i) { keys.set_preset(box->itemData(i).toString()); });
+  QObject::connect(&keys, &Keys::changed, box, follow);
+  follow();
+  return box;
+}
+
 KeysPage::KeysPage(QWidget* parent)
     : QWidget(parent),
-      preset_(new QComboBox(this)),
       search_(new QLineEdit(this)),
       rows_(new QTreeWidget(this)),
       field_(new KeyField(this)),
       says_(new QLabel(this)) {
-  preset_->setObjectName("preset"), search_->setObjectName("key_search"), rows_->setObjectName("key_rows");
+  search_->setObjectName("key_search"), rows_->setObjectName("key_rows");
   field_->setObjectName("key_field"), says_->setObjectName("key_says");
-  preset_->setAccessibleName(tr("Preset")),
-      preset_->setToolTip(tr("The keys of another program, for the actions that are here too"));
-  for (const KeyPreset& p : key_presets()) preset_->addItem(text_of(p.title), text_of(p.name));
   search_->setPlaceholderText(tr("part of an action, or a key")), search_->setAccessibleName(tr("Search"));
   search_->setClearButtonEnabled(true);
   rows_->setHeaderLabels({tr("Action"), tr("Key"), tr("Where")});
@@ -70,7 +81,7 @@ KeysPage::KeysPage(QWidget* parent)
   reset_all->setObjectName("reset_keys");
   reset_all->setToolTip(tr("Gives all actions the keys of the preset"));
   auto* head = new QHBoxLayout;
-  head->addWidget(new QLabel(tr("Preset"))), head->addWidget(preset_), head->addWidget(search_, 1);
+  head->addWidget(new QLabel(tr("Preset"))), head->addWidget(make_preset_box(this)), head->addWidget(search_, 1);
   auto* below = new QHBoxLayout;
   below->addWidget(field_, 1), below->addWidget(take_), below->addWidget(none_), below->addWidget(reset_);
   below->addWidget(reset_all);
@@ -80,8 +91,6 @@ KeysPage::KeysPage(QWidget* parent)
   all->addLayout(head), all->addWidget(rows_, 1), all->addLayout(below), all->addWidget(says_);
 
   Keys& keys = Keys::of_user();
-  connect(preset_, &QComboBox::activated, this,
-          [this, &keys](int i) { keys.set_preset(preset_->itemData(i).toString()); });
   connect(search_, &QLineEdit::textChanged, this, &KeysPage::search);
   connect(rows_, &QTreeWidget::currentItemChanged, this, &KeysPage::show_row);
   field_->pressed = [this](const QKeySequence& key) { press(key); };
@@ -116,7 +125,6 @@ const KeyRow* KeysPage::chosen() const {
 void KeysPage::list() {
   const Keys& keys = Keys::of_user();
   const int current = rows_->indexOfTopLevelItem(rows_->currentItem());
-  preset_->setCurrentIndex(preset_->findData(keys.preset()));
   const QSignalBlocker quiet(rows_);  // without a row for a moment, the key field would lose the focus
   rows_->clear();
   for (std::size_t i = 0; i < keys.rows().size(); ++i) {

@@ -20,6 +20,9 @@ struct KeyRow;
 // A field that takes a key instead of letters.
 class KeyField;
 
+// A choice of the preset, which follows it.
+QComboBox* make_preset_box(QWidget* parent);
+
 class KeysPage : public QWidget {
   Q_OBJECT
  public:
@@ -32,7 +35,6 @@ class KeysPage : public QWidget {
   void press(const QKeySequence&);
   void search(const QString&);
 
-  QComboBox* preset_;
   QLineEdit* search_;
   QTreeWidget* rows_;
   KeyField* field_;

@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QToolButton>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 
 #include "base/tell_user.h"
@@ -65,7 +66,7 @@ QPixmap picture_of(betwixt::studio::Window& window, const QString& name, QSize s
     return dialog->grab();
   }
   if (name == "new") {
-    auto* chooser = new FilmChooser(&window);
+    auto* chooser = new FilmChooser({}, &window);
     if (!size.isEmpty()) chooser->resize(size);
     chooser->show();
     chooser->await_pictures();
@@ -99,9 +100,15 @@ int main(int argc, char** argv) {
   // A screenshot needs no display.
   for (int i = 1; i < argc; ++i)
     if (std::string_view(argv[i]).starts_with("--screenshot")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  // Hides Qt's notices, which concern only developers.
+  // Hides Qt's notices, which concern only developers. Without a display Qt would abort.
   if (!qEnvironmentVariableIsSet("BETWIXT_TOOLKIT_SAYS"))
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& words) {
+      if (type == QtFatalMsg && words.contains("platform plugin")) {
+        betwixt::tell_user(
+            "betwixt: error: the studio needs a display: set DISPLAY, or save a picture of the window: "
+            "--screenshot OUT.png\n");
+        std::_Exit(3);
+      }
       if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "betwixt: %s\n", qPrintable(words));
     });
   // Pass no arguments to Qt, which would take --session and --style as its own.
@@ -110,6 +117,7 @@ int main(int argc, char** argv) {
   int own = 1;
   QApplication app(own, argv);
   QApplication::setApplicationName("betwixt-studio");
+  QGuiApplication::setDesktopFileName("betwixt");  // the desktop shows its icon
   QCommandLineParser line;
   line.addPositionalArgument("FILE", "the script; each further one gets a tab");
   line.addOptions({{"screenshot", "saves a screenshot of the window and ends", "OUT.png"},
@@ -207,7 +215,7 @@ int main(int argc, char** argv) {
   if (line.isSet("bare")) workspace.play(1);
   if (file.isEmpty() && !line.isSet("bare")) films.recover_others(earlier);
   for (const QString& other : line.positionalArguments().mid(1)) films.open(other);
-  if (begins && !line.isSet("bare") && !line.isSet("session")) window.choose_film();
+  if (begins && !line.isSet("bare") && !line.isSet("session")) window.new_film();
   // Another language needs other windows; the film, its undo and the playhead stay.
   QObject::connect(
       &user, &Preferences::changed, &app,

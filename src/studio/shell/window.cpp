@@ -26,6 +26,7 @@
 #include "studio/assets/asset_panel.h"
 #include "studio/course/course_panel.h"
 #include "studio/curves/curves.h"
+#include "studio/objects/creating.h"
 #include "studio/panels/history_panel.h"
 #include "studio/panels/live_panel.h"
 #include "studio/panels/outliner.h"
@@ -232,6 +233,7 @@ void Window::add_menus() {
     if (row.is_on)
       connect(into, &QMenu::aboutToShow, action, [this, action, &row] { action->setChecked(row.is_on(*this)); });
     if (row.name == "Open…") recent_ = into->addMenu(tr("Open recent"));
+    if (row.name == "Add object") action->setMenu(kinds_ = new QMenu(this)), fill_kinds(*kinds_, workspace_, this);
   }
   apply_keys();
   QMenu* view = menu_of("View");
@@ -307,10 +309,15 @@ void Window::note_file() {
   settings.setValue("recent", files.mid(0, recent_files));
 }
 
+QStringList Window::films_opened_last() {
+  QStringList all = QSettings("betwixt", "studio").value("recent").toStringList();
+  all.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+  return all;
+}
+
 void Window::list_recent() {
   recent_->clear();
-  for (const QString& file : QSettings("betwixt", "studio").value("recent").toStringList())
-    if (QFileInfo::exists(file)) recent_->addAction(file, this, [this, file] { open_film(file); });
+  for (const QString& file : films_opened_last()) recent_->addAction(file, this, [this, file] { open_film(file); });
   if (recent_->isEmpty()) recent_->addAction(tr("none yet"))->setEnabled(false);
 }
 

@@ -46,6 +46,7 @@ class Window : public QMainWindow {
   // Applies one of layouts(). Returns false if the name is unknown.
   bool set_layout(const QString& name);
   static QStringList layouts();
+  static QStringList films_opened_last();
   // Settings of the user, which all windows share.
   void set_text_size(double);  // of all text and what is measured by it; 1 is the size at the first start
   double text_size() const { return text_size_; }
@@ -71,17 +72,19 @@ class Window : public QMainWindow {
 
   // Actions.
   void open_asking();
-  void new_film();     // lets the user choose a film to begin with
-  void choose_film();  // the same, without a question about the film that is open
-  bool save();         // asks for a name if there is none
+  void new_film();  // lets the user choose a film to begin with, or one that there is already; Escape leaves this one
+  bool save();      // asks for a name if there is none
   bool save_as();
   void make_film();
   void save_session();  // the lines of this session
   Sound& sound() { return *sound_; }
   const Sound& sound() const { return *sound_; }
   void find_command();  // the palette
+  void add_object();    // the menu of kinds, at the pointer
   void show_panel(const QString& name);
   void show_keys();
+  void show_manual();
+  void show_about();
   void show_preferences(const QString& page = {});
   void remember();        // keeps the layout of the panels and the place of the window
   void show_film_anew();  // for a new window on a workspace that has a film already
@@ -123,7 +126,7 @@ class Window : public QMainWindow {
   Sound* sound_;
   std::vector<QDockWidget*> docks_;
   std::vector<QDockWidget*> floating_;  // panels beside the window that are hidden together with it
-  QMenu* recent_ = nullptr;
+  QMenu *recent_ = nullptr, *kinds_ = nullptr;
   QLabel* said_;
   std::string first_text_;  // of a film without a file
   QByteArray arranged_;     // the initial panel layout

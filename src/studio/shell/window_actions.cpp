@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Actions of the window: time inserted and removed, and the palette.
+// Actions of the window: time inserted and removed, objects added, and the palette.
 #include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <utility>
 
 #include "studio/poses/trial_dialog.h"
@@ -64,6 +65,8 @@ void Window::ask_retiming() {
   if (const auto curve = ask_curve(workspace_, this, tr("Retime by a curve"), lines))
     EventActions::of(workspace_).warp(share(*curve));
 }
+
+void Window::add_object() { kinds_->popup(QCursor::pos()); }
 
 void Window::find_command() {
   Palette palette(*this);

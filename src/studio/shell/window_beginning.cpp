@@ -40,7 +40,7 @@ bool Window::may_leave() {
   if (!workspace_.jobs().hears()) return false;
   workspace_.settle_typing();
   if (is_saved()) return true;
-  const auto said = answer({{}, "this film is not saved", saving});
+  const auto said = answer({{}, {}, saving});
   return said && *said != "stay" && (*said != "save" || save());
 }
 
@@ -94,16 +94,14 @@ void Window::showEvent(QShowEvent* e) {
 }
 
 void Window::new_film() {
-  Window* place = place_for_another();
-  if (!place) return;
-  place->begin_film({});
-  place->choose_film();
-}
-
-void Window::choose_film() {
   delete findChild<FilmChooser*>();
-  auto* chooser = new FilmChooser(this);
-  connect(chooser, &FilmChooser::chosen, this, &Window::begin_film);
+  auto* chooser = new FilmChooser(films_opened_last(), this);
+  connect(chooser, &FilmChooser::chosen, this, [this](const std::string& text) {
+    if (Window* place = place_for_another()) place->begin_film(text);
+  });
+  connect(chooser, &FilmChooser::wants_file, this,
+          [this](const QString& file) { file.isEmpty() ? open_asking() : open_film(file); });
+  connect(chooser, &FilmChooser::wants_course, this, [this] { show_panel("course"); });
   chooser->open();
 }
 
@@ -129,7 +127,9 @@ std::optional<std::string> Window::answer(const Session::Question& question) {
   }
   // A film needs no saving if the user has not changed it.
   if (is_untouched() && !first_text_.empty() && question.choices == saving) return "discard";
-  const auto said = ask_in_window(this, question);
+  Session::Question shown = question;
+  if (question.choices == saving) shown.text = tr("'%1' has unsaved changes.").arg(film_name()).toStdString();
+  const auto said = ask_in_window(this, shown);
   if (said != "save" || !workspace_.session().file().empty()) return said;
   return save_as() ? "discard" : "stay";  // an unnamed film: now it has been saved
 }

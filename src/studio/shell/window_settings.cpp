@@ -9,9 +9,11 @@
 #include <cmath>
 #include <utility>
 
+#include "studio/shell/about.h"
 #include "studio/shell/actions.h"
 #include "studio/shell/key_sheet.h"
 #include "studio/shell/keys.h"
+#include "studio/shell/manual.h"
 #include "studio/shell/preferences.h"
 #include "studio/shell/preferences_window.h"
 #include "studio/shell/sound.h"
@@ -109,6 +111,14 @@ void Window::show_film_anew() {
 }
 
 void Window::show_keys() { (new KeySheet(*this))->show(); }
+
+void Window::show_manual() {
+  const QString folder = manual_folder();
+  if (folder.isEmpty()) return said_->setText(tr("the manual is not installed: it is the folder docs of the source"));
+  (new Manual(folder, this))->show();
+}
+
+void Window::show_about() { open_about(this); }
 
 void Window::show_preferences(const QString& page) {
   auto* open = findChild<PreferencesWindow*>();

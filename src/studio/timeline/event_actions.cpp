@@ -91,10 +91,9 @@ void EventActions::duplicate() {
     select_copies(events, to, {});
 }
 
-std::vector<Target> EventActions::free_tracks(const std::vector<ObjectId>& objects, bool or_position) {
+// An event would replace the code for the whole film.
+std::vector<Target> EventActions::without_code(std::vector<Target> where) {
   const Document& d = workspace_.document();
-  std::vector<Target> where = animated_tracks(d, objects, or_position);
-  // An event would replace the code for the whole film.
   std::erase_if(where, [&](const Target& t) {
     const Target whole(t.object, t.function);
     if (t.layer || made_by(d, whole, workspace_.time()).code.empty()) return false;
@@ -119,22 +118,36 @@ void EventActions::insert_on(const std::vector<Target>& where) {
   workspace_.select_events(std::move(come));
 }
 
-void EventActions::insert() { insert_on(free_tracks(workspace_.selected(), true)); }
+void EventActions::insert() {
+  insert_on(without_code(animated_tracks(workspace_.document(), workspace_.selected(), true)));
+}
+
+void EventActions::insert_transforms() {
+  insert_on(without_code(tracks_with_transforms(workspace_.document(), workspace_.selected())));
+}
 
 void EventActions::insert_changed() {
-  insert_on(changed_tracks(workspace_.program(), free_tracks(with_parts(), false), workspace_.time()));
+  insert_on(changed_tracks(workspace_.program(),
+                           without_code(animated_tracks(workspace_.document(), with_parts(), false)),
+                           workspace_.time()));
 }
 
 void EventActions::insert_character() {
-  insert_on(free_tracks(whole_characters(workspace_.document(), workspace_.selected(), workspace_.time()), false));
+  insert_on(without_code(
+      animated_tracks(workspace_.document(),
+                      whole_characters(workspace_.document(), workspace_.selected(), workspace_.time()), false)));
 }
 
 void EventActions::hold() {
-  workspace_.say(hold_lines(workspace_.program(), free_tracks(with_parts(), false), workspace_.time()));
+  workspace_.say(hold_lines(workspace_.program(),
+                            without_code(animated_tracks(workspace_.document(), with_parts(), false)),
+                            workspace_.time()));
 }
 
 Lines EventActions::breakdown(double share) {
-  return breakdown_lines(workspace_.program(), free_tracks(with_parts(), false), workspace_.time(), share);
+  return breakdown_lines(workspace_.program(),
+                         without_code(animated_tracks(workspace_.document(), with_parts(), false)), workspace_.time(),
+                         share);
 }
 
 void EventActions::warp(const std::function<double(double)>& share) {

@@ -29,6 +29,7 @@ class EventActions : public QObject {
   void duplicate();  // from their end
   // At the playhead, on the tracks of the selected objects:
   void insert();                  // events with the values there
+  void insert_transforms();       // also on those of position, rotation and scale
   void insert_changed();          // only where the value has changed since the last event
   void insert_character();        // on all tracks of the whole characters
   void hold();                    // events with the values of the last ones, which hold until then
@@ -46,7 +47,7 @@ class EventActions : public QObject {
 
  private:
   explicit EventActions(Workspace& workspace);
-  std::vector<Target> free_tracks(const std::vector<ObjectId>&, bool or_position);  // those without code
+  std::vector<Target> without_code(std::vector<Target>);
   std::vector<ObjectId> with_parts() const;
   void insert_on(const std::vector<Target>&);
   void select_copies(const std::vector<EventAt>&, Time to, ObjectId onto);

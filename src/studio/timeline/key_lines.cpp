@@ -66,6 +66,17 @@ std::vector<Target> animated_tracks(const Document& d, const std::vector<ObjectI
   return all;
 }
 
+std::vector<Target> tracks_with_transforms(const Document& d, const std::vector<ObjectId>& objects) {
+  std::vector<Target> all = animated_tracks(d, objects, false);
+  for (const ObjectId id : objects)
+    for (const FunctionView& f : functions(d, id)) {
+      if (f.name != "position" && f.name != "rotation" && f.name != "scale") continue;
+      const auto is_of_it = [&](const Target& t) { return t.object == id && t.function == f.id && !t.layer; };
+      if (std::ranges::none_of(all, is_of_it)) all.emplace_back(id, f.id);
+    }
+  return all;
+}
+
 std::vector<ObjectId> whole_characters(const Document& d, const std::vector<ObjectId>& objects, Time t) {
   std::vector<ObjectId> roots;
   for (ObjectId id : objects) {

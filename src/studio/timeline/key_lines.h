@@ -14,6 +14,8 @@ namespace betwixt::studio {
 
 // Returns the tracks for new events: those with events. With `or_position`, an object without any gets its position.
 std::vector<Target> animated_tracks(const Document&, const std::vector<ObjectId>&, bool or_position);
+// Returns the tracks with events, and the positions, rotations and scales that have none.
+std::vector<Target> tracks_with_transforms(const Document&, const std::vector<ObjectId>&);
 // Returns the objects, and all that hangs at this time on the uppermost parents of each: whole characters.
 std::vector<ObjectId> whole_characters(const Document&, const std::vector<ObjectId>&, Time);
 // Returns the tracks whose value differs from that of their last event before this time.

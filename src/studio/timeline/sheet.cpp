@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/timeline/sheet.h"
 
+#include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QStackedLayout>
@@ -13,7 +14,7 @@
 
 namespace betwixt::studio {
 
-Sheet::Sheet(Workspace& workspace, QWidget* parent) : QWidget(parent) {
+Sheet::Sheet(Workspace& workspace, QWidget* parent) : QWidget(parent), either_(new QStackedLayout) {
   setObjectName("sheet");
   setWindowTitle(tr("Sheet"));
   auto* all = new QVBoxLayout(this);
@@ -22,15 +23,14 @@ Sheet::Sheet(Workspace& workspace, QWidget* parent) : QWidget(parent) {
   bar->setContentsMargins(4, 2, 4, 2), bar->setSpacing(4);
   auto* pane = new SheetPane(workspace, this);
   auto* exposures = new Exposures(workspace, this);
-  auto* either = new QStackedLayout;
-  either->addWidget(pane), either->addWidget(exposures);
-  all->addLayout(bar), all->addLayout(either, 1);
+  either_->addWidget(pane), either_->addWidget(exposures);
+  all->addLayout(bar), all->addLayout(either_, 1);
 
   auto* search = new QLineEdit(this);
   search->setObjectName("search");
   search->setPlaceholderText(tr("search: ball*.position"));
   search->setToolTip(tr("Part of a name, or a pattern as in lines: wheel*.rotation"));
-  search->setClearButtonEnabled(true), search->setFocusPolicy(Qt::ClickFocus);
+  search->setClearButtonEnabled(true);
   search->setMaximumWidth(30 * fontMetrics().averageCharWidth());
   connect(search, &QLineEdit::textChanged, pane,
           [pane, exposures](const QString& s) { pane->search(s.toStdString()), exposures->search(s.toStdString()); });
@@ -47,12 +47,11 @@ Sheet::Sheet(Workspace& workspace, QWidget* parent) : QWidget(parent) {
   connect(only, &QToolButton::toggled, pane, &SheetPane::show_only_selected);
   connect(only, &QToolButton::toggled, exposures, &Exposures::show_only_selected);
   auto* columns = toggle("columns", tr("columns"), tr("Tracks side by side, frames downwards, values in the cells"));
-  connect(columns, &QToolButton::toggled, this, [this, either](bool on) {
-    either->setCurrentIndex(on ? 1 : 0);
-    setFocusProxy(either->currentWidget());
-  });
+  connect(columns, &QToolButton::toggled, either_, [this](bool on) { either_->setCurrentIndex(on ? 1 : 0); });
   bar->addWidget(search), bar->addWidget(only), bar->addWidget(columns), bar->addStretch();
-  setFocusProxy(pane);
 }
+
+// A focus proxy would change the order of Tab: from the rows it goes to the controls above them.
+void Sheet::focusInEvent(QFocusEvent* e) { either_->currentWidget()->setFocus(e->reason()); }
 
 }  // namespace betwixt::studio

@@ -8,12 +8,19 @@
 
 #include "studio/shell/workspace.h"
 
+class QStackedLayout;
+
 namespace betwixt::studio {
 
 class Sheet : public QWidget {
   Q_OBJECT
  public:
   explicit Sheet(Workspace&, QWidget* parent = nullptr);
+
+ private:
+  void focusInEvent(QFocusEvent*) override;
+
+  QStackedLayout* either_;  // the dope sheet or the exposure sheet
 };
 
 }  // namespace betwixt::studio
