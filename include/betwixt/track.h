@@ -109,6 +109,7 @@ struct FilterView {
   std::span<const std::pair<std::string, Value>> parameters;  // the given ones; the others have their defaults
   int component = -1;                                         // the component that it changes; -1: all
   std::optional<std::pair<Time, Time>> segment;               // when it acts, both ends included; nullopt: always
+  bool off = false;                                           // it is kept, but does not act
 };
 // Returns all filters on the function of a target, also those that change only one component. For a target on a layer,
 // returns the filters on that layer instead.

@@ -125,7 +125,7 @@ bool parameter_value(Command& k, std::string_view key, const FilterParameter* kn
   return true;
 }
 
-// Reads [key=value …] [A..B]
+// Reads [key=value …] [A..B] [off]
 bool filter_arguments(Command& k, const Chosen& chosen, Type type, Filter& made) {
   Cursor& c = k.cursor;
   while (!c.at_line_end()) {
@@ -137,10 +137,17 @@ bool filter_arguments(Command& k, const Chosen& chosen, Type type, Filter& made)
       continue;
     }
     const std::string_view key = c.word();
-    if (key.empty() || !c.accept('='))
+    const bool value = c.accept('=');
+    if (key == "off" && !value && !chosen.none()) {
+      made.off = true;
+      continue;
+    }
+    if (key.empty() || !value)
       return c.fail(ErrorCode::syntax,
                     fmt::format("'{}' is not expected here", key.empty() ? std::string_view(start, 1) : key),
-                    c.since(start), "write key=value, or a segment A..B");
+                    c.since(start), "write key=value, a segment A..B, or off");
+    if (key == "off" && !chosen.own)
+      return c.fail(ErrorCode::syntax, "'off' has no value", c.since(start), "write the word alone: off");
     const FilterParameter* known = nullptr;
     Value v;
     if (!known_key(c, chosen, key, known)) return false;
@@ -151,7 +158,7 @@ bool filter_arguments(Command& k, const Chosen& chosen, Type type, Filter& made)
   return true;
 }
 
-// Reads [key=value …] [A..B] of a filter for values of one type, and adds the filter.
+// Reads [key=value …] [A..B] [off] of a filter for values of one type, and adds the filter.
 bool put_filter(Command& k, const Selected& on, const Chosen& chosen, std::string_view word) {
   const Type type = on.spec ? on.type() : Type::vector;
   if (!chosen.none() && !means_something(chosen, type) && !(chosen.spec && !on.spec))
@@ -184,8 +191,9 @@ bool filter(Command& k) {
 }
 
 constexpr Verb filters_rows[] = {
-    {"filter", "filter TARGET NAME [key=value …] [A..B] or filter TARGET none",
-     "Adds a filter to a track: it changes the values of the track as a function of time.",
+    {"filter", "filter TARGET NAME [key=value …] [A..B] [off] or filter TARGET none",
+     "Adds a filter to a track: it changes the values of the track as a function of time. With `off` it "
+     "stays in the script and does nothing.",
      "filter ball.position delay by=6f", Verb::layered, filter, "TARGET; FILTER; SETTING…"},
 };
 

@@ -217,6 +217,7 @@ void parameters(const Document& d, const Begun& b, Words& all) {
 void settings(const Begun& b, Words& all) {
   const FilterSpec* f = b.words.size() > 2 ? find_filter(b.words[2]) : nullptr;
   for (std::size_t i = 0; f && i < f->parameters.size(); ++i) all.push_back(fmt::format("{}=", f->parameters[i].name));
+  if (f) all.emplace_back("off");
 }
 
 // The first words of a command or of a shell line.

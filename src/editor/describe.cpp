@@ -103,7 +103,7 @@ std::string in_brief(const Document& d, const Object& o, FunctionId f) {
     if (slot.set && std::holds_alternative<Procedure>(*slot.set)) all.emplace_back("a procedure");
     add_manner(slot, d.scene(), all);
     if (const std::size_t n = events_of(slot.velocity); n > 0) all.push_back("velocity " + counted(n, "event"));
-    for (const Filter& filter : slot.filters) all.push_back("filter " + filter.name);
+    for (const Filter& filter : slot.filters) all.push_back("filter " + filter.name + (filter.off ? " (off)" : ""));
   }
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return fmt::format("{}", fmt::join(all, ", "));

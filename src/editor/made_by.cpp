@@ -67,7 +67,8 @@ void add_besides(const Document& d, const Target& t, std::vector<ValueSource>& a
     const Strand& v = slot.velocity;
     if (!v.track->events.empty() || std::ranges::any_of(v.components, [](const auto& c) { return !c->events.empty(); }))
       all.push_back({What::velocity});
-    for (const Filter& f : slot.filters) all.push_back({What::filter, f.name});
+    for (const Filter& f : slot.filters)
+      if (!f.off) all.push_back({What::filter, f.name});
   }
 }
 

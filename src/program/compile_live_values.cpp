@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Live values, which are evaluated on demand: velocities in force, procedures, filters, layers.
+#include <algorithm>
+#include <iterator>
+
 #include "program/collisions.h"
 #include "program/compile.h"
 #include "program/constant_code.h"
@@ -180,7 +183,7 @@ LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
   const FunctionSpec& spec = spec_of(scene, slot.function);
   LiveStrand out;
   out.layer = slot.layer;
-  out.filters = slot.filters;
+  std::ranges::copy_if(slot.filters, std::back_inserter(out.filters), [](const Filter& f) { return !f.off; });
   // A layer that adds is zero until its first value.
   out.set = slot.set.value_or(spec.rest);
   if (slot.layer) {

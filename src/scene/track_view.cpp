@@ -172,7 +172,7 @@ std::vector<FilterView> filters(const Document& d, const Target& t) {
   std::vector<FilterView> out;
   if (const Slot* slot = slot_of(d, t))
     for (const Filter& f : slot->filters)
-      out.push_back({f.name, f.code != nullptr, f.parameters, f.component, f.segment});
+      out.push_back({f.name, f.code != nullptr, f.parameters, f.component, f.segment, f.off});
   return out;
 }
 

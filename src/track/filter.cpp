@@ -93,7 +93,7 @@ Value steps(const FilterCall& told, Input& input, double seconds) {
 
 bool operator==(const Filter& a, const Filter& b) {
   return a.name == b.name && Procedure{a.code} == Procedure{b.code} && a.parameters == b.parameters &&
-         a.component == b.component && a.segment == b.segment;
+         a.component == b.component && a.segment == b.segment && a.off == b.off;
 }
 
 const std::vector<FilterSpec>& built_in_filters() {

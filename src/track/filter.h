@@ -17,6 +17,7 @@ struct Filter {
   Parameters parameters;                         // as the author gave them; the others have their defaults
   int component = -1;                            // of the function's value; -1: all
   std::optional<std::pair<Time, Time>> segment;  // both ends included; nullopt: always
+  bool off = false;                              // kept, but it does not act
   friend bool operator==(const Filter&, const Filter&);
 };
 

@@ -27,6 +27,28 @@ TEST(Filters, KeepToTheirSegmentAndComponent) {
   expect_numbers(LoadedFilm(twice + "filter a.radius limit low=3\nfilter a.radius none\n"), "a.radius", "25f", {2});
 }
 
+// A filter that is off is as if it were not there, but it stays in the film with its numbers.
+TEST(Filters, AreSwitchedOff) {
+  const std::string track = "rate 24\ncreate {a,b} sphere\na.radius\n  1f 1 linear\n  73f 4\n";
+  for (const char* filter : {"limit low=3 off", "limit off low=3", "delay by=24f off 1f..96f"})
+    expect_numbers(LoadedFilm(track + "filter a.radius " + filter + "\n"), "a.radius", "25f", {2});
+  // The others act as before.
+  expect_numbers(LoadedFilm(track + "filter a.radius delay by=24f\nfilter a.radius limit low=3 off\n"), "a.radius",
+                 "61f", {2.5});
+  expect_numbers(LoadedFilm(track + "filter a.radius delay by=24f off\nfilter a.radius limit low=3\n"), "a.radius",
+                 "61f", {3.5});
+  const LoadedFilm kept(track + "filter a.radius limit low=3 off\n");
+  const std::string text = write(kept.loaded.document);
+  EXPECT_NE(text.find("filter a.radius limit low=3 off\n"), std::string::npos) << text;
+  EXPECT_EQ(write(read(text).document), text);
+  const Target target = find_targets("a.radius", kept.loaded.document)->front();
+  ASSERT_EQ(filters(kept.loaded.document, target).size(), 1U);
+  EXPECT_TRUE(filters(kept.loaded.document, target)[0].off);
+  // A program that was compiled before sees the change.
+  const Document on = read(track + "filter a.radius limit low=3\n").document;
+  EXPECT_EQ(std::get<double>(Program::compile(kept.loaded.document, Program::compile(on)).read(target, Time{0})), 1);
+}
+
 // shows: G16
 TEST(Filters, AreLimitsThatAnObjectBringsAlong) {
   const LoadedFilm s(

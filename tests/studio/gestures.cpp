@@ -126,7 +126,7 @@ class Hands {
     if (all.empty()) return;
     const std::size_t from = below(static_cast<unsigned>(all.size())), to = below(static_cast<unsigned>(all.size()));
     const ValuePart& a = all[from];
-    Lines lines = below(2)   ? switch_part(text, a)
+    Lines lines = below(2)   ? switch_part(d, text, a)
                   : below(2) ? remove_part(d, text, a)
                              : move_part(d, text, all, from, to);
     if (below(2) && !a.fields.empty())

@@ -123,19 +123,40 @@ class PartsTest : public QObject {
     QCOMPARE(s.text(), QString(film));
   }
 
-  void a_filter_is_switched_off_as_a_comment() {
+  void a_filter_is_switched_off_by_a_word() {
     const std::string film =
         "create ball sphere\nball.radius\n  1f 1\n  24f 3\n"
         "filter ball.radius wobble amount=0.1  # trembles\nfilter ball.radius limit low=0.5\n";
     Shown s(QByteArray::fromStdString(film));
     PartsView& view = s.parts("radius");
     QTest::mouseClick(&Shown::in<QCheckBox>(view, 1, "on"), Qt::LeftButton, {}, {8, 8});
-    QVERIFY2(s.text().contains("\n# filter ball.radius wobble amount=0.1  # trembles\n"), qPrintable(s.text()));
-    QVERIFY(s.is("create ball sphere\nball.radius\n  1f 1\n  24f 3\nfilter ball.radius limit low=0.5\n"));
+    QVERIFY2(s.text().contains("\nfilter ball.radius wobble amount=0.1 off  # trembles\n"), qPrintable(s.text()));
     QCOMPARE(Shown::titles(view), QStringList({"2 events, 1f to 1s", "wobble", "limit"}).replaceInStrings("1s", "24f"));
     QVERIFY(view.parts()[1].off && !view.parts()[2].off);
     QTest::mouseClick(&Shown::in<QCheckBox>(view, 1, "on"), Qt::LeftButton, {}, {8, 8});
     QCOMPARE(s.text().toStdString(), film);
+  }
+
+  // A filter that is a comment is off too.
+  void a_comment_is_a_filter_that_is_off() {
+    Shown s("create ball sphere\nball.radius\n  1f 1\n  24f 3\n# filter ball.radius wobble amount=0.1  # trembles\n");
+    PartsView& view = s.parts("radius");
+    QVERIFY(view.parts()[1].off);
+    QTest::mouseClick(&Shown::in<QCheckBox>(view, 1, "on"), Qt::LeftButton, {}, {8, 8});
+    QVERIFY2(s.text().endsWith("\nfilter ball.radius wobble amount=0.1  # trembles\n"), qPrintable(s.text()));
+    QVERIFY(!view.parts()[1].off);
+  }
+
+  // Of a filter that a line gives to several objects, one is switched off.
+  void a_filter_of_several_is_switched_off_for_one() {
+    Shown s("create ball sphere\ncreate box2 sphere\nball.radius\n  1f 1\n  24f 3\nfilter b*.radius limit low=2\n");
+    PartsView& view = s.parts("radius");
+    QTest::mouseClick(&Shown::in<QCheckBox>(view, 1, "on"), Qt::LeftButton, {}, {8, 8});
+    QVERIFY2(s.text().endsWith("filter ball.radius none\nfilter ball.radius limit low=2 off\n"), qPrintable(s.text()));
+    QVERIFY(view.parts()[1].off);
+    QTest::mouseClick(&Shown::in<QCheckBox>(view, 1, "on"), Qt::LeftButton, {}, {8, 8});
+    QVERIFY2(s.text().endsWith("filter ball.radius limit low=2\n"), qPrintable(s.text()));
+    QCOMPARE(s.radius("ball"), 2.0);
   }
 
   // Rows that are replaced while the user types in them say nothing.

@@ -18,6 +18,25 @@
 namespace betwixt::studio {
 namespace {
 
+// Returns the place of the word `off` in a line; its size is 0 if the line does not have it.
+Span off_in(std::string_view line) {
+  std::string_view rest = without_comment(line);
+  Span last;
+  while (!rest.empty()) {
+    const std::string_view piece = take_piece(rest);
+    if (piece.empty()) break;
+    if (piece == "off") last = {static_cast<std::size_t>(piece.data() - line.data()), piece.size()};
+  }
+  return last;
+}
+
+// Returns the end of what a line says, before spaces and a comment.
+std::size_t end_of_words(std::string_view line) {
+  std::size_t end = without_comment(line).size();
+  while (end > 0 && line[end - 1] == ' ') --end;
+  return end;
+}
+
 // The filters of a target that a text says, if no other line has made some.
 class Search {
  public:
@@ -30,15 +49,15 @@ class Search {
       const std::string_view line = lines.line(i);
       if (line.find("filter") == std::string_view::npos || indented(line)) continue;
       const Span span{lines.start(i), line.size()};
-      const bool off = !line.empty() && line[0] == '#';
+      const bool comment = !line.empty() && line[0] == '#';
       const bool one = lines.behind(i) == i + 1;
-      read(line.substr(comment_sign(line)), off, one ? span : Span{});
+      read(line.substr(comment_sign(line)), comment, one ? span : Span{});
     }
     return std::move(found_);
   }
 
  private:
-  void read(std::string_view line, bool off, Span span) {
+  void read(std::string_view line, bool comment, Span span) {
     const LineHead head = line_head(line);
     if (!head.verb || head.verb->word != "filter" || !head.time.empty()) return;
     if (head.layer.empty() ? static_cast<bool>(on_.layer) : d_.find(head.layer) != on_.layer) return;
@@ -49,16 +68,17 @@ class Search {
     if (hit == targets->end()) return;
     std::string_view rest = head.rest;
     const std::string name(take_piece(rest));
-    if (name == "none" && off) return;
+    if (name == "none" && comment) return;
     if (name == "none") {
       std::erase_if(found_, [&](const FilterLine& f) { return hit->component < 0 || f.component == hit->component; });
       return;
     }
     FilterLine f;
-    f.name = name, f.component = hit->component, f.off = off;
+    f.name = name, f.component = hit->component, f.comment = comment;
     f.words = std::string(without_comment(line));
     f.line = span, f.own = targets->size() == 1;
-    if (off && !known(name)) return;
+    f.off = comment || off_in(f.words).size > 0;
+    if (comment && !known(name)) return;
     found_.push_back(std::move(f));
   }
   bool known(std::string_view name) const {
@@ -134,8 +154,9 @@ std::vector<FilterLine> filter_lines(const Document& d, const std::string& text,
   bool same = true;
   for (FilterLine& f : found) {
     f.index = k;
-    if (f.off) continue;
-    same = same && k < there.size() && there[k].name == f.name && there[k].component == f.component;
+    if (f.comment) continue;
+    same = same && k < there.size() && there[k].name == f.name && there[k].component == f.component &&
+           there[k].off == f.off;
     ++k;
   }
   if (same && k == there.size()) return found;
@@ -144,7 +165,7 @@ std::vector<FilterLine> filter_lines(const Document& d, const std::string& text,
   for (std::string& words : own_filter_lines(d, on)) {
     FilterLine f;
     f.index = found.size(), f.words = std::move(words);
-    f.name = there[f.index].name, f.component = there[f.index].component;
+    f.name = there[f.index].name, f.component = there[f.index].component, f.off = there[f.index].off;
     found.push_back(std::move(f));
   }
   return found;
@@ -183,9 +204,15 @@ std::string with_parameter(std::string_view line, const std::string& key, const 
   if (sign > 0) return std::string(line.substr(0, sign)) + with_parameter(line.substr(sign), key, value);
   std::string all(line);
   if (const Span there = value_of_key(line, key); there.size > 0) return all.replace(there.at, there.size, value);
-  std::size_t end = without_comment(line).size();
-  while (end > 0 && line[end - 1] == ' ') --end;
-  return all.insert(end, " " + key + "=" + value);
+  const Span off = off_in(line);
+  return all.insert(off.size > 0 ? off.at - 1 : end_of_words(line), " " + key + "=" + value);
+}
+
+std::string with_off(std::string_view line, bool off) {
+  std::string all(line);
+  const Span there = off_in(line);
+  if (off == (there.size > 0)) return all;
+  return off ? all.insert(end_of_words(line), " off") : all.erase(there.at - 1, there.size + 1);
 }
 
 }  // namespace betwixt::studio

@@ -185,10 +185,14 @@ Lines remove_part(const Document& d, const std::string& text, const ValuePart& p
   return {};
 }
 
-Lines switch_part(const std::string& text, const ValuePart& part) {
-  if (part.what != What::filter || !part.own) return {};
+Lines switch_part(const Document& d, const std::string& text, const ValuePart& part) {
+  if (part.what != What::filter || (part.comment && !part.own)) return {};
+  if (!part.own)
+    return filters_anew(d, part.target, [&](const std::string& line, std::size_t i, Lines& lines) {
+      lines.push_back(i == part.index ? with_off(line, !part.off) : line);
+    });
   const std::string line = part_of_text(text, part.lines);
-  return {rewriting_line(text, part.lines, part.off ? line.substr(comment_sign(line)) : "# " + line)};
+  return {rewriting_line(text, part.lines, part.comment ? line.substr(comment_sign(line)) : with_off(line, !part.off))};
 }
 
 // The filters between both places keep their order and move by one. Their lines exchange places; what is between the
@@ -205,7 +209,7 @@ Lines move_part(const Document& d, const std::string& text, const std::vector<Va
   from < to ? std::ranges::rotate(then, then.begin() + 1) : std::ranges::rotate(then, then.end() - 1);
   const auto any = [&](auto is) { return std::ranges::any_of(there, is); };
   if (any([](const ValuePart& p) { return !p.own; })) {
-    if (any(&ValuePart::off)) return {};
+    if (any(&ValuePart::comment)) return {};
     const std::vector<std::string> all = own_filter_lines(d, there[0].target);
     return filters_anew(d, there[0].target, [&](const std::string& line, std::size_t i, Lines& lines) {
       const std::size_t k = i - there[0].index;  // beyond the end if it stays

@@ -27,8 +27,8 @@ using What = ValuePart::What;
 // What decides which widgets a row has.
 std::string shape_of(const ValuePart& p) {
   std::string all =
-      fmt::format("{} {} {} {} {} {} {}", static_cast<int>(p.what), p.target.component, p.target.layer.index,
-                  p.target.velocity, p.what == What::filter ? p.title : "", p.off, p.own);
+      fmt::format("{} {} {} {} {} {} {} {}", static_cast<int>(p.what), p.target.component, p.target.layer.index,
+                  p.target.velocity, p.what == What::filter ? p.title : "", p.off, p.comment, p.own);
   for (const PartField& f : p.fields) all += fmt::format(" {} {} {}", f.key, f.numbers.size(), f.text);
   return all;
 }
@@ -103,11 +103,13 @@ PartsView::PartRow PartsView::make_row(std::size_t i) {
     line->addWidget(make_grip(row.box));
     row.on = new QCheckBox(row.box);
     row.on->setObjectName("on"), row.on->setAccessibleName(tr("%1 is on").arg(name));
-    row.on->setEnabled(part.own);
-    row.on->setToolTip(part.own ? tr("Switches this filter off and on: its line becomes a comment")
-                                : tr("The script says this filter of several objects, so it cannot be switched off "
-                                     "here alone. Remove it, or change the script."));
-    connect(row.on, &QCheckBox::clicked, this, [this, i] { say(switch_part(workspace_.text(), parts_[i])); });
+    row.on->setEnabled(part.own || !part.comment);
+    row.on->setToolTip(
+        row.on->isEnabled()
+            ? tr("Switches this filter off and on: its line gets the word `off`")
+            : tr("A comment has this filter for several objects, so it cannot be switched on here alone."));
+    connect(row.on, &QCheckBox::clicked, this,
+            [this, i] { say(switch_part(workspace_.document(), workspace_.text(), parts_[i])); });
     line->addWidget(row.on);
   }
   row.title = small_button(row.box, "title", name, text_of(part.sentence));

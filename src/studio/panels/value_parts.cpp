@@ -198,7 +198,7 @@ class PartFinder : PartWords {
       part.title = f.name;
       if (f.component >= 0) part.title = in_words(tr("%1 of %2"), part.title, name(part.target));
       if (layer) part.title = in_words(tr("%1 on %2"), part.title, d_.name(layer));
-      part.index = f.index, part.off = f.off, part.lines = f.line, part.own = f.own;
+      part.index = f.index, part.off = f.off, part.comment = f.comment, part.lines = f.line, part.own = f.own;
       const FilterSpec* spec = find_filter(f.name);
       part.sentence = spec ? std::string(spec->sentence) : in_words(tr("A filter of your own."));
       part.fields = fields_of(f, spec_);

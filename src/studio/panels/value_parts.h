@@ -29,8 +29,9 @@ struct ValuePart {
   Target target = {};  // the track of the part
   std::string title = {}, sentence = {};
   std::vector<PartField> fields = {};
-  std::size_t index = 0;  // of a filter, among those of its track that are on
-  bool off = false;       // its line is a comment
+  std::size_t index = 0;  // of a filter, among those that its track has
+  bool off = false;       // it does not act: its line has the word `off`, or is a comment
+  bool comment = false;
   // The lines that say it; the size is 0 if no line says it alone: a pattern, a copy of an object, a file.
   Span lines = {};
   bool own = false;                // these lines say it of this target only
@@ -45,8 +46,8 @@ std::vector<ValuePart> value_parts(const Document&, const Program&, const std::s
 Lines change_part(const Document&, const std::string& text, const ValuePart&, const PartField&, std::size_t number,
                   const std::string& typed, Time);
 Lines remove_part(const Document&, const std::string& text, const ValuePart&);
-// Turns a filter off by making its line a comment, and on again.
-Lines switch_part(const std::string& text, const ValuePart&);
+// Turns a filter off by the word `off`, and on again.
+Lines switch_part(const Document&, const std::string& text, const ValuePart&);
 // Moves a filter to the place of another one on the same track.
 Lines move_part(const Document&, const std::string& text, const std::vector<ValuePart>&, std::size_t from,
                 std::size_t to);
