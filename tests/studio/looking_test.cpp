@@ -317,6 +317,28 @@ ball.position.x
     QVERIFY(lit(0) && lit(6) && !lit(-5));
   }
 
+  // The meshes of ghosts stay for the next picture; nobody else holds them.
+  void meshes_of_ghosts_are_held() {
+    Film f("create ball sphere radius=0.7\nball.position\n  1f (0 0 0)\n  13f (2 0 0)\n  25f (4 0 0)\n");
+    const auto held = [&](double frame) {
+      const Frame at = f.workspace.program().frame(f.frame(frame));
+      const std::weak_ptr<const Mesh> mesh = drawn(at.items.at(0)).mesh;
+      return !mesh.expired();
+    };
+    QVERIFY(!held(7));
+    Ghosts ghosts(f.workspace);
+    QImage picture(400, 300, QImage::Format_ARGB32_Premultiplied);
+    const Camera eye = f.workspace.program().frame(f.frame(7)).camera;
+    const Scope scope{Projection(eye, 4.0 / 3), QRectF(0, 0, 400, 300)};
+    for (const double frame : {7.0, 8.0}) {
+      QPainter p(&picture);
+      ghosts.paint(p, scope, eye, f.workspace.program().frame(f.frame(frame)), {.events = true},
+                   [&] { return std::vector{f.find("ball")}; });
+      p.end();
+      QVERIFY(held(frame));
+    }
+  }
+
   void four_views_show_one_film() {
     Film f("create ball sphere position=(1 2 3)\ncreate eye camera position=(0 0 20)\n");
     const std::string before = f.workspace.text();

@@ -19,11 +19,15 @@ constexpr std::size_t most_corners = 60'000;      // corners of meshes in each
 
 }  // namespace
 
-void paint_silhouette(QPainter& p, const Scope& s, const Item& item, const QColor& color) {
+void paint_silhouette(QPainter& p, const Scope& s, const Item& item, const QColor& color, HeldShapes& held) {
   Drawn d = drawn(item);
+  held.push_back(d.mesh);
   if (const auto around = rectangle_around(d, s.projection)) {
     const double wide = (around->right - around->left) * s.box.width() / 2;
-    if (wide > coarse && wide < 1e4 && row_of(item.shape->kind).detailed) d = drawn(item, wide);
+    if (wide > coarse && wide < 1e4 && row_of(item.shape->kind).detailed) {
+      d = drawn(item, wide);
+      held.push_back(d.mesh);
+    }
   }
   std::vector<std::optional<QPointF>> spots;
   spots.reserve(d.corners.size());
@@ -73,6 +77,7 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
                    const std::function<std::vector<ObjectId>()>& which) {
   if (!image_ || image_->time != now.time || !(image_->eye == eye) || image_->box != s.box ||
       !(image_->kinds == kinds)) {
+    const HeldShapes before = std::exchange(held_, {});  // until this painting holds them
     QImage all(s.box.size().toSize(), QImage::Format_ARGB32_Premultiplied);
     all.fill(Qt::transparent);
     QPainter over(&all);
@@ -97,7 +102,7 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
         if (i && i->world == item.world && i->shape == item.shape && i->blend == item.blend) continue;
         corners += item.shape->mesh ? item.shape->mesh->positions.size() : 100;
         if (++count > most || corners > most_corners) break;
-        paint_silhouette(ghost, own, item, t < now.time ? picture_colors().playhead : picture_colors().note);
+        paint_silhouette(ghost, own, item, t < now.time ? picture_colors().playhead : picture_colors().note, held_);
       }
       ghost.end();
       over.setOpacity(opacity);
@@ -108,7 +113,7 @@ void Ghosts::paint(QPainter& p, const Scope& s, const Camera& eye, const Frame& 
     over.setCompositionMode(QPainter::CompositionMode_DestinationOut);
     std::size_t count = 0;
     for (const Item& item : now.items)
-      if ((ids.empty() || wanted(item.id)) && ++count <= most) paint_silhouette(over, own, item, Qt::black);
+      if ((ids.empty() || wanted(item.id)) && ++count <= most) paint_silhouette(over, own, item, Qt::black, held_);
     over.end();
     image_ = Kept{all, now.time, eye, s.box, kinds};
   }

@@ -6,7 +6,10 @@
 
 #include <QImage>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "betwixt/frame.h"
 #include "studio/shell/workspace.h"
@@ -14,8 +17,11 @@
 
 namespace betwixt::studio {
 
+// The meshes of the last painting: while they are held, the next one need not make them again.
+using HeldShapes = std::vector<std::shared_ptr<const Mesh>>;
+
 // Fills the area that an item covers, and draws its edges.
-void paint_silhouette(QPainter&, const Scope&, const Item&, const QColor&);
+void paint_silhouette(QPainter&, const Scope&, const Item&, const QColor&, HeldShapes&);
 
 class Ghosts {
  public:
@@ -49,6 +55,7 @@ class Ghosts {
 
   const Workspace& workspace_;
   std::optional<Kept> image_;
+  HeldShapes held_;
 };
 
 }  // namespace betwixt::studio

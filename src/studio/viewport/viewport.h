@@ -94,6 +94,7 @@ class Viewport : public QWidget {
   std::optional<Hit> hit(QPointF) const;
   const Frame& frame() const;
   // Returns the line that imports a file at a point of the widget.
+  // "" if the user stops the work.
   std::string line_for_file(const QString& file, QPointF) const;
   // Imports it, or opens it if it is a script.
   bool import_file(const QString& file, QPointF);
@@ -238,6 +239,7 @@ class Viewport : public QWidget {
   mutable std::optional<std::vector<Icon>> icons_;
   Trails trails_;
   Ghosts ghosts_;
+  HeldShapes outlined_shapes_;
   struct Layer {  // repainted if one of these changes
     QImage image;
     std::vector<ObjectId> of;

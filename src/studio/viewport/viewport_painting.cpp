@@ -163,13 +163,14 @@ void Viewport::clear_things(QPainter& p, const Scope& s) const {
   p.setCompositionMode(QPainter::CompositionMode_DestinationOut);
   p.setRenderHint(QPainter::Antialiasing, false);
   std::size_t things = 0, corners = 0;
+  HeldShapes held;
   for (const Item& i : frame().items) {
     corners += i.shape->mesh ? i.shape->mesh->positions.size() : 300;
     if (i.transparency > 0.5 || ++things > most_cleared || corners > most_corners) continue;
     Box box;
     for (const Vec3& corner : drawn(i).corners) box.add(corner);
     const Vec3 half = box.half();
-    if (half.y > 0.02 * std::max(half.x, half.z)) paint_silhouette(p, s, i, Qt::black);
+    if (half.y > 0.02 * std::max(half.x, half.z)) paint_silhouette(p, s, i, Qt::black, held);
   }
 }
 
@@ -183,6 +184,7 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
     QPainter on(&mask);
     on.setClipRect(s.box);
     std::size_t things = 0, corners = 0;
+    const HeldShapes before = std::exchange(outlined_shapes_, {});
     // A group is outlined through its members.
     const std::vector<ObjectId>& ids = workspace_.selected();
     const bool groups = std::any_of(ids.begin(), ids.end(),
@@ -195,7 +197,8 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
         if (bracketed_.size() < most_bracketed) bracketed_.push_back(i.id);
         continue;
       }
-      paint_silhouette(on, s, i, i.id == ids.back() ? picture_colors().event : picture_colors().accent);
+      paint_silhouette(on, s, i, i.id == ids.back() ? picture_colors().event : picture_colors().accent,
+                       outlined_shapes_);
     }
     on.end();
     QImage line = layer();
