@@ -4,6 +4,7 @@
 // Compares filters of tracks with closed forms.
 #include <cmath>
 
+#include "betwixt/track.h"
 #include "support/loaded_film.h"
 
 namespace betwixt {

@@ -433,6 +433,19 @@ class ViewportTest : public QObject {
     QVERIFY(frame.rgb() != before && frame.red() > 150 && frame.red() > 2 * frame.green());
   }
 
+  // What is read from a dropped file is read beside the window, which shows a sign meanwhile.
+  void a_file_that_is_dropped_shows_a_sign() {
+    Film f({"create eye camera position=(0 0 10)"});
+    QFile mesh("heavy.obj");
+    QVERIFY(mesh.open(QIODevice::WriteOnly) && mesh.write("v 0 1 0\nv 1 1 0\nv 0 3 0\nf 1 2 3\n") > 0);
+    mesh.close();
+    f.workspace.jobs().set_patience(0);
+    QSignalSpy signs(&f.workspace.jobs(), &BackgroundJobs::takes_long);
+    const std::string line = f.view.line_for_file("heavy.obj", at(0, 0));
+    QVERIFY(signs.count() > 0);
+    QVERIFY2(line.starts_with("create heavy mesh file=\"heavy.obj\" position=("), line.c_str());
+  }
+
   void a_thing_that_is_dropped_on_lies_below() {
     Film f({"create floor plane size=(20 20) rotation=euler(-90deg 0 0) position=(0 1 0)",
             "create eye camera position=(0 11 10) look-at=(0 1 0)"});

@@ -66,18 +66,24 @@ Vec3 Viewport::place_under(QPointF p) const {
   return surface_under(p).value_or(s.place(p, std::max(1e-3, s.depth(pivot()))));
 }
 
-// Returns the box that an object and its parts fill after a line; nothing if the line fails or they show nothing.
+// Returns the box that an object and its parts fill after a line; an empty one if the line fails or they show nothing.
+// Files may be large: this runs beside the window. Nothing if the user stops it.
 std::optional<Box> Viewport::box_after(const std::string& line, const std::string& name) const {
-  const auto then = workspace_.session().look_ahead({line});
-  if (!then) return std::nullopt;
-  const Box box = box_of_named(Program::compile(*then), name, workspace_.time());
-  return box.empty() ? std::nullopt : std::optional(box);
+  Box box;
+  const bool done = workspace_.jobs().carry_out(
+      [&, t = workspace_.time()] {
+        if (const auto then = workspace_.session().look_ahead({line}))
+          box = box_of_named(Program::compile(*then), name, t);
+      },
+      true);
+  return done ? std::optional(box) : std::nullopt;
 }
 
 // Tells how to scale an object that is far too large or too small to be seen from here.
 void Viewport::tell_size(ObjectId id, double depth) const {
   const std::string name = workspace_.name(id);
-  const Box box = box_of_named(workspace_.program(), name, workspace_.time());
+  Box box;
+  workspace_.jobs().carry_out([&, t = workspace_.time()] { box = box_of_named(workspace_.program(), name, t); }, true);
   const double size = 2 * std::max({box.half().x, box.half().y, box.half().z});
   if (box.empty() || size <= 0 || (size < 50 * depth && size > depth / 500)) return;
   const double by = std::pow(10, std::round(std::log10(depth / 3 / size)));
@@ -120,11 +126,14 @@ std::string Viewport::line_for_file(const QString& file, QPointF p) const {
   }
   for (int i = 0; i < 3; ++i) place[i] = rounded(place[i], pixel);
   // What was made in another program stands on the surface, or is centred at the pointer.
-  if (!flat && (sort == AssetSort::mesh || sort == AssetSort::scene))
-    if (const auto box = box_after(line, name)) {
+  if (!flat && (sort == AssetSort::mesh || sort == AssetSort::scene)) {
+    const auto box = box_after(line, name);
+    if (!box) return {};
+    if (!box->empty()) {
       const double fine = std::pow(10, std::floor(std::log10(std::max(1e-6, box->half().y))) - 4);
       place.y -= rounded(surface ? box->low.y : box->middle().y, fine);
     }
+  }
   return line + (place == Vec3{} ? "" : " position=" + write_vector(place));
 }
 
@@ -139,6 +148,7 @@ bool Viewport::import_file(const QString& file, QPointF at) {
   const Scope s = scope();
   const double depth = std::max(1e-3, s.depth(place_under(at)));
   const std::string line = line_for_file(file, at);
+  if (line.empty()) return false;
   if (!workspace_.say(line)) {
     tell_refusal();
     return false;
