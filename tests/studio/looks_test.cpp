@@ -163,7 +163,7 @@ class LooksTest : public QObject {
     ExportDialog render(window.workspace());
     render.show();
     look_at(render, name + "-export");
-    FilmChooser chooser(&window);
+    FilmChooser chooser({"/films/one.bx", "/films/two.bx", "/films/three.bx"}, &window);
     chooser.show();
     if (saves()) chooser.await_pictures();
     look_at(chooser, name + "-new");
