@@ -321,8 +321,7 @@ struct Writer {
       if (p) out += angles ? write_angles(*p) : write_vector(*p);
     }
     if (f.segment) out += " " + point(f.segment->first) + ".." + point(f.segment->second);
-    if (f.off) out += " off";
-    out += "\n";
+    out += f.off ? " off\n" : "\n";
   }
 
   // Returns a name without slashes that no object has.
