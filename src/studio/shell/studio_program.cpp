@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <span>
 
 #include "base/tell_user.h"
 #include "betwixt/language.h"
@@ -97,9 +98,9 @@ QString last_film() {
 int main(int argc, char** argv) {
   using namespace betwixt;
   using namespace betwixt::studio;
-  // A screenshot needs no display.
-  for (int i = 1; i < argc; ++i)
-    if (std::string_view(argv[i]).starts_with("--screenshot")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  // A screenshot and the help need no display.
+  for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)))
+    if (word.starts_with("--screenshot") || word == "--help" || word == "-h") qputenv("QT_QPA_PLATFORM", "offscreen");
   // Hides Qt's notices, which concern only developers. Without a display Qt would abort.
   if (!qEnvironmentVariableIsSet("BETWIXT_TOOLKIT_SAYS"))
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& words) {
