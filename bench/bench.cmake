@@ -39,9 +39,12 @@ target_link_libraries(bench_growing PRIVATE betwixt_editor betwixt_export)
 add_executable(bench_laws bench/laws.cpp)
 target_include_directories(bench_laws PRIVATE bench)
 target_link_libraries(bench_laws PRIVATE betwixt_commands)
+add_executable(bench_scatter bench/scatter.cpp)
+target_include_directories(bench_scatter PRIVATE bench)
+target_link_libraries(bench_scatter PRIVATE betwixt_commands)
 # In a build with tests the benchmarks are built only on request: ninja benchmarks.
 set(benchmarks bench_parse bench_environments bench_contacts bench_algebra bench_frames bench_twerpers bench_checks bench_memory
-    bench_drawing bench_first_picture bench_lsp bench_growing bench_laws)
+    bench_drawing bench_first_picture bench_lsp bench_growing bench_laws bench_scatter)
 add_custom_target(benchmarks DEPENDS ${benchmarks})
 if(NOT BETWIXT_BENCH)
   set_target_properties(${benchmarks} PROPERTIES EXCLUDE_FROM_ALL ON)

@@ -59,7 +59,12 @@ enum class Kind : std::uint8_t {
   matrix,
   brace,
   code,
-  diagram  // has no shape
+  diagram,  // has no shape
+  scatter,
+  streamlines,
+  surface,
+  line_chart,  // it has no shape
+  dot
 };
 
 // The style of letters besides their font. `typed` is the number of visible letters; it counts blanks and line ends.
@@ -94,10 +99,11 @@ struct OwnFont;  // src/scene/own_font.h
 //   gear     sides: teeth, module: metres of pitch diameter for each; involutes of 20 degrees
 //   arrow    from the origin to `size`, width
 //   trace    points, width: the line that a point has drawn
-//   plot tangent  points, width      area riemann vector_field  points: rings, one behind the other; they may be broken
-//   bar      size x by y, growing from its side at x or y = 0
-//   brace    from the origin to `size`, its tip `height` to the right of the way
-//   curve    through its points, smooth (Catmull-Rom) or straight, closed or not; width as for polyline
+//   plot tangent  points, width      scatter  points, each drawn as a disc (a ball if they are in space) of diameter
+//   `width` streamlines   points, width: lines one behind the other      surface  mesh      dot  radius area riemann
+//   vector_field  points: rings, one behind the other; they may be broken bar      size x by y, growing from its side
+//   at x or y = 0 brace    from the origin to `size`, its tip `height` to the right of the way curve    through its
+//   points, smooth (Catmull-Rom) or straight, closed or not; width as for polyline
 // In a list of points, one that is not finite lifts the pen: the line or ring ends before it, and another begins after.
 // Flat shapes and texts may be filled, and may have a stroke centred on their contours. The corners and ends of the
 // stroke are pointed or round. Of a stroke, a line or an arc, only the part from `trim_from` to `trim_to` is drawn;

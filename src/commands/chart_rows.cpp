@@ -10,6 +10,9 @@
 #include "commands/furniture_rows.h"
 #include "language/formula.h"
 #include "language/values.h"
+#include "program/on_axes.h"
+#include "scene/axes.h"
+#include "scene/letter_widths.h"
 
 namespace betwixt {
 namespace {
@@ -23,10 +26,9 @@ std::string cell_text(const LetItem& item) {
 // The values of a chart with the names of its parts.
 struct Entry {
   std::string name, label;
-  double value = 0;
+  double value = 0, at = 0;
 };
-bool entries(Furnishing& f, std::vector<Entry>& out) {
-  const LetList& values = f.said.rows[0];
+bool entries(Furnishing& f, const LetList& values, std::vector<Entry>& out) {
   const LetList& keys = f.said.keys;
   if (!keys.empty() && keys.size() != values.size())
     return f.problem = fmt::format("there are {} values and {} keys", values.size(), keys.size()), false;
@@ -46,10 +48,95 @@ bool entries(Furnishing& f, std::vector<Entry>& out) {
   return true;
 }
 
+bool entries(Furnishing& f, std::vector<Entry>& out) { return entries(f, f.said.rows[0], out); }
+
+// The entries of a series: numbers, which are at 1, 2, 3 …, or pairs of numbers.
+bool series(Furnishing& f, std::vector<Entry>& out) {
+  LetList ats, values = f.said.nested ? LetList() : f.said.rows[0];
+  if (f.said.nested)
+    for (const LetList& row : f.said.rows) {
+      if (row.size() != 2)
+        return f.problem = "the values of a line chart are numbers, or pairs of numbers",
+               f.hint = "as in of=((0 3) (1 4))", false;
+      ats.push_back(row[0]), values.push_back(row[1]);
+    }
+  if (!entries(f, values, out)) return false;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const auto* q = f.said.nested ? std::get_if<Quantity>(&ats[i]) : nullptr;
+    if (f.said.nested && (!q || !std::isfinite(q->value)))
+      return f.problem = "the values of a line chart are numbers, or pairs of numbers",
+             f.hint = "as in of=((0 3) (1 4))", false;
+    out[i].at = q ? q->value : static_cast<double>(i + 1);
+  }
+  return true;
+}
+
 void say_parts(Furnishing& f, const std::vector<Entry>& all) {
   std::string parts;
   for (const Entry& e : all) parts += (parts.empty() ? "" : " ") + e.name;
   f.line("set {}.parts ({})", f.name, parts);
+  f.line("set {0}.readings = \"chart.readings('{0}')\"", f.name);
+}
+
+// Returns the width of the widest label in em.
+double widest_label(const std::vector<Entry>& all) {
+  double widest = 0;
+  for (const Entry& e : all) widest = std::max(widest, letters_width(e.label));
+  return widest;
+}
+
+// How the texts of a chart fit into the room of one part, which nothing leaves.
+struct Lettering {
+  double label = 0.32, number = 0.32;              // their em
+  double label_room = 1e300, number_room = 1e300;  // the widest, in em
+  std::size_t every = 1;                           // only one label in so many is shown
+  bool shown = true;
+};
+// `axis`: the labels are along an axis, without numbers.
+Lettering lettering(const std::vector<Entry>& all, double room, bool up, bool sorted, bool axis = false) {
+  constexpr double largest = 0.32, smallest = 0.16;
+  Lettering out;
+  if (!up) {  // they are one above the other
+    out.label = out.number = std::min(0.42 * room, largest);
+    out.shown = out.label > 0.02;
+    return out;
+  }
+  const double width = 0.94 * room, widest = widest_label(all);
+  out.label = std::clamp(width / std::max(widest, 1e-9), smallest, largest);
+  out.number = std::clamp(width / 2.5, 0.12, largest);
+  out.label_room = width / out.label, out.number_room = width / out.number;
+  // Fewer labels say more than three letters of each. (Those of bars that overtake each other have no order, and below
+  // other bars there may be numbers.)
+  const bool down = std::any_of(all.begin(), all.end(), [](const Entry& e) { return e.value < 0; });
+  if (const double wanted = std::min(widest, 4.5); out.label_room < wanted && !sorted && (axis || !down))
+    out.every = static_cast<std::size_t>(std::ceil(wanted / out.label_room));
+  out.label_room *= static_cast<double>(out.every);
+  return out;
+}
+
+// The texts of a part: the label at the foot of its bar, the number at its end. Both are on the other side of a bar
+// that grows to the left or downwards.
+void letter(Furnishing& f, const Entry& e, const Lettering& fit, bool up) {
+  const auto number = [](double d) { return write_number(d); };
+  const std::string back = fmt::format("value('{}.extent').{} < 0", e.name, up ? 'y' : 'x');
+  const auto place = [&](const std::string& text, const std::string& at, double em, double gap) {
+    const double below = up ? -1.3 * em : -0.36 * em;
+    if (up)
+      f.line("set {}.position = \"vec(0, {}({} and {} or {}))\"", text, at, back,
+             number(at.empty() ? 0.5 * em : -1.1 * em), number(at.empty() ? below : gap));
+    else
+      f.line("set {}.position = \"vec({}({} and {} or {}), {})\"", text, at, back, number(at.empty() ? gap : -gap),
+             number(at.empty() ? -gap : gap), number(below));
+    if (!up)
+      f.line("set {}.align = \"{} and '{}' or '{}'\"", text, back, at.empty() ? "left" : "right",
+             at.empty() ? "right" : "left");
+    f.line("set {}.size = \"{} * value('{}.room')\"", text, number(em), e.name);
+  };
+  if (!e.label.empty()) place(e.name + "/label", "", fit.label, 0.15);
+  f.line("set {0}/number.text = \"chart.number('{0}'{1})\"", e.name,
+         up ? ", " + number(fit.number_room) : std::string());
+  place(e.name + "/number", fmt::format("value('{}.extent').{} + ", e.name, up ? 'y' : 'x'), fit.number,
+        up ? 0.35 * fit.number : 0.15);
 }
 
 void make_chart(Furnishing& f, bool up) {
@@ -57,18 +144,18 @@ void make_chart(Furnishing& f, bool up) {
   if (!entries(f, all)) return;
   const Vec3 size = f.vector("size");
   const double room = (up ? size.x : size.y) / static_cast<double>(all.size());
-  const double em = std::clamp(0.42 * room, 0.05, 0.32);
   const bool sorted = std::get<bool>(f.value("sorted"));
+  const Lettering fit = lettering(all, room, up, sorted);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Entry& e = all[i];
+    Entry& e = all[i];
     f.line("create {} bar value={} color={} upwards={} corner={}", e.name, write_number(e.value),
            f.said.keys.empty() ? palette(0) : palette(i), up ? "on" : "off", write_number(std::min(0.06, 0.1 * room)));
+    if (!fit.shown) continue;
+    e.label = i % fit.every == 0 ? shortened(e.label, fit.label_room) : "";
     if (!e.label.empty())
-      f.line("create {}/label text text={} size={} color={} position=({}) align={}", e.name, write_text(e.label),
-             write_number(em), label_color,
-             up ? fmt::format("0 {}", write_number(-1.3 * em)) : fmt::format("-0.15 {}", write_number(-0.36 * em)),
-             up ? "centre" : "right");
-    f.line("create {}/number text size={} color={} align={}", e.name, write_number(em), label_color,
+      f.line("create {}/label text text={} size={} color={} align={}", e.name, write_text(e.label),
+             write_number(fit.label), label_color, up ? "centre" : "right");
+    f.line("create {}/number text size={} color={} align={}", e.name, write_number(fit.number), label_color,
            up ? "centre" : "left");
   }
   say_parts(f, all);
@@ -77,11 +164,7 @@ void make_chart(Furnishing& f, bool up) {
     f.line("set {}.extent = \"chart.extent('{}', {})\"", name, f.name, i + 1);
     f.line("set {}.position = \"chart.place('{}', {})\"", name, f.name, i + 1);
     if (sorted) f.line("filter {}.position smooth width=0.6s", name);
-    f.line("set {0}/number.text = \"chart.number('{0}')\"", name);
-    if (up)
-      f.line("set {0}/number.position = \"vec(0, value('{0}.extent').y + {1})\"", name, write_number(0.35 * em));
-    else
-      f.line("set {0}/number.position = \"vec(value('{0}.extent').x + 0.15, {1})\"", name, write_number(-0.36 * em));
+    if (fit.shown) letter(f, all[i], fit, up);
   }
 }
 
@@ -132,10 +215,12 @@ void make_pie(Furnishing& f) {
       f.problem = "the values of a pie must not be below 0";
       return;
     }
+  const double em = std::min(0.28, 0.2 * f.number("radius"));
   for (std::size_t i = 0; i < all.size(); ++i) {
     f.line("create {} arc value={} color={}", all[i].name, write_number(all[i].value), palette(i));
     if (!all[i].label.empty())
-      f.line("create {}/label text text={} size=0.28 color={}", all[i].name, write_text(all[i].label), label_color);
+      f.line("create {}/label text text={} size={} color={}", all[i].name, write_text(all[i].label), write_number(em),
+             label_color);
   }
   say_parts(f, all);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -145,10 +230,64 @@ void make_pie(Furnishing& f) {
     f.line("set {0}.radius = \"(value('{1}.radius') + value('{1}.hole')) / 2\"", name, f.name);
     f.line("set {0}.width = \"value('{1}.radius') - value('{1}.hole')\"", name, f.name);
     if (all[i].label.empty()) continue;
-    f.line(
-        "set {0}/label.position = \"local a = chart.slice('{1}', {2}, 0.5) local r = value('{1}.radius') + 0.45 return "
-        "vec(r * cos(a), r * sin(a) - 0.1)\"",
-        name, f.name, i + 1);
+    const std::string label = fmt::format("chart.label('{}', {}, {})", f.name, i + 1, write_number(em));
+    f.line("set {}/label.position = \"{}\"", name, label);
+    f.line("set {}/label.align = \"local place, side = {} return side\"", name, label);
+    f.line("set {}/label.display = \"local place, side, room = {} return room\"", name, label);
+  }
+}
+
+// Makes the axes of a line chart that is on none. With keys each value has a place of its own, with its key below.
+void own_axes(Furnishing& f, const std::vector<Entry>& all) {
+  const Vec3 size = f.vector("size");
+  const std::string axes = f.name + "/axes";
+  const auto [low, high] = std::minmax_element(all.begin(), all.end(), [](auto& a, auto& b) { return a.at < b.at; });
+  const bool alone = low->at == high->at, keyed = !f.said.keys.empty();
+  const double count = static_cast<double>(all.size());
+  // The places of numbers in order are whole: 1, 2, 3 …
+  const double step = f.said.nested || alone ? 0 : std::ceil((count - 1) / 10);
+  f.line("create {} axes size=({} {}) x=({} {} {})", axes, write_number(size.x), write_number(size.y),
+         write_number(alone ? low->at - 1 : low->at), write_number(alone ? low->at + 1 : high->at), write_number(step));
+  if (!keyed) return;
+  f.line("set {}/x/{{1..{}}}.display off", axes, most_labels(size.x));
+  f.line("set {}.x = \"chart.span('{}')\"", axes, f.name);
+  const Lettering fit = lettering(all, size.x / count, true, false, true);
+  for (std::size_t i = 0; i < all.size(); i += fit.every) {
+    const std::string label = axes + "/x/key-" + all[i].name.substr(f.name.size() + 1);
+    const std::string text = shortened(all[i].label, fit.label_room);
+    if (text.empty()) continue;
+    f.line("create {} text text={} size={} color={}", label, write_text(text), write_number(fit.label), label_color);
+    f.line("set {}.position = \"axes.place('{}', vec(value('{}.at'), value('{}.y').x)) - vec(0, {})\"", label, axes,
+           all[i].name, axes, write_number(0.12 + 1.1 * fit.label));
+    f.line("set {}.size = \"{} * value('{}.room')\"", label, write_number(fit.label), all[i].name);
+  }
+}
+
+void make_line_chart(Furnishing& f) {
+  std::vector<Entry> all;
+  if (!series(f, all)) return;
+  const ObjectId given = axes_of(f.scene, f.object());
+  const std::string axes = given ? f.scene.objects[given.index].name : f.name + "/axes";
+  const bool keyed = !given && !f.said.keys.empty();
+  std::string color(palette(0));
+  if (f.colored()) {
+    const Color c = std::get<Color>(f.value("color"));
+    color = fmt::format("rgb({} {} {})", write_number(c.r), write_number(c.g), write_number(c.b));
+  }
+  if (!given) own_axes(f, all);
+  f.line("create {}/line polyline on={} width=0.05 color={}", f.name, axes, color);
+  for (const Entry& e : all)
+    f.line("create {} dot value={} at={} color={} on={}", e.name, write_number(e.value), write_number(e.at), color,
+           axes);
+  say_parts(f, all);
+  if (!given) f.line("set {}.y = \"chart.range('{}')\"", axes, f.name);
+  f.line("set {}/line.points = \"chart.line('{}')\"", f.name, f.name);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& name = all[i].name;
+    if (keyed) f.line("set {}.at = \"chart.slot('{}', {})\"", name, f.name, i + 1);
+    f.line("set {}.position = \"chart.dot('{}', {})\"", name, f.name, i + 1);
+    f.line("set {}.radius = \"0.08 * value('{}.room')\"", name, name);
+    f.line("set {}.display = \"value('{}.dots')\"", name, f.name);
   }
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_cells = 10'000;
 
 // Reads (item item …); with `nested` also ((item …) (item …)).
-bool items(Command& k, std::vector<LetList>& rows, bool nested) {
+bool items(Command& k, std::vector<LetList>& rows, bool nested, bool* was_nested = nullptr) {
   Cursor& c = k.cursor;
   c.space();
   const char* const start = c.at;
@@ -26,6 +26,7 @@ bool items(Command& k, std::vector<LetList>& rows, bool nested) {
   Cursor ahead = c;
   const bool several = nested && ahead.open() && (ahead.space(), ahead.peek() == '(');
   if (several && !c.open()) return false;
+  if (was_nested) *was_nested = several;
   std::size_t count = 0;
   do {
     LetList row;
@@ -93,9 +94,9 @@ bool furniture(Command& k, Kind kind, std::string_view key, Furniture& out) {
   if (!row || row->takes == Takes::nothing) return false;
   if (key == "of") {
     out.of_at = key;
-    return items(k, out.rows, row->takes == Takes::cells);
+    return items(k, out.rows, row->takes != Takes::numbers, &out.nested);
   }
-  if (key != "keys" || row->takes != Takes::numbers) return false;
+  if (key != "keys" || row->takes == Takes::cells) return false;
   std::vector<LetList> keys;
   if (!items(k, keys, false)) return false;
   for (const LetItem& one : keys[0])
@@ -103,6 +104,10 @@ bool furniture(Command& k, Kind kind, std::string_view key, Furniture& out) {
       return c.fail(ErrorCode::type, "keys are texts in quotes", key, "as in keys=(\"Ann\" \"Bob\")");
   out.keys = std::move(keys[0]);
   return true;
+}
+
+std::string_view meant_at_create(Kind kind, std::string_view key) {
+  return kind == Kind::scatter && key == "of" ? "points" : key;
 }
 
 bool furnish(Command& k, ObjectId id, const Furniture& said, std::string_view about) {

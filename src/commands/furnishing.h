@@ -15,11 +15,15 @@ namespace betwixt {
 // What `create` reads besides display functions, for the kinds that take it: of=(3 1 4) keys=("Ann" "Bob").
 struct Furniture {
   std::vector<LetList> rows;  // of `of`: one row, or several for tables
+  bool nested = false;        // whether the rows stand in brackets of their own
   LetList keys;
   std::string_view of_at, formula_at;  // their places in the line
 };
 // Reads `of` or `keys` after its =, if the kind takes it. Returns false with an error, or without one if it does not.
 bool furniture(Command&, Kind, std::string_view key, Furniture&);
+
+// Returns the function that a word of `create` means: the points of a scatter are its `of`.
+std::string_view meant_at_create(Kind, std::string_view key);
 
 // Makes the pieces of an object that exists. Changes the scene even if it fails.
 bool furnish(Command&, ObjectId, const Furniture&, std::string_view about);

@@ -8,7 +8,9 @@
 
 #include "language/formula.h"
 #include "language/values.h"
+#include "program/on_axes.h"
 #include "scene/axes.h"
+#include "scene/kinds.h"
 #include "scene/names.h"
 
 namespace betwixt {
@@ -165,6 +167,35 @@ void make_field(Furnishing& f) {
   color(f, colors[5]);
 }
 
+// Returns the axes that it is on, if they are of one of these kinds; otherwise none, and the problem.
+const Object* plane_axes(Furnishing& f, std::string_view wanted) {
+  const Object& axes = f.scene.objects[axes_of(f.scene, f.object()).index];
+  if (axes.kind == Kind::axes || axes.kind == Kind::plane_grid) return &axes;
+  f.problem = fmt::format("{} needs {}, and '{}' is {}", a_kind(f.object().kind), wanted, axes.name, a_kind(axes.kind));
+  return nullptr;
+}
+void make_streamlines(Furnishing& f) {
+  if (!plane_axes(f, "axes with x and y")) return;
+  f.line("set {}.points = \"plot.streamlines()\"", f.name);
+  color(f, colors[5]);
+  if (!f.says("width")) f.line("set {}.width 0.03", f.name);
+}
+void make_surface(Furnishing& f) {
+  const Object* axes = plane_axes(f, "axes with x, y and z");
+  if (!axes) return;
+  const auto size = axes->kind == Kind::axes ? find_built_in(Kind::axes, "size") : std::nullopt;
+  const Slot* slot = size ? axes->find(*size) : nullptr;
+  const auto* said = slot && slot->set ? std::get_if<Vec3>(&*slot->set) : nullptr;
+  if (!slot || (said && !(said->z > 0))) {
+    f.problem = fmt::format("a surface needs axes with a z axis, and '{}' has none", axes->name);
+    f.hint = "give the axes a size of three numbers, as in size=(8 4 3)";
+    return;
+  }
+  f.line("set {}.points = \"plot.surface()\"", f.name);
+  color(f, colors[0]);
+}
+void make_scatter(Furnishing& f) { color(f, colors[1]); }
+
 }  // namespace
 
 std::string_view palette(std::size_t n) { return colors[n % colors.size()]; }
@@ -205,8 +236,12 @@ const FurnitureRow* furniture_of(Kind kind) {
       {Kind::riemann, Takes::nothing, true, make_riemann},
       {Kind::tangent, Takes::nothing, true, make_tangent},
       {Kind::vector_field, Takes::nothing, true, make_field},
+      {Kind::streamlines, Takes::nothing, true, make_streamlines},
+      {Kind::surface, Takes::nothing, true, make_surface},
+      {Kind::scatter, Takes::nothing, true, make_scatter},
       {Kind::bars, Takes::numbers, false, make_bars},
       {Kind::columns, Takes::numbers, false, make_columns},
+      {Kind::line_chart, Takes::series, false, make_line_chart},
       {Kind::pie, Takes::numbers, false, make_pie},
       {Kind::table, Takes::cells, false, make_table},
       {Kind::matrix, Takes::cells, false, make_matrix},

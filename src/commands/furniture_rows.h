@@ -13,7 +13,7 @@
 namespace betwixt {
 
 // What a kind takes at `create` besides its functions.
-enum class Takes : std::uint8_t { nothing, numbers, cells };
+enum class Takes : std::uint8_t { nothing, numbers, cells, series };  // series: numbers, or pairs of them
 
 struct Furnishing {
   Scene& scene;
@@ -50,6 +50,7 @@ const FurnitureRow* furniture_of(Kind);
 void make_bars(Furnishing&);
 void make_columns(Furnishing&);
 void make_pie(Furnishing&);
+void make_line_chart(Furnishing&);
 void make_table(Furnishing&);
 void make_matrix(Furnishing&);
 // code_rows.cpp

@@ -290,7 +290,7 @@ bool parameters(Command& k, Object& object, std::vector<FunctionId>* said, Furni
               : fmt::format("as in {}=…", key.substr(0, 40)));
     }
     const auto dot = key.find('.');
-    const std::string_view name = key.substr(0, dot);
+    const std::string_view name = furnished ? meant_at_create(object.kind, key.substr(0, dot)) : key.substr(0, dot);
     const auto f = find_function(s, object.kind, name);
     if (!f) {
       if (furnished && furniture(k, object.kind, key, *furnished)) continue;

@@ -79,8 +79,13 @@ class Sampler {
     // At a jump the middle is near one of the ends, however straight that looks.
     const double aside = length(m.place - 0.5 * (a.place + b.place));
     const bool even = aside < s_.tolerance + 0.3 * length(b.place - a.place);
-    const bool straight = even && !q.breaks() && off_chord(m.place, a.place, b.place) < s_.tolerance &&
-                          off_chord(q.place, a.place, b.place) < s_.tolerance;
+    bool straight = even && !q.breaks() && off_chord(m.place, a.place, b.place) < s_.tolerance &&
+                    off_chord(q.place, a.place, b.place) < s_.tolerance;
+    // A wave may cross the chord at two of these places.
+    if (straight && depth > 0) {
+      const CurvePoint r = look(a.at + 0.81 * (b.at - a.at));
+      straight = !r.breaks() && off_chord(r.place, a.place, b.place) < s_.tolerance;
+    }
     if (straight && depth > 0) return out_.push_back(m), out_.push_back(b);
     if (depth < deepest_halving) return between(a, m, depth + 1), between(m, b, depth + 1);
     if (jumps(a, b)) pen_up();

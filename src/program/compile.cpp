@@ -90,7 +90,7 @@ void bind_object(Compiled& compiled, std::uint32_t i, const std::vector<Function
     if (at == own.end() || *at != fn::display) own.insert(at, fn::display);
   }
   if (collides(o, fn::position) && own.front() != fn::position) own.insert(own.begin(), fn::position);
-  const bool on_axes = !o.removed && axes_of(scene, o) && !has_points(o.kind);
+  const bool on_axes = !o.removed && position_by_axes(scene, o);
   if (on_axes) own.insert(std::lower_bound(own.begin(), own.end(), fn::placed), fn::placed);
   for (const FunctionId f : own) {
     if (f == fn::placed) {

@@ -91,8 +91,12 @@ Result<AxesSpace> axes_space(const Program::Compiled& c, ObjectId id, Time t, As
   return AxesReader{c, id, o->kind, t, asking}.space();
 }
 
+bool position_by_axes(const Scene& scene, const Object& o) {
+  return !has_points(o.kind) && o.kind != Kind::line_chart && axes_of(scene, o);
+}
+
 bool points_by_axes(const Scene& scene, const Object& o) {
-  const bool places = find_built_in(o.kind, "bare").has_value();  // the formula of a plot gives places
+  const bool places = find_built_in(o.kind, "of").has_value();  // the formula of a plot gives places
   return has_points(o.kind) && !places && axes_of(scene, o);
 }
 
@@ -101,10 +105,17 @@ Points placed_points(const Program::Compiled& c, std::uint32_t object, const Poi
   if (!space) return numbers;
   std::vector<Vec3> places;
   places.reserve(numbers->size());
-  const bool apart = c.document.scene().objects[object].kind == Kind::points;  // nothing joins them
+  const Kind kind = c.document.scene().objects[object].kind;
+  const bool apart = kind == Kind::points || kind == Kind::scatter;  // nothing joins them
+  // Data are shown inside the axes only, as plots are.
+  const bool inside = kind == Kind::scatter && space->kind == Kind::axes;
+  const Vec3 half = 0.5 * space->size + 1e-9 * Vec3{1, 1, 1};
   for (const Vec3 p : *numbers) {
     const Vec3 place = space->place(p);
-    const bool there = std::isfinite(place.x + place.y + place.z);
+    bool there = std::isfinite(place.x + place.y + place.z);
+    if (inside)
+      there = there && std::abs(place.x) <= half.x && std::abs(place.y) <= half.y &&
+              (space->size.z <= 0 || std::abs(place.z) <= half.z);
     if (there) places.push_back(place);
     if (!there && !apart) places.push_back({HUGE_VAL, HUGE_VAL, HUGE_VAL});  // a break
   }

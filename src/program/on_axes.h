@@ -14,6 +14,8 @@ namespace betwixt {
 Result<AxesSpace> axes_space(const Program::Compiled&, ObjectId, Time, Asking&);
 // Returns the axes that an object is on by `on`, or none.
 ObjectId axes_of(const Scene&, const Object&);
+// Returns whether the position of an object is numbers of axes. (A chart on axes puts only its pieces there.)
+bool position_by_axes(const Scene&, const Object&);
 // Returns code that computes the place of such an object from its position.
 const Value& placed_by_axes();
 // Returns whether the points of an object are numbers of axes. (The points of plots are places already.)

@@ -36,7 +36,7 @@ inline constexpr KindBits flat_kinds =
 inline constexpr KindBits letter_kinds = bit(Kind::text) | bit(Kind::code);
 inline constexpr KindBits drawn_kinds = flat_kinds | letter_kinds;
 inline constexpr KindBits line_kinds =
-    bits_of({Kind::polyline, Kind::curve, Kind::trace, Kind::line, Kind::plot, Kind::tangent});
+    bits_of({Kind::polyline, Kind::curve, Kind::trace, Kind::line, Kind::plot, Kind::tangent, Kind::streamlines});
 
 inline const FunctionSpec flat_functions[] = {
     measure({.name = "corner",

@@ -8,6 +8,7 @@
 #include "scene/aiming_functions.h"
 #include "scene/axes_functions.h"
 #include "scene/camera_functions.h"
+#include "scene/chart_functions.h"
 #include "scene/collision_functions.h"
 #include "scene/document.h"
 #include "scene/flat_functions.h"
@@ -350,6 +351,7 @@ std::vector<FunctionSpec> make_functions() {
   made.insert(made.end(), std::begin(rig_functions), std::end(rig_functions));
   made.insert(made.end(), std::begin(collision_functions), std::end(collision_functions));
   made.insert(made.end(), std::begin(axes_functions), std::end(axes_functions));
+  made.insert(made.end(), std::begin(chart_functions), std::end(chart_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
   for (FunctionSpec& f : made) {

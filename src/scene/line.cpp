@@ -45,6 +45,7 @@ Line line_of(const Shape& s) {
     case Kind::trace:
     case Kind::plot:
     case Kind::tangent:
+    case Kind::streamlines:
       return {sane_points(s), false};
     case Kind::curve:
       return {s.smooth ? through(sane_points(s), s.closed) : sane_points(s), s.closed};

@@ -20,6 +20,7 @@ Shape shape_of(Kind kind) {
   s.size = {3, 2, 5}, s.radius = 1.5, s.height = 4, s.tube = 0.25, s.width = 0.5;
   s.points = std::vector<Vec3>{{0, 0, 0}, {2, 1, 0}, {1, 3, -1}};
   if (kind == Kind::plane) s.size.z = 1;
+  if (kind == Kind::surface) s.points = std::vector<Vec3>{{0, 0, 0}, {2, 1, 0}, {0, 3, -1}, {2, 3, 1}};  // two by two
   return s;
 }
 
@@ -131,7 +132,7 @@ TEST(Functions, KindsHaveTheirs) {
            {Kind::text, {"text", "tex", "part", "font", "size", "align", "weight", "slant", "typed"}},
            {Kind::rectangle, {"size", "corner"}},
            {Kind::ring, {"radius", "inner"}},
-           {Kind::arc, {"radius", "from", "to", "width", "value"}},
+           {Kind::arc, {"radius", "from", "to", "width", "value", "room"}},
            {Kind::regular, {"sides", "radius"}},
            {Kind::star, {"points", "radius", "inner"}},
            {Kind::gear, {"teeth", "module", "inner"}},
