@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "language/cursor.h"
 #include "language/values.h"
+#include "procedure/lua.h"
 #include "syntax/tokens.h"
 
 namespace betwixt {
@@ -98,6 +100,29 @@ std::vector<std::string_view> free_names(std::string_view code) {
   }
   std::erase_if(used, [&](std::string_view w) { return has(made, w); });
   return used;
+}
+
+std::string with_values(const std::string& formula, const Lets& lets) {
+  constexpr std::string_view own[] = {"x", "y", "u", "t", "e"};
+  std::vector<std::pair<std::string_view, std::string>> values;
+  for (const std::string_view name : free_names(formula)) {
+    const auto let = lets.find(name);
+    if (let == lets.end() || known_to_lua(name) || std::find(std::begin(own), std::end(own), name) != std::end(own))
+      continue;
+    if (std::string value = write_code(let->second); !value.empty()) values.emplace_back(name, "(" + value + ")");
+  }
+  std::string out;
+  std::size_t copied = 0;
+  std::string_view before;
+  Words words(formula);
+  for (std::string_view w = words.next(); !w.empty() && !values.empty(); before = w, w = words.next()) {
+    const auto value = std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.first == w; });
+    if (value == values.end() || before == "." || before == ":") continue;
+    const auto at = static_cast<std::size_t>(w.data() - formula.data());
+    out += formula.substr(copied, at - copied) + value->second;
+    copied = at + w.size();
+  }
+  return out + formula.substr(copied);
 }
 
 std::vector<std::string> quoted_texts(std::string_view code) {

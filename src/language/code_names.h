@@ -14,6 +14,8 @@ namespace betwixt {
 
 // Returns the names that Lua code uses but does not define (as local, by for, or as a parameter), each once, in order.
 std::vector<std::string_view> free_names(std::string_view code);
+// Returns a formula with the values of names instead of the names, except those that formulas themselves or code have.
+std::string with_values(const std::string& formula, const Lets&);
 // Returns the quoted texts of Lua code, as they are written.
 std::vector<std::string> quoted_texts(std::string_view code);
 // Returns whether code on the line that begins there, = "…", mentions its place in a pattern: i, n, i1 …

@@ -9,6 +9,7 @@
 #include "base/memory_budget.h"
 #include "base/names.h"
 #include "base/utf8.h"
+#include "language/code_names.h"
 #include "language/values.h"
 #include "scene/kinds.h"
 
@@ -123,6 +124,9 @@ struct TypedReader {
     } else {
       s = c.word();
     }
+    // A formula that is one word may be the name of a plot.
+    if (spec.written == "\"FORMULA\"" && c.lets && !values.scene.names.find(s.substr(0, s.find('\''))))
+      s = with_values(s, *c.lets);
     if (!spec.words.empty() && !is_choice(s)) return false;
     if (spec.name == "text" && s.size() > most_letters && count_characters(s) > most_letters)
       return c.fail(ErrorCode::range, fmt::format("a text can have at most {} letters", most_letters),

@@ -181,6 +181,16 @@ TEST(Plots, SlopesFitTheirAxes) {
   for (const Vec3 p : points_of(s, "e")) EXPECT_NEAR(p.y, std::cos(p.x + 5 + 100000), 1e-4);
 }
 
+TEST(Plots, KnowNamesOfValues) {
+  const LoadedFilm s(plane +
+                     "let a = 0.5\nlet f = 9\ncreate f plot on=ax of=\"a * x\"\ncreate g plot on=ax of=\"f'\"\n"
+                     "create h plot on=ax of=\"a * f\"\nlet again a = 0.25\nat 25f f.of \"a * x\"\n");
+  ASSERT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+  for (const Vec3 p : points_of(s, "f")) EXPECT_NEAR(p.y, 0.5 * p.x, 1e-9);
+  for (const Vec3 p : points_of(s, "f", "25f")) EXPECT_NEAR(p.y, 0.25 * p.x, 1e-9);
+  for (const Vec3 p : points_of(s, "g")) EXPECT_NEAR(p.y, 0.5, 1e-9);  // the plot, not the value
+}
+
 // ---- Error
 
 // The largest distance of a plot from its closed form in pixels of a picture 1920 wide, where the axes fill it: of

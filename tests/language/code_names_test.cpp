@@ -25,6 +25,21 @@ TEST(CodeNames, AreThoseThatCodeDoesNotMake) {
   EXPECT_EQ(free_in(""), "");
 }
 
+TEST(CodeNames, ValuesStandForNamesInFormulas) {
+  const auto number = [](double d) {
+    Quantity q;
+    q.value = d;
+    return Let(q);
+  };
+  const Lets lets{{"a", number(-2)}, {"x", number(7)}, {"sin", number(7)}, {"word", Text(std::string("b'c"))}};
+  EXPECT_EQ(with_values("a*sin(x)^a + b.a", lets), "(-2)*sin(x)^(-2) + b.a");
+  EXPECT_EQ(with_values("(function() local a = 3 return a * x end)()", lets),
+            "(function() local a = 3 return a * x end)()");
+  EXPECT_EQ(with_values("value('a') + aa", lets), "value('a') + aa");
+  EXPECT_EQ(with_values("a", lets), "(-2)");
+  EXPECT_EQ(with_values("", lets), "");
+}
+
 TEST(CodeNames, TellALineThatSpeaksOfPlaces) {
   const auto speaks = [](std::string_view line) {
     return code_speaks_of_place(line.data(), line.data() + line.size());
