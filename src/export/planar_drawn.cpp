@@ -183,7 +183,7 @@ std::optional<PlanarDrawn> drawn_of(const std::shared_ptr<const Shape>& shape,
     const std::vector<Vec3> hull = hull_of(points_of(*s, seen_by != nullptr ? *seen_by : Mat4{}));
     if (hull.size() > 2) out.filled = {{hull, true}};
     return out;
-  } else if (!flat && s->kind == Kind::points) {
+  } else if (!flat && (s->kind == Kind::points || s->kind == Kind::scatter)) {
     if (s->points->size() > most_balls) return std::nullopt;
     out.filled = closed_parts(balls_of(*s));
   } else {

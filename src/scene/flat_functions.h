@@ -32,7 +32,7 @@ constexpr KindBits bits_of(std::initializer_list<Kind> kinds) {
 // The kinds that can have a depth, besides texts.
 inline constexpr KindBits flat_kinds =
     bits_of({Kind::disc, Kind::polygon, Kind::rectangle, Kind::ring, Kind::arc, Kind::regular, Kind::star, Kind::gear,
-             Kind::arrow, Kind::area, Kind::riemann, Kind::vector_field, Kind::bar, Kind::brace});
+             Kind::arrow, Kind::area, Kind::riemann, Kind::vector_field, Kind::bar, Kind::brace, Kind::dot});
 inline constexpr KindBits letter_kinds = bit(Kind::text) | bit(Kind::code);
 inline constexpr KindBits drawn_kinds = flat_kinds | letter_kinds;
 inline constexpr KindBits line_kinds =

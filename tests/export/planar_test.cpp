@@ -273,6 +273,17 @@ TEST(PlanarLook, LeavesOutWhatIsNoDrawingByName) {
   EXPECT_NEAR(box_of(film.of("ball").look.filled[0].parts).high.y, 2, 0.01) << "a ball is a disc from the front";
 }
 
+TEST(PlanarLook, DataAreDiscs) {
+  const Drawn film(
+      "film flat\ncreate ax axes x=(0 10) y=(0 10) size=(5 5) bare=on\ncreate s scatter on=ax of=((5 5) (10 10)) "
+      "size=1\ncreate l line-chart on=ax of=((0 0) (10 10))\n");
+  EXPECT_TRUE(film.made.left_out.empty()) << film.made.left_out[0];
+  const Box data = box_of(film.of("s").look.filled[0].parts), dot = box_of(film.of("l/1").look.filled[0].parts);
+  EXPECT_NEAR(data.high.y, 3, 0.01);
+  EXPECT_NEAR(data.low.y, -0.5, 0.01);
+  EXPECT_NEAR(dot.high.y, 0.08, 0.001);
+}
+
 // At each time every thing that is seen is drawn once, the farthest first.
 TEST(PlanarOrder, ThingsThatPassEachOtherAreInOrderAtEachTime) {
   std::mt19937 random(11);
