@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "program/asking.h"
 #include "track/procedure.h"
@@ -74,6 +75,58 @@ class PlacedByAxes final : public Routine {
   }
 };
 
+bool is_place(Vec3 p) { return std::isfinite(p.x + p.y + p.z); }
+
+// The places of numbers on axes that spread them evenly, without a question about each of a million.
+struct StraightAxes {
+  Vec3 scale{1, 1, 1}, move;
+};
+std::optional<StraightAxes> straight_axes(const AxesSpace& s) {
+  if (s.kind != Kind::axes || s.x.scale == AxisScale::log || s.y.scale == AxisScale::log) return std::nullopt;
+  StraightAxes out;
+  const Axis* const axes[] = {&s.x, &s.y, &s.z};
+  for (int i = 0; i < (s.size.z > 0 ? 3 : 2); ++i) {
+    out.scale[i] = s.size[i] / (axes[i]->high - axes[i]->low);
+    out.move[i] = -axes[i]->low * out.scale[i] - s.size[i] / 2;
+  }
+  return out;
+}
+
+// Returns the places that are wanted. Nothing joins them.
+template <class Place, class Wanted>
+std::vector<Vec3> kept(const std::vector<Vec3>& numbers, const Place& place, const Wanted& wanted) {
+  std::vector<Vec3> out(numbers.size());
+  std::size_t count = 0;
+  for (const Vec3 n : numbers) {
+    out[count] = place(n);
+    count += wanted(out[count]) ? 1 : 0;
+  }
+  out.resize(count);
+  return out;
+}
+
+// Data are shown inside the axes only, as plots are.
+template <class Place>
+std::vector<Vec3> inside(const std::vector<Vec3>& numbers, const AxesSpace& space, const Place& place) {
+  if (space.kind != Kind::axes) return kept(numbers, place, [](Vec3 p) { return is_place(p); });
+  Vec3 half = 0.5 * space.size + 1e-9 * Vec3{1, 1, 1};
+  if (!(space.size.z > 0)) half.z = std::numeric_limits<double>::max();
+  return kept(numbers, place,
+              [half](Vec3 p) { return std::abs(p.x) <= half.x && std::abs(p.y) <= half.y && std::abs(p.z) <= half.z; });
+}
+
+// Returns the places of a line, which breaks where there is none.
+template <class Place>
+std::vector<Vec3> broken(const std::vector<Vec3>& numbers, const Place& place) {
+  std::vector<Vec3> out;
+  out.reserve(numbers.size());
+  for (const Vec3 n : numbers) {
+    const Vec3 p = place(n);
+    out.push_back(is_place(p) ? p : Vec3{HUGE_VAL, HUGE_VAL, HUGE_VAL});
+  }
+  return out;
+}
+
 }  // namespace
 
 ObjectId axes_of(const Scene& scene, const Object& o) {
@@ -103,23 +156,17 @@ bool points_by_axes(const Scene& scene, const Object& o) {
 Points placed_points(const Program::Compiled& c, std::uint32_t object, const Points& numbers, Time t, Asking& asking) {
   const auto space = axes_space(c, {object}, t, asking);
   if (!space) return numbers;
-  std::vector<Vec3> places;
-  places.reserve(numbers->size());
   const Kind kind = c.document.scene().objects[object].kind;
-  const bool apart = kind == Kind::points || kind == Kind::scatter;  // nothing joins them
-  // Data are shown inside the axes only, as plots are.
-  const bool inside = kind == Kind::scatter && space->kind == Kind::axes;
-  const Vec3 half = 0.5 * space->size + 1e-9 * Vec3{1, 1, 1};
-  for (const Vec3 p : *numbers) {
-    const Vec3 place = space->place(p);
-    bool there = std::isfinite(place.x + place.y + place.z);
-    if (inside)
-      there = there && std::abs(place.x) <= half.x && std::abs(place.y) <= half.y &&
-              (space->size.z <= 0 || std::abs(place.z) <= half.z);
-    if (there) places.push_back(place);
-    if (!there && !apart) places.push_back({HUGE_VAL, HUGE_VAL, HUGE_VAL});  // a break
-  }
-  return Points(std::move(places));
+  const auto all = [&](const auto& place) {
+    return kind == Kind::scatter  ? inside(*numbers, *space, place)
+           : kind == Kind::points ? kept(*numbers, place, [](Vec3 p) { return is_place(p); })
+                                  : broken(*numbers, place);
+  };
+  if (const auto straight = straight_axes(*space))
+    return Points(all([by = *straight](Vec3 n) {
+      return Vec3{by.scale.x * n.x + by.move.x, by.scale.y * n.y + by.move.y, by.scale.z * n.z + by.move.z};
+    }));
+  return Points(all([&](Vec3 n) { return space->place(n); }));
 }
 
 const Value& placed_by_axes() {
