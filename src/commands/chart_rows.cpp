@@ -114,29 +114,39 @@ Lettering lettering(const std::vector<Entry>& all, double room, bool up, bool so
   return out;
 }
 
-// The texts of a part: the label at the foot of its bar, the number at its end. Both are on the other side of a bar
-// that grows to the left or downwards.
-void letter(Furnishing& f, const Entry& e, const Lettering& fit, bool up) {
-  const auto number = [](double d) { return write_number(d); };
-  const std::string back = fmt::format("value('{}.extent').{} < 0", e.name, up ? 'y' : 'x');
-  const auto place = [&](const std::string& text, const std::string& at, double em, double gap) {
-    const double below = up ? -1.3 * em : -0.36 * em;
-    if (up)
-      f.line("set {}.position = \"vec(0, {}({} and {} or {}))\"", text, at, back,
-             number(at.empty() ? 0.5 * em : -1.1 * em), number(at.empty() ? below : gap));
-    else
-      f.line("set {}.position = \"vec({}({} and {} or {}), {})\"", text, at, back, number(at.empty() ? gap : -gap),
-             number(at.empty() ? -gap : gap), number(below));
-    if (!up)
-      f.line("set {}.align = \"{} and '{}' or '{}'\"", text, back, at.empty() ? "left" : "right",
-             at.empty() ? "right" : "left");
-    f.line("set {}.size = \"{} * value('{}.room')\"", text, number(em), e.name);
+// Sets the size of a text of part number i, from 0: it is smaller while the part comes or goes.
+void size_text(Furnishing& f, const std::string& text, const Entry& e, std::size_t i, double em, std::size_t every) {
+  if (every > 1)
+    f.line("set {}.size = \"{} * chart.fit('{}', {}, {})\"", text, write_number(em), f.name, i + 1, every);
+  else
+    f.line("set {}.size = \"{} * value('{}.room')\"", text, write_number(em), e.name);
+}
+
+// Puts the texts of a part: the label at the foot of its bar, the number at its end. Both are on the other side of a
+// bar that grows downwards, or to the left.
+void letter(Furnishing& f, const Entry& e, std::size_t i, const Lettering& fit, bool up) {
+  const std::string grown = fmt::format("value('{}.extent').{}", e.name, up ? 'y' : 'x');
+  // Returns the code that chooses between two numbers, the first if the bar grows back.
+  const auto either = [&](double back, double forth) {
+    return fmt::format("({} < 0 and {} or {})", grown, write_number(back), write_number(forth));
   };
-  if (!e.label.empty()) place(e.name + "/label", "", fit.label, 0.15);
-  f.line("set {0}/number.text = \"chart.number('{0}'{1})\"", e.name,
-         up ? ", " + number(fit.number_room) : std::string());
-  place(e.name + "/number", fmt::format("value('{}.extent').{} + ", e.name, up ? 'y' : 'x'), fit.number,
-        up ? 0.35 * fit.number : 0.15);
+  const std::string label = e.name + "/label", number = e.name + "/number";
+  if (up) {
+    if (!e.label.empty()) f.line("set {}.position = \"vec(0, {})\"", label, either(0.5 * fit.label, -1.3 * fit.label));
+    f.line("set {}.position = \"vec(0, {} + {})\"", number, grown, either(-1.1 * fit.number, 0.35 * fit.number));
+    f.line("set {}.text = \"chart.number('{}', {})\"", number, e.name, write_number(fit.number_room));
+  } else {
+    const auto beside = [&](const std::string& text, const std::string& at, double em, double gap) {
+      f.line("set {}.position = \"vec({}{}, {})\"", text, at, either(-gap, gap), write_number(-0.36 * em));
+      f.line("set {}.align = \"{} < 0 and '{}' or '{}'\"", text, grown, gap < 0 ? "left" : "right",
+             gap < 0 ? "right" : "left");
+    };
+    if (!e.label.empty()) beside(label, "", fit.label, -0.15);
+    beside(number, grown + " + ", fit.number, 0.15);
+    f.line("set {0}.text = \"chart.number('{1}')\"", number, e.name);
+  }
+  if (!e.label.empty()) size_text(f, label, e, i, fit.label, fit.every);
+  size_text(f, number, e, i, fit.number, 1);
 }
 
 void make_chart(Furnishing& f, bool up) {
@@ -164,7 +174,7 @@ void make_chart(Furnishing& f, bool up) {
     f.line("set {}.extent = \"chart.extent('{}', {})\"", name, f.name, i + 1);
     f.line("set {}.position = \"chart.place('{}', {})\"", name, f.name, i + 1);
     if (sorted) f.line("filter {}.position smooth width=0.6s", name);
-    if (fit.shown) letter(f, all[i], fit, up);
+    if (fit.shown) letter(f, all[i], i, fit, up);
   }
 }
 
@@ -259,7 +269,7 @@ void own_axes(Furnishing& f, const std::vector<Entry>& all) {
     f.line("create {} text text={} size={} color={}", label, write_text(text), write_number(fit.label), label_color);
     f.line("set {}.position = \"axes.place('{}', vec(value('{}.at'), value('{}.y').x)) - vec(0, {})\"", label, axes,
            all[i].name, axes, write_number(0.12 + 1.1 * fit.label));
-    f.line("set {}.size = \"{} * value('{}.room')\"", label, write_number(fit.label), all[i].name);
+    size_text(f, label, all[i], i, fit.label, fit.every);
   }
 }
 

@@ -56,7 +56,12 @@ std::string read_names(lua_State* l, Machine& m, std::string& chart, Names& out)
   if (!names) return "there is no chart '" + chart + "'";
   return out = *names, "";
 }
-double room_of(Machine& m, const std::string& part) { return std::clamp(number_now(m, part + ".room"), 0.0, 1.0); }
+// Whatever has a value can be a part; one that was removed has no room.
+double room_of(Machine& m, const std::string& part) {
+  const auto v = value_now(m, part + ".room");
+  const auto* room = v ? std::get_if<double>(&*v) : nullptr;
+  return room ? std::clamp(*room, 0.0, 1.0) : value_now(m, part + ".value") ? 1 : 0;
+}
 
 // Each part needs the values of all, so they are read once, as `readings`.
 std::string read_values(lua_State* l, Machine& m, Chart& out) {
@@ -116,6 +121,25 @@ int place_in_chart(lua_State* l, Machine& m) {
   const double at = (c.before() + c.rooms[c.one] / 2) / c.all_rooms(), base = c.share(c.base()) - 0.5;
   return c.up ? push_pair(l, (at - 0.5) * c.size.x, base * c.size.y)
               : push_pair(l, base * c.size.x, (0.5 - at) * c.size.y);
+}
+
+// chart.fit(CHART, NUMBER, EVERY): the size of the label of a part, of which only one in so many has one: smaller if
+// parts go and the next label comes nearer. 1 if all parts have their room.
+int fit_of(lua_State* l, Machine& m) {
+  Chart c;
+  if (auto why = read_part(l, m, c); !why.empty()) return fail_with(l, "chart.fit: " + why);
+  const auto every = static_cast<std::size_t>(std::clamp(lua_tonumber(l, 3), 1.0, 1e6));
+  const double even = static_cast<double>(every) / static_cast<double>(c.values.size()) * c.all_rooms();
+  const auto way_to = [&](std::size_t other) {  // between the middles of two parts
+    const auto [low, high] = std::minmax(c.one, other);
+    double all = (c.rooms[low] + c.rooms[high]) / 2;
+    for (std::size_t i = low + 1; i < high; ++i) all += c.rooms[i];
+    return all / even;
+  };
+  double size = 1;
+  if (c.one >= every) size = std::min(size, way_to(c.one - every));
+  if (c.one + every < c.rooms.size()) size = std::min(size, way_to(c.one + every));
+  return lua_pushnumber(l, size * c.rooms[c.one]), 1;
 }
 
 // ---- Pies
@@ -322,10 +346,18 @@ int charted(lua_State* l) {
 
 }  // namespace
 
-const luaL_Reg chart_functions[] = {
-    {"readings", charted<readings_of>}, {"extent", charted<extent_of>},   {"place", charted<place_in_chart>},
-    {"slice", charted<slice_of>},       {"label", charted<label_of>},     {"number", charted<number_of>},
-    {"range", charted<range_of>},       {"span", charted<span_of>},       {"slot", charted<slot_of>},
-    {"dot", charted<dot_of>},           {"line", charted<line_of_chart>}, {nullptr, nullptr}};
+const luaL_Reg chart_functions[] = {{"readings", charted<readings_of>},
+                                    {"extent", charted<extent_of>},
+                                    {"place", charted<place_in_chart>},
+                                    {"slice", charted<slice_of>},
+                                    {"fit", charted<fit_of>},
+                                    {"label", charted<label_of>},
+                                    {"number", charted<number_of>},
+                                    {"range", charted<range_of>},
+                                    {"span", charted<span_of>},
+                                    {"slot", charted<slot_of>},
+                                    {"dot", charted<dot_of>},
+                                    {"line", charted<line_of_chart>},
+                                    {nullptr, nullptr}};
 
 }  // namespace betwixt::lua

@@ -33,6 +33,15 @@ TEST(Charts, EntriesComeAndGo) {
   EXPECT_NEAR(std::get<double>(s.read("p/1.to", "25f")), pi / 2 - pi, 1e-12);
 }
 
+TEST(Charts, RemovedPartsLeaveNoRoom) {
+  const LoadedFilm s(
+      "create b columns of=(2 8 4) size=(6 4) gap=0\nremove b/2\ncreate l line-chart of=((0 2) (1 10) (4 6))\nremove "
+      "l/2\n");
+  EXPECT_NEAR(numbers_of(s, "b/1.extent", "1f").x, 3, 1e-12);
+  EXPECT_NEAR(numbers_of(s, "b/3.position", "1f").x, 1.5, 1e-12);
+  EXPECT_EQ(*std::get<Points>(s.read("l/line.points", "1f")), (std::vector<Vec3>{{0, 2, 0}, {4, 6, 0}}));
+}
+
 std::vector<Vec3> line_of(const LoadedFilm& s, std::string_view when) {
   return *std::get<Points>(s.read("l/line.points", when));
 }
@@ -128,7 +137,13 @@ TEST(Charts, LabelsNeverOverlap) {
   RandomCharts random(37);
   std::size_t shown = 0, wanted = 0;
   for (int i = 0; i < 1000; ++i) {
-    const std::string text = random.chart();
+    std::string text = random.chart();
+    if (i % 3 == 0) {  // one of its parts comes
+      const Names parts = std::get<Names>(LoadedFilm(text).read("b.parts", "1f"));
+      const std::string& part =
+          (*parts)[static_cast<std::size_t>(random.whole(0, static_cast<int>(parts->size()) - 1))];
+      text += fmt::format("at 1f {0}.room {1:.2f} linear\nat 25f {0}.room 1\n", part, random.between(0, 1));
+    }
     const LoadedFilm s(text);
     const auto all = labels_of(s.frame("1f"));
     shown += all.size();
