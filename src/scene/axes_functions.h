@@ -39,8 +39,8 @@ inline constexpr KindBits fields = bits_of({Kind::vector_field, Kind::streamline
 inline constexpr KindBits furnished_kinds =
     flat_axes | curves_of_formulas |
     bits_of({Kind::number_line, Kind::polar_axes, Kind::tangent, Kind::vector_field, Kind::streamlines, Kind::surface,
-             Kind::scatter, Kind::bars, Kind::columns, Kind::line_chart, Kind::pie, Kind::table, Kind::matrix, Kind::code,
-             Kind::diagram});
+             Kind::scatter, Kind::bars, Kind::columns, Kind::line_chart, Kind::pie, Kind::table, Kind::matrix,
+             Kind::code, Kind::diagram});
 
 inline const FunctionSpec axes_functions[] = {
     {.name = "on",
