@@ -253,7 +253,6 @@ TEST(Plots, AreExactAtEveryZoom) {
       worst = std::max(worst, off);
     }
   RecordProperty("worst", fmt::format("{:.3f} pixels", worst));
-  std::printf("the worst error is %.3f pixels\n", worst);
 }
 
 }  // namespace
