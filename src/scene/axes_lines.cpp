@@ -46,6 +46,7 @@ bool crossed(const AxesSpace& s, char axis, double number) {
   const Axis &own = s.axis(axis), &other = s.axis(axis == 'x' ? 'y' : 'x');
   const double here = other.share(crossing(other)), there = own.share(number);
   const double at = own.share(crossing(own));
+  // At the end of the axis only 0 can be left out: the other axis has it too.
   return here > 0.02 && std::abs(there - at) < 1e-9 && (at > 1e-9 || number == 0);
 }
 

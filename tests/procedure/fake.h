@@ -37,6 +37,7 @@ struct FakeQuestions : Questions {
     return Vec3{share, seconds, 0};
   }
   Result<State> state(std::string_view, double seconds, std::uint64_t&) override { return State{Value(seconds)}; }
+  Turn turn(std::string_view) override { return {}; }
   Status axes(std::string_view object, double, AxesSpace& out, std::uint64_t&) override {
     if (object == "nowhere") return fail(ErrorCode::name, "there is no object 'nowhere'");
     return out = space, Nothing{};
