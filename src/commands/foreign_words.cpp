@@ -95,7 +95,6 @@ constexpr ForeignWord all_foreign_words[] = {
     {"particles", to_swarm, "create fall noise"},
     {"caption", to_words, "text typed"},
     {"subtitle", to_words, "text typed"},
-    {"label", to_words, "text typed"},
     {"graph", to_graph, "curve polyline"},
     {"chart", to_graph, "curve polyline"},
     {"mask", to_mask, "polygon trim display"},

@@ -60,7 +60,7 @@ TEST(Sayings, WordsAreCompletedWhereTheyStand) {
   EXPECT_EQ(words_at(lets + "ball.radius\n  b|\n"), "beat<1");
   EXPECT_EQ(words_at(lets + "set ball.radius b|\n"), "beat<1");
   EXPECT_EQ(words_at(lets + "ball.color\n  1f bloo|\n"), "blood<4");
-  EXPECT_EQ(words_at("und|\n"), "<3") << "a word of the shell is none of a script";
+  EXPECT_EQ(words_at("undo|\n"), "<4") << "a word of the shell is none of a script";
   EXPECT_EQ(words_at("# crea|\n"), "<0");
   EXPECT_EQ(words_at("at 1f note \"crea|\"\n"), "<0");
   EXPECT_EQ(words_at("cre|"), "create<3");
