@@ -9,14 +9,13 @@
 
 #include "commands/command.h"
 #include "commands/furnishing.h"
+#include "commands/furniture_rows.h"
 #include "commands/measuring.h"
 #include "language/values.h"
 #include "scene/kinds.h"
 
 namespace betwixt {
 namespace {
-
-constexpr std::string_view accent = "#ffd166";
 
 // An annotation of one object while it is written.
 struct Annotation {
@@ -32,6 +31,7 @@ struct Annotation {
   double width() const { return high.x - low.x; }
   double height() const { return high.y - low.y; }
   // A margin that suits the size of the object.
+  std::string accent() const { return theme_color(k.scene, &Theme::accent); }
   double margin() const { return std::clamp(0.25 * std::min(width(), height()), 0.08, 0.25); }
   template <class... A>
   void line(fmt::format_string<A...> format, A&&... arguments) {
@@ -72,18 +72,18 @@ struct AnnotationRow {
 void make_highlight(Annotation& a, std::string_view part) {
   const double m = a.margin();
   a.line("create {} rectangle size=({} {}) corner={} color={} transparency=0.7 position={}", a.name(part),
-         write_number(a.width() + 2 * m), write_number(a.height() + 2 * m), write_number(m), accent,
+         write_number(a.width() + 2 * m), write_number(a.height() + 2 * m), write_number(m), a.accent(),
          xyz({a.middle().x, a.middle().y, a.low.z - 0.015}));
 }
 void make_underline(Annotation& a, std::string_view part) {
   a.line("create {} line to=({} 0 0) width={} color={} position={}", a.name(part), write_number(a.width()),
-         write_number(0.35 * a.margin()), accent, xyz({a.low.x, a.low.y - 0.8 * a.margin(), a.high.z + 0.01}));
+         write_number(0.35 * a.margin()), a.accent(), xyz({a.low.x, a.low.y - 0.8 * a.margin(), a.high.z + 0.01}));
 }
 void make_circle(Annotation& a, std::string_view part) {
   const double m = 1.6 * a.margin(), w = a.width() + 2 * m, h = a.height() + 2 * m;
   a.line("create {} rectangle size=({} {}) corner={} fill=off stroke={} stroke-width={} position={}", a.name(part),
-         write_number(w), write_number(h), write_number(0.5 * std::min(w, h)), accent, write_number(0.35 * a.margin()),
-         xyz({a.middle().x, a.middle().y, a.high.z + 0.01}));
+         write_number(w), write_number(h), write_number(0.5 * std::min(w, h)), a.accent(),
+         write_number(0.35 * a.margin()), xyz({a.middle().x, a.middle().y, a.high.z + 0.01}));
 }
 void make_cross(Annotation& a, std::string_view part) {
   a.line("create {} line to=({} {} 0) width={} color=#ff5c5c position={}", a.name(part), write_number(a.width()),

@@ -123,7 +123,7 @@ bool put_beside(Command& k) {
              inner = transform_point(*inward, middle);
   const auto n = [](double v) { return write_number(std::round(v * 1e4) / 1e4); };
   std::string lines = fmt::format("create {} text text={} size={} color={}\n", name, write_text(text), n(how.size),
-                                  line ? "#ffd166" : label_color);
+                                  theme_color(s, line ? &Theme::ink : &Theme::label));
   lines += fmt::format("set {}.position = \"value('{}.world') * vec({}, {}, {}) + vec({}, {}, 0.02)\"\n", name, thing,
                        n(inner.x), n(inner.y), n(inner.z), n(off.x), n(off.y - 0.36 * how.size));
   if (line) {
@@ -131,6 +131,7 @@ bool put_beside(Command& k) {
     const Vec3 half = 0.5 * m.size();
     const double sx = std::max(1e-9, betwixt::length(transform_vector(m.world, {1, 0, 0}))),
                  sy = std::max(1e-9, betwixt::length(transform_vector(m.world, {0, 1, 0})));
+    link.color = theme_color(s, &Theme::muted);
     link.name = name + "/line", link.arrow = false, link.width = 0.02, link.gap = 0.06;
     link.from = {name, {0, 0.36 * how.size, 0}, extent.x / 2, 0.7 * how.size};
     link.to = {thing, inner, half.x / sx, half.y / sy};

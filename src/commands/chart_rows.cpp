@@ -159,13 +159,13 @@ void make_chart(Furnishing& f, bool up) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     Entry& e = all[i];
     f.line("create {} bar value={} color={} upwards={} corner={}", e.name, write_number(e.value),
-           f.said.keys.empty() ? palette(0) : palette(i), up ? "on" : "off", write_number(std::min(0.06, 0.1 * room)));
+           f.said.keys.empty() ? f.tint(0) : f.tint(i), up ? "on" : "off", write_number(std::min(0.06, 0.1 * room)));
     if (!fit.shown) continue;
     e.label = i % fit.every == 0 ? shortened(e.label, fit.label_room) : "";
     if (!e.label.empty())
       f.line("create {}/label text text={} size={} color={} align={}", e.name, write_text(e.label),
-             write_number(fit.label), label_color, up ? "centre" : "right");
-    f.line("create {}/number text size={} color={} align={}", e.name, write_number(fit.number), label_color,
+             write_number(fit.label), f.label(), up ? "centre" : "right");
+    f.line("create {}/number text size={} color={} align={}", e.name, write_number(fit.number), f.label(),
            up ? "centre" : "left");
   }
   say_parts(f, all);
@@ -206,7 +206,7 @@ void put_cells(Furnishing& f, const std::vector<LetList>& rows, Vec3 cell, doubl
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (std::size_t c = 0; c < rows[r].size(); ++c)
       f.line("create {}/{}-{} text text={} size={} color={} position=({} {}){}", f.name, r + 1, c + 1,
-             write_text(cell_text(rows[r][c])), write_number(em), header && r == 0 ? palette(0) : "#eef1f6",
+             write_text(cell_text(rows[r][c])), write_number(em), header && r == 0 ? f.tint(0) : f.ink(),
              write_number((static_cast<double>(c) - (columns - 1) / 2) * cell.x),
              write_number(((height - 1) / 2 - static_cast<double>(r)) * cell.y - 0.36 * em),
              header && r == 0 ? " weight=bold" : "");
@@ -227,10 +227,10 @@ void make_pie(Furnishing& f) {
     }
   const double em = std::min(0.28, 0.2 * f.number("radius"));
   for (std::size_t i = 0; i < all.size(); ++i) {
-    f.line("create {} arc value={} color={}", all[i].name, write_number(all[i].value), palette(i));
+    f.line("create {} arc value={} color={}", all[i].name, write_number(all[i].value), f.tint(i));
     if (!all[i].label.empty())
       f.line("create {}/label text text={} size={} color={}", all[i].name, write_text(all[i].label), write_number(em),
-             label_color);
+             f.label());
   }
   say_parts(f, all);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -266,7 +266,7 @@ void own_axes(Furnishing& f, const std::vector<Entry>& all) {
     const std::string label = axes + "/x/key-" + all[i].name.substr(f.name.size() + 1);
     const std::string text = shortened(all[i].label, fit.label_room);
     if (text.empty()) continue;
-    f.line("create {} text text={} size={} color={}", label, write_text(text), write_number(fit.label), label_color);
+    f.line("create {} text text={} size={} color={}", label, write_text(text), write_number(fit.label), f.label());
     f.line("set {}.position = \"axes.place('{}', vec(value('{}.at'), value('{}.y').x)) - vec(0, {})\"", label, axes,
            all[i].name, axes, write_number(0.12 + 1.1 * fit.label));
     size_text(f, label, all[i], i, fit.label, fit.every);
@@ -279,7 +279,7 @@ void make_line_chart(Furnishing& f) {
   const ObjectId given = axes_of(f.scene, f.object());
   const std::string axes = given ? f.scene.objects[given.index].name : f.name + "/axes";
   const bool keyed = !given && !f.said.keys.empty();
-  std::string color(palette(0));
+  std::string color(f.tint(0));
   if (f.colored()) {
     const Color c = std::get<Color>(f.value("color"));
     color = fmt::format("rgb({} {} {})", write_number(c.r), write_number(c.g), write_number(c.b));
@@ -313,7 +313,7 @@ void make_table(Furnishing& f) {
     const double y = h - cell.y * static_cast<double>(r);
     const bool strong = r == 1 && rows.size() > 1;
     f.line("create {}/line{} line position=({} {}) to=({} 0 0) width={} color={}", f.name, r + 1, write_number(-w),
-           write_number(y), write_number(2 * w), strong ? "0.035" : "0.015", strong ? line_color : grid_color);
+           write_number(y), write_number(2 * w), strong ? "0.035" : "0.015", strong ? f.muted() : f.faint());
   }
 }
 
@@ -325,8 +325,9 @@ void make_matrix(Furnishing& f) {
   put_cells(f, rows, cell, em, false);
   const double w = cell.x * static_cast<double>(rows[0].size()) / 2, h = cell.y * static_cast<double>(rows.size()) / 2;
   for (const auto& [name, side] : {std::pair{"left", -1.0}, {"right", 1.0}})
-    f.line("create {0}/{1} polyline width=0.045 color=#eef1f6 points=(({2} {4}) ({3} {4}) ({3} {5}) ({2} {5}))", f.name,
-           name, write_number(side * (w - 0.02)), write_number(side * (w + 0.12)), write_number(h), write_number(-h));
+    f.line("create {0}/{1} polyline width=0.045 color={6} points=(({2} {4}) ({3} {4}) ({3} {5}) ({2} {5}))", f.name,
+           name, write_number(side * (w - 0.02)), write_number(side * (w + 0.12)), write_number(h), write_number(-h),
+           f.ink());
 }
 
 }  // namespace betwixt

@@ -10,13 +10,6 @@
 namespace betwixt {
 namespace {
 
-// The colours of the classes, on the panel.
-constexpr std::pair<CodeClass, std::string_view> class_colors[] = {
-    {CodeClass::keyword, "#ff8fa3"}, {CodeClass::type, "#f2c66d"},   {CodeClass::function, "#7cb7ff"},
-    {CodeClass::string, "#a5d76e"},  {CodeClass::number, "#f7a072"}, {CodeClass::comment, "#7f8da3"},
-    {CodeClass::sign, "#9fb0c8"}};
-constexpr std::string_view code_color = "#e6ebf4", panel_color = "#182030", number_color = "#6b7a94";
-
 constexpr double letter_width = 0.602;  // em, of DejaVu Sans Mono
 constexpr double line_height = 1.2, line_middle = 0.27;
 
@@ -27,14 +20,14 @@ void make_code(Furnishing& f) {
   if (!f.says("font")) f.line("set {}.font {}", name, write_text(std::string(code_font)));
   if (!f.says("align")) f.line("set {}.align left", name);
   if (!f.says("size")) f.line("set {}.size 0.3", name);
-  if (!f.colored()) f.line("set {}.color {}", name, code_color);
+  if (!f.colored()) f.line("set {}.color {}", name, write_color(theme_of(f.scene).code[0]));
   if (!f.says("position")) {
     const CodeExtent e = code_extent(f.text("text"));
     const double em = f.says("size") ? f.number("size") : 0.3;
     f.line("set {}.position ({} {})", name, write_number(-0.5 * letter_width * e.columns * em),
            write_number((0.5 * (e.lines - 1) * line_height - line_middle) * em));
   }
-  f.line("create {}/panel rectangle color={} position=(0 0 -0.02)", name, panel_color);
+  f.line("create {}/panel rectangle color={} position=(0 0 -0.02)", name, f.panel());
   f.line("set {0}/panel.display = \"value('{0}.panel')\"", name);
   f.line(
       "set {0}/panel.size = \"local e = block.extent('{0}') local n = value('{0}.numbers') and 3 or 0 return "
@@ -45,7 +38,7 @@ void make_code(Furnishing& f) {
       "vec(value('{0}.size') * (e.x * {1} - n) / 2, value('{0}.size') * ({3} - (e.y - 1) * {2} / 2), -0.02)\"",
       name, letter_width, line_height, line_middle);
   f.line("set {0}/panel.corner = \"0.4 * value('{0}.size')\"", name);
-  f.line("create {}/mark rectangle color=#2f4468 position=(0 0 -0.01)", name);
+  f.line("create {}/mark rectangle color={} position=(0 0 -0.01)", name, f.faint());
   f.line("set {0}/mark.display = \"value('{0}.lines').x > 0\"", name);
   f.line(
       "set {0}/mark.size = \"local l = value('{0}.lines') return vec(value('{0}/panel.size').x, value('{0}.size') * "
@@ -55,15 +48,14 @@ void make_code(Furnishing& f) {
       "set {0}/mark.position = \"local l = value('{0}.lines') return vec(value('{0}/panel.position').x, "
       "value('{0}.size') * ({2} - ((l.x + l.y) / 2 - 1) * {1}), -0.01)\"",
       name, line_height, line_middle);
-  f.line("create {}/numbers text align=right color={} font={}", name, number_color, write_text(std::string(code_font)));
+  f.line("create {}/numbers text align=right color={} font={}", name, f.muted(), write_text(std::string(code_font)));
   f.line("set {0}/numbers.text = \"block.numbers('{0}')\"", name);
   f.line("set {0}/numbers.size = \"value('{0}.size')\"", name);
   f.line("set {0}/numbers.position = \"vec(-0.9 * value('{0}.size'), 0)\"", name);
   f.line("set {0}/numbers.display = \"value('{0}.numbers')\"", name);
-  for (const auto& [is, color] : class_colors) {
-    const std::string_view word = code_class_names[static_cast<std::size_t>(is)];
-    f.line("create {0}/{1} text part=\"{1}\" color={2}", name, word, color);
-  }
+  for (std::size_t is = 1; is < code_class_names.size(); ++is)
+    f.line("create {0}/{1} text part=\"{1}\" color={2}", name, code_class_names[is],
+           write_color(theme_of(f.scene).code[is]));
 }
 
 }  // namespace betwixt

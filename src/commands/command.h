@@ -179,6 +179,11 @@ bool way(Command&, const Selected& to, Event&, std::optional<Time>* lasts = null
 // Adds two events: what is there at the event's time, and its value at the end.
 bool put_for(Command&, const Selected& to, Event, Time length, std::string_view about);
 
+// ---- theming.cpp
+
+// Gives an object that has no color one of the film's theme, if it has a theme.
+void give_theme_color(Command&, Object&);
+
 // ---- rates.cpp
 
 // Reads a value per second. For a rotation: a rate for each angle, or an angular velocity about an axis.

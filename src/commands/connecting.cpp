@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/utf8.h"
 #include "commands/command.h"
 #include "commands/furnishing.h"
 #include "commands/furniture_rows.h"
@@ -80,6 +81,7 @@ bool connect(Command& k) {
   }
   if (!finish(c)) return false;
   if (!end_of_link(k, a, first, link.from) || !end_of_link(k, b, second, link.to)) return false;
+  link.color = theme_color(s, &Theme::muted), link.label_color = theme_color(s, &Theme::label);
   if (link.name.empty()) link.name = link.from.name + "-" + last_of(link.to.name);
   std::string lines = lines_of_link(link);
   if (time)
@@ -101,18 +103,20 @@ constexpr Verb connecting_rows[] = {
 
 std::string lines_of_link(const Link& l) {
   const double tip = l.arrow ? 5 * l.width : 0;
-  std::string out = fmt::format("create {} polyline width={} color={}\n", l.name, write_number(l.width), line_color);
+  std::string out = fmt::format("create {} polyline width={} color={}\n", l.name, write_number(l.width), l.color);
   out += fmt::format("set {}.points = \"link.points({}, {}, '{}', {}, {})\"\n", l.name, end_in_code(l.from),
                      end_in_code(l.to), l.route, write_number(l.gap), write_number(tip));
   if (l.arrow) {
     out += fmt::format("create {}/tip polygon points=(({} 0) (0 {}) (0 {})) color={}\n", l.name, write_number(tip),
-                       write_number(0.5 * tip), write_number(-0.5 * tip), line_color);
+                       write_number(0.5 * tip), write_number(-0.5 * tip), l.color);
     out += fmt::format("set {0}/tip.position = \"link.tip('{0}')\"\nset {0}/tip.rotation.z = \"link.turn('{0}')\"\n",
                        l.name);
   }
   if (!l.label.empty()) {
-    out += fmt::format("create {}/label text text={} size=0.24 color={}\n", l.name, write_text(l.label), label_color);
-    out += fmt::format("set {0}/label.position = \"link.middle('{0}', 0.2) - vec(0, 0.08)\"\n", l.name);
+    out += fmt::format("create {}/label text text={} size=0.24 color={}\n", l.name, write_text(l.label), l.label_color);
+    const auto letters = static_cast<double>(std::count_if(l.label.begin(), l.label.end(), begins_character));
+    out += fmt::format("set {0}/label.position = \"link.middle('{0}', {1}) - vec(0, 0.086)\"\n", l.name,
+                       write_number(std::round(0.3 * 24 * letters) / 100));
   }
   return out;
 }

@@ -22,6 +22,7 @@ struct Link {
   LinkEnd from, to;
   std::string route = "straight";  // or curved, angled
   std::string label;               // "": none
+  std::string color, label_color;  // as the language writes them
   bool arrow = true;
   double gap = 0.08, width = 0.04;
 };

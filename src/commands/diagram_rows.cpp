@@ -25,6 +25,7 @@ struct SaidDiagram {
   std::string of, layout = "layered";
   bool circles = false;
   Vec3 apart;
+  std::string fill;  // the color of nodes
 };
 
 struct PlacedNode {
@@ -32,6 +33,7 @@ struct PlacedNode {
   Vec3 at;
 };
 struct PlacedDiagram {
+  std::string fill, edge, ink;  // colors
   std::vector<PlacedNode> nodes;
   std::vector<Link> edges;
   double width = 0, height = 0;  // of each node; circles have this width
@@ -53,11 +55,12 @@ GraphLayout layout_of(std::string_view word) {
                             : GraphLayout::layered;
 }
 
-Result<PlacedDiagram> placed_diagram(const std::string& diagram, const SaidDiagram& said) {
+Result<PlacedDiagram> placed_diagram(const Scene& s, const std::string& diagram, const SaidDiagram& said) {
   const auto graph = read_graph(said.of);
   if (!graph) return graph.error();
   PlacedDiagram out;
   out.circles = said.circles;
+  out.fill = said.fill, out.edge = palette(s, 0), out.ink = theme_color(s, &Theme::ink);
   double letters = 1;
   for (const std::string& text : graph->nodes)
     letters = std::max(letters, static_cast<double>(std::count_if(text.begin(), text.end(), begins_character)));
@@ -87,6 +90,7 @@ Result<PlacedDiagram> placed_diagram(const std::string& diagram, const SaidDiagr
     Link link;
     link.name = diagram + "/" + free_word(taken, word(e.from) + "-" + word(e.to), "edge");
     link.from = end(e.from), link.to = end(e.to);
+    link.color = theme_color(s, &Theme::muted), link.label_color = theme_color(s, &Theme::label);
     link.route = both ? "curved" : "straight", link.arrow = e.arrow, link.label = e.label;
     out.edges.push_back(std::move(link));
   }
@@ -98,15 +102,15 @@ std::string place_of(Vec3 at) {
   return fmt::format("({} {})", number(at.x), number(at.y));
 }
 
-std::string lines_of_node(const PlacedDiagram& d, const PlacedNode& n, const std::string& fill) {
+std::string lines_of_node(const PlacedDiagram& d, const PlacedNode& n) {
   const std::string form =
       d.circles ? fmt::format("circle radius={}", write_number(d.width / 2))
                 : fmt::format("rectangle size=({} {}) corner=0.16", write_number(d.width), write_number(d.height));
   return fmt::format(
       "create {0} {1} color={2} stroke={3} stroke-width=0.03 position={4}\n"
-      "create {0}/text text text={5} size={6} color=#eef1f6 position=(0 {7} 0.01)\n",
-      n.name, form, fill, palette(0), place_of(n.at), write_text(n.text), write_number(node_em),
-      write_number(-0.36 * node_em));
+      "create {0}/text text text={5} size={6} color={8} position=(0 {7} 0.01)\n",
+      n.name, form, d.fill, d.edge, place_of(n.at), write_text(n.text), write_number(node_em),
+      write_number(-0.36 * node_em), d.ink);
 }
 
 // Returns how much smaller a diagram must be to fit into the usual picture.
@@ -119,12 +123,8 @@ double shrink_of(const PlacedDiagram& d) {
 }
 
 SaidDiagram said_of(const Furnishing& f) {
-  return {f.text("of"), f.text("layout"), f.text("nodes") == "circle", f.vector("apart")};
-}
-std::string fill_of(const Furnishing& f) {
-  if (!f.colored()) return "#1c2b47";
-  const auto c = std::get<Color>(f.value("color"));
-  return fmt::format("rgb({} {} {})", write_number(c.r), write_number(c.g), write_number(c.b));
+  const std::string fill = f.colored() ? write_color(std::get<Color>(f.value("color"))) : f.panel();
+  return {f.text("of"), f.text("layout"), f.text("nodes") == "circle", f.vector("apart"), fill};
 }
 
 // ---- rearrange
@@ -158,14 +158,14 @@ bool has_part(const All& all, const std::string& name) {
 struct Rearranging {
   const Scene& scene;
   const PlacedDiagram &before, &after;
-  const std::string fill, when, length;
+  const std::string when, length;
   std::string lines;
 
   void last(const std::string& what) { lines += fmt::format("at {} {} for {}\n", when, what, length); }
   void all() {
     for (const PlacedNode& n : after.nodes) {
       const bool known = static_cast<bool>(scene.names.find(n.name));
-      if (!known) lines += lines_of_node(after, n, fill);
+      if (!known) lines += lines_of_node(after, n);
       if (known) last(n.name + ".position " + place_of(n.at));
       if (!has_part(before.nodes, n.name)) last("fade-in " + n.name);
     }
@@ -192,18 +192,18 @@ bool rearrange(Command& k) {
   const Furniture nothing;
   const Furnishing f{s, id, name, nothing, {}, {}, {}, 0};
   SaidDiagram said = said_of(f);
-  const auto before = placed_diagram(name, said);
+  const auto before = placed_diagram(s, name, said);
   std::string_view of_at = word;
   if (!said_again(k, said, of_at)) return false;
   Time length = from_seconds(1);
   if (c.accept_word("for") && !c.length(length)) return false;
   if (length <= Time{}) return c.fail(ErrorCode::range, "the length must be greater than 0", word, "as in for 12f");
   if (!finish(c)) return false;
-  const auto after = placed_diagram(name, said);
+  const auto after = placed_diagram(s, name, said);
   if (!after) return c.fail(after.error().code, after.error().message, of_at, after.error().hint);
-  Rearranging change{s,          before ? *before : PlacedDiagram(),        *after,
-                     fill_of(f), write_time(time.value_or(Time{}), s.rate), write_seconds(length),
-                     {}};
+  Rearranging change{
+      s, before ? *before : PlacedDiagram(), *after, write_time(time.value_or(Time{}), s.rate), write_seconds(length),
+      {}};
   change.all();
   change.lines += fmt::format("set {0}.of {1}\nset {0}.layout {2}\n", name, write_text(said.of), said.layout);
   Rollback rollback(s);
@@ -221,12 +221,12 @@ constexpr Verb diagrams_rows[] = {
 }  // namespace
 
 void make_diagram(Furnishing& f) {
-  const auto placed = placed_diagram(f.name, said_of(f));
+  const auto placed = placed_diagram(f.scene, f.name, said_of(f));
   if (!placed) {
     f.problem = placed.error().message, f.hint = placed.error().hint, f.problem_at = placed.error().place.column;
     return;
   }
-  for (const PlacedNode& n : placed->nodes) f.lines += lines_of_node(*placed, n, fill_of(f));
+  for (const PlacedNode& n : placed->nodes) f.lines += lines_of_node(*placed, n);
   for (const Link& e : placed->edges) f.lines += lines_of_link(e);
   if (const double by = shrink_of(*placed); by < 1 && !f.says("scale"))
     f.line("set {0}.scale ({1} {1} {1})", f.name, write_number(std::floor(by * 100) / 100));

@@ -16,15 +16,11 @@
 namespace betwixt {
 namespace {
 
-// Twelve colours that differ in lightness too, and can be read on dark and on light.
-constexpr std::array<std::string_view, 12> colors{"#4aa8ff", "#ffb02e", "#35c77a", "#ff6b6b", "#b58cff", "#2ccfd6",
-                                                  "#ff8fc7", "#a6d82e", "#ff9248", "#7d9bff", "#e3c14a", "#5ed3a8"};
-
 // ---- Axes
 
 void labels(Furnishing& f, char axis, double length, std::string_view align) {
   const std::string all = fmt::format("{}/{}/{{1..{}}}", f.name, axis, most_labels(length));
-  f.line("create {} text size={} color={} align={}", all, write_number(f.number("digits")), label_color, align);
+  f.line("create {} text size={} color={} align={}", all, write_number(f.number("digits")), f.label(), align);
   f.line("set {}.text = \"axes.label('{}', '{}', i)\"", all, f.name, axis);
   f.line("set {}.position = \"axes.label_place('{}', '{}', i)\"", all, f.name, axis);
   f.line("set {}.display = \"value('{}.numbers')\"", all, f.name);
@@ -33,18 +29,17 @@ void labels(Furnishing& f, char axis, double length, std::string_view align) {
 // Returns the color that the author has set, in the form of the language.
 std::string color_or(const Furnishing& f, std::string_view otherwise) {
   if (!f.colored()) return std::string(otherwise);
-  const auto c = std::get<Color>(f.value("color"));
-  return fmt::format("rgb({} {} {})", write_number(c.r), write_number(c.g), write_number(c.b));
+  return write_color(std::get<Color>(f.value("color")));
 }
 
 void axis(Furnishing& f, char axis, double length, std::string_view align) {
-  f.line("create {}/{} polyline width=0.03 color={}", f.name, axis, color_or(f, line_color));
+  f.line("create {}/{} polyline width=0.03 color={}", f.name, axis, color_or(f, f.muted()));
   f.line("set {0}/{1}.points = \"axes.line('{0}', '{1}')\"", f.name, axis);
   if (length > 0) labels(f, axis, length, align);
 }
 
 void grid(Furnishing& f) {
-  f.line("create {}/grid polyline width=0.015 color={}", f.name, grid_color);
+  f.line("create {}/grid polyline width=0.015 color={}", f.name, f.faint());
   f.line("set {0}/grid.points = \"axes.grid('{0}')\"", f.name);
   f.line("set {0}/grid.display = \"value('{0}.grid')\"", f.name);
 }
@@ -54,7 +49,7 @@ void title(Furnishing& f, char axis) {
   if (text.empty()) return;
   const bool up = axis == 'y';
   f.line("create {}/{}/title text size={} color={} align={}", f.name, axis, write_number(1.15 * f.number("digits")),
-         label_color, up ? "centre" : "left");
+         f.label(), up ? "centre" : "left");
   f.line("set {0}/{1}/title.text = \"value('{0}.{1}-title')\"", f.name, axis);
   f.line("set {0}/{1}/title.position = \"axes.tip('{0}', '{1}') + vec({2})\"", f.name, axis,
          up ? "0, 0.2" : "0.2, -0.1");
@@ -94,22 +89,22 @@ void make_number_line(Furnishing& f) {
 
 void make_polar_axes(Furnishing& f) {
   if (!good_axis(f, "r")) return;
-  f.line("create {}/grid polyline width=0.015 color={}", f.name, grid_color);
+  f.line("create {}/grid polyline width=0.015 color={}", f.name, f.faint());
   f.line("set {0}/grid.points = \"axes.grid('{0}')\"", f.name);
   axis(f, 'x', f.number("radius"), "centre");
   const double away = f.number("radius") + 1.6 * f.number("digits");
   for (int degrees = 30; degrees < 360; degrees += 30)
     f.line("create {}/{} text text=\"{}°\" size={} color={} position=({} {})", f.name, "a" + std::to_string(degrees),
-           degrees, write_number(f.number("digits")), label_color, write_number(away * std::cos(degrees * pi / 180)),
+           degrees, write_number(f.number("digits")), f.label(), write_number(away * std::cos(degrees * pi / 180)),
            write_number(away * std::sin(degrees * pi / 180) - 0.36 * f.number("digits")));
 }
 
 void make_plane_grid(Furnishing& f) {
   if (!good_axis(f, "x") || !good_axis(f, "y")) return;
   const std::string& name = f.name;
-  f.line("create {}/grid polyline width=0.025 color={}", name, colors[0]);
+  f.line("create {}/grid polyline width=0.025 color={}", name, f.tint(0));
   f.line("set {0}/grid.points = \"axes.grid('{0}')\"", name);
-  for (const auto& [word, color] : {std::pair{"right", colors[2]}, {"up", colors[3]}}) {
+  for (const auto& [word, color] : {std::pair<const char*, std::string>{"right", f.tint(2)}, {"up", f.tint(3)}}) {
     f.line("create {}/{} arrow width=0.07 color={} position=(0 0 0.01)", name, word, color);
     f.line("set {0}/{1}.to = \"axes.place('{0}', vec({2}))\"", name, word, word[0] == 'r' ? "1, 0" : "0, 1");
   }
@@ -144,27 +139,27 @@ void color_like(Furnishing& f, std::string_view otherwise) {
 
 void make_plot(Furnishing& f) {
   f.line("set {}.points = \"plot.curve()\"", f.name);
-  color(f, colors[plots_before(f) % colors.size()]);
+  color(f, f.tint(plots_before(f)));
 }
 void make_area(Furnishing& f) {
   f.line("set {}.points = \"plot.area()\"", f.name);
-  color_like(f, colors[0]);
+  color_like(f, f.tint(0));
   if (!f.says("transparency")) f.line("set {}.transparency 0.6", f.name);
 }
 void make_riemann(Furnishing& f) {
   f.line("set {}.points = \"plot.riemann()\"", f.name);
-  color_like(f, colors[0]);
+  color_like(f, f.tint(0));
   if (!f.says("transparency")) f.line("set {}.transparency 0.35", f.name);
-  if (!f.says("stroke")) f.line("set {}.stroke #10141c", f.name);
+  if (!f.says("stroke")) f.line("set {}.stroke {}", f.name, theme_color(f.scene, &Theme::paper));
   if (!f.says("stroke-width")) f.line("set {}.stroke-width 0.02", f.name);
 }
 void make_tangent(Furnishing& f) {
   f.line("set {}.points = \"plot.tangent()\"", f.name);
-  color(f, colors[1]);
+  color(f, f.tint(1));
 }
 void make_field(Furnishing& f) {
   f.line("set {}.points = \"plot.field()\"", f.name);
-  color(f, colors[5]);
+  color(f, f.tint(5));
 }
 
 // Returns the axes that it is on, if they are of one of these kinds; otherwise none, and the problem.
@@ -177,7 +172,7 @@ const Object* plane_axes(Furnishing& f, std::string_view wanted) {
 void make_streamlines(Furnishing& f) {
   if (!plane_axes(f, "axes with x and y")) return;
   f.line("set {}.points = \"plot.streamlines()\"", f.name);
-  color(f, colors[5]);
+  color(f, f.tint(5));
   if (!f.says("width")) f.line("set {}.width 0.03", f.name);
 }
 void make_surface(Furnishing& f) {
@@ -192,13 +187,17 @@ void make_surface(Furnishing& f) {
     return;
   }
   f.line("set {}.points = \"plot.surface()\"", f.name);
-  color(f, colors[0]);
+  color(f, f.tint(0));
 }
-void make_scatter(Furnishing& f) { color(f, colors[1]); }
+void make_scatter(Furnishing& f) { color(f, f.tint(1)); }
 
 }  // namespace
 
-std::string_view palette(std::size_t n) { return colors[n % colors.size()]; }
+std::string palette(const Scene& s, std::size_t n) {
+  const auto& all = theme_of(s).palette;
+  return write_color(all[n % all.size()]);
+}
+std::string theme_color(const Scene& s, Color Theme::*which) { return write_color(theme_of(s).*which); }
 
 std::string key_word(const std::string& text) {
   std::string out;

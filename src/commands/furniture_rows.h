@@ -9,11 +9,16 @@
 #include <string>
 
 #include "commands/furnishing.h"
+#include "scene/theme.h"
 
 namespace betwixt {
 
 // What a kind takes at `create` besides its functions.
 enum class Takes : std::uint8_t { nothing, numbers, cells, series };  // series: numbers, or pairs of them
+
+// Returns the color number n of the theme's palette, from 0; it begins again after the last.
+std::string palette(const Scene&, std::size_t n);
+std::string theme_color(const Scene&, Color Theme::*);
 
 struct Furnishing {
   Scene& scene;
@@ -36,6 +41,13 @@ struct Furnishing {
   std::string text(std::string_view function) const;
   bool says(std::string_view function) const;  // whether the author has set it
   bool colored() const;
+  // The colors of the film's theme.
+  std::string muted() const { return theme_color(scene, &Theme::muted); }
+  std::string label() const { return theme_color(scene, &Theme::label); }
+  std::string faint() const { return theme_color(scene, &Theme::faint); }
+  std::string ink() const { return theme_color(scene, &Theme::ink); }
+  std::string panel() const { return theme_color(scene, &Theme::panel); }
+  std::string tint(std::size_t n) const { return palette(scene, n); }
 };
 
 struct FurnitureRow {
@@ -58,10 +70,6 @@ void make_code(Furnishing&);
 // diagram_rows.cpp
 void make_diagram(Furnishing&);
 
-// The colours of what has no colour of its own.
-inline constexpr std::string_view line_color = "#8b95a7", label_color = "#c3cad6", grid_color = "#39424f";
-// Returns the color number n of the palette, from 0; it begins again after the last.
-std::string_view palette(std::size_t n);
 std::string key_word(const std::string& text);  // a name made of a text; "" if nothing of it can be in a name
 
 }  // namespace betwixt

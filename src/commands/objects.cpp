@@ -160,9 +160,12 @@ bool create(Command& k) {
       return free_name(k, name, word);
   if (original) return create_like(k, like, *names, parents, word);
   Rollback rollback(s);
+  const Object plain = object;
   for (std::size_t i = 0; i < names->size(); ++i) {
     Cancellation::check();
+    object = plain;
     object.name = (*names)[i];
+    give_theme_color(k, object);
     if (const ObjectId there = made_with_formula(s, object.name)) {
       for (const FunctionId f : said) s.objects.edit(there.index).slot(f).set = object.find(f)->set;
       continue;

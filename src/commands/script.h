@@ -103,14 +103,15 @@ struct Script : ReaderState {
 
   Diagnostics& diagnostics;
   LoadOptions options;
-  std::filesystem::path root;                     // real path of the first script's folder
-  std::vector<std::filesystem::path> open_files;  // that use each other
-  std::size_t files_at_home = 0;                  // of them, while a live line itself is read
-  int depth = 0;                                  // depth of the author's commands that run other commands
-  bool live = false;                              // lines come one by one
-  Source source;                                  // the text being read now
-  std::filesystem::path folder;                   // of the source
-  Sheet sheet;                                    // of the source
+  std::filesystem::path root;                             // real path of the first script's folder
+  std::vector<std::filesystem::path> open_files;          // that use each other
+  std::size_t files_at_home = 0;                          // of them, while a live line itself is read
+  int depth = 0;                                          // depth of the author's commands that run other commands
+  bool live = false;                                      // lines come one by one
+  Source source;                                          // the text being read now
+  std::filesystem::path folder;                           // of the source
+  Sheet sheet;                                            // of the source
+  std::map<std::string, std::size_t, std::less<>> stems;  // names that have a color of the theme (theming.cpp)
 
   // Diagnostics that are reported at the end of the script if they still apply:
   std::map<std::pair<std::uint32_t, FunctionId>, Diagnostic> velocities;  // at the first mention of each

@@ -81,6 +81,7 @@ std::string write_angles(Vec3 radians);
 std::string write_angle(double radians);     // in degrees if that reads back to the same value, otherwise in radians
 std::string write_matrix(const Mat4&);       // row by row
 std::string write_appearance(const Scene&);  // commands
+std::string write_theme(const Scene&);       // commands; they stand behind all objects, which have their colors
 std::string write_rows(const DisplayList&);  // indented lines
 std::string write_lists(const Scene&);       // the display lists at the beginning, then their later versions
 std::string write_environment(const std::string& name, const Environment&);  // all commands about it, a line each

@@ -336,6 +336,7 @@ struct Writer {
   }
 
   void rest() {
+    out += write_theme(s);
     for (const auto& [time, camera] : *s.cuts) {
       if (time != Time{INT64_MIN}) out += "at " + point(time) + " ";
       out += "look through " + name_of(camera) + "\n";

@@ -8,6 +8,18 @@
 
 namespace betwixt {
 
+namespace {
+
+std::string write_background(const Scene& s) {
+  const Appearance& a = s.appearance;
+  if (a.clear) return "background transparent\n";
+  if (!s.background) return {};
+  return a.below ? fmt::format("background {} to {}\n", write_color(*s.background), write_color(*a.below))
+                 : fmt::format("background {}\n", write_color(*s.background));
+}
+
+}  // namespace
+
 std::string write_appearance(const Scene& s) {
   const Appearance& a = s.appearance;
   std::string out;
@@ -16,12 +28,7 @@ std::string write_appearance(const Scene& s) {
   if (!a.pixel_filter.empty()) out += fmt::format("pixel-filter {}\n", a.pixel_filter);
   if (a.subframes) out += fmt::format("subframes {}\n", *a.subframes);
   if (a.flat) out += "film flat\n";
-  if (a.clear)
-    out += "background transparent\n";
-  else if (s.background && a.below)
-    out += fmt::format("background {} to {}\n", write_color(*s.background), write_color(*a.below));
-  else if (s.background)
-    out += fmt::format("background {}\n", write_color(*s.background));
+  out += write_background(s);
   if (a.ambient) out += fmt::format("ambient {}\n", write_color(*a.ambient));
   if (a.exposure != 0) out += fmt::format("exposure {}\n", write_number(a.exposure));
   if (a.fog)
@@ -32,6 +39,17 @@ std::string write_appearance(const Scene& s) {
   if (a.sky) out += "sky on\n";
   if (a.contact) out += "contact on\n";
   return out;
+}
+
+std::string write_theme(const Scene& s) {
+  const Theme& t = *s.appearance.theme;
+  if (t.name.empty()) return {};
+  std::string out = "theme " + t.name + "\n";
+  const Theme& base = *find_theme(t.name);
+  for (const ThemeColor& c : theme_colors())
+    if (c.of(t) != c.of(base)) out += fmt::format("theme {} {}\n", c.name, write_color(c.of(t)));
+  const std::string background = write_background(s);
+  return out + (background.empty() ? "background none\n" : background);
 }
 
 }  // namespace betwixt

@@ -113,14 +113,15 @@ int turn_of_link(lua_State* l, Machine& m) {
   const Vec3 d = all.size() < 2 ? Vec3{1, 0, 0} : all.back() - all[all.size() - 2];
   return lua_pushnumber(l, std::atan2(d.y, d.x)), 1;
 }
-// link.middle(LINE, AWAY): the place for a label beside the middle of a line.
+// link.middle(LINE, HALF): the place of the middle of a label, half as wide, beside the middle of a line.
 int middle_of_link(lua_State* l, Machine& m) {
   const auto all = points_now(l, m);
   if (all.size() < 2) return push_place(l, {}), 1;
   const std::size_t half = all.size() / 2;
   const Vec3 a = all[half - 1], b = all[half], d = unit(b - a), across{-d.y, d.x, 0};
   const Vec3 at = all.size() % 2 == 0 ? 0.5 * (a + b) : b;
-  return push_place(l, at + (across.y < 0 ? -1.0 : 1.0) * lua_tonumber(l, 2) * across), 1;
+  const double away = 0.08 + std::abs(across.x) * lua_tonumber(l, 2) + std::abs(across.y) * 0.12;
+  return push_place(l, at + (across.y < 0 ? -away : away) * across), 1;
 }
 
 template <int (*body)(lua_State*, Machine&)>

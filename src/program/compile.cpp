@@ -14,7 +14,8 @@ namespace {
 // Returns true if the value is more than one track: it needs other values, a sum, or several tracks.
 bool alive(const Scene& scene, const Slot& slot) {
   bool any = scripted(slot.set.value_or(spec_of(scene, slot.function).rest)) ||
-             std::ranges::any_of(slot.filters, [](const Filter& f) { return !f.off; }) || has_events(slot.velocity);
+             std::any_of(slot.filters.begin(), slot.filters.end(), [](const Filter& f) { return !f.off; }) ||
+             has_events(slot.velocity);
   each_track(slot, [&](const Track& t) { any = any || scripted(t) || has_tweens(scene, t); });
   return any;
 }

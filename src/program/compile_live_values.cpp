@@ -183,7 +183,8 @@ LiveStrand strand(Compiled& compiled, std::uint32_t object, const Slot& said) {
   const FunctionSpec& spec = spec_of(scene, slot.function);
   LiveStrand out;
   out.layer = slot.layer;
-  std::ranges::copy_if(slot.filters, std::back_inserter(out.filters), [](const Filter& f) { return !f.off; });
+  std::copy_if(slot.filters.begin(), slot.filters.end(), std::back_inserter(out.filters),
+               [](const Filter& f) { return !f.off; });
   // A layer that adds is zero until its first value.
   out.set = slot.set.value_or(spec.rest);
   if (slot.layer) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "betwixt/value.h"
+#include "scene/theme.h"
 
 namespace betwixt {
 
@@ -33,6 +34,7 @@ struct Appearance {
   std::optional<Color> ground_color;  // nullopt: the default
   bool sky = false;
   bool contact = false;
+  Shared<Theme> theme;
   friend bool operator==(const Appearance&, const Appearance&) = default;
 };
 
