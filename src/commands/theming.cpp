@@ -57,7 +57,8 @@ bool say_theme(Command& k) {
 constexpr Verb theming_rows[] = {
     {"theme", "theme dark|light|paper or theme NAME COLOR",
      "Sets the background, and the colors of things that have none of their own. The colors have names for the lines "
-     "below: ink, muted, accent, and the palette lake, amber, leaf, rose, grape, lagoon, blush, moss, clay, iris, straw, "
+     "below: ink, muted, accent, and the palette lake, amber, leaf, rose, grape, lagoon, blush, moss, clay, iris, "
+     "straw, "
      "jade. `theme NAME COLOR` changes one of them.",
      "theme paper\ntheme lake #205080\ncreate a circle color=leaf", Verb::once, say_theme,
      "dark light paper ink muted accent; COLOR"},
@@ -81,7 +82,9 @@ bool is_solid(Kind kind) {
 void give_theme_color(Command& k, Object& o) {
   const Theme& theme = theme_of(k.scene);
   const bool own_colors = (furnished_kinds & bit(o.kind)) != 0;  // a plot takes one of the palette
-  if (k.scene.appearance.theme->name.empty() || !drawable(o.kind) || own_colors || o.find(fn::color) || o.find(fn::texture)) return;
+  if (k.scene.appearance.theme->name.empty() || !drawable(o.kind) || own_colors || o.find(fn::color) ||
+      o.find(fn::texture))
+    return;
   if ((letter_kinds | line_kinds) & bit(o.kind) || o.kind == Kind::arrow || o.kind == Kind::brace) {
     if (!shown_part(o)) o.slot(fn::color).set = theme.ink;
     return;

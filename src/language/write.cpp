@@ -336,7 +336,6 @@ struct Writer {
   }
 
   void rest() {
-    out += write_theme(s);
     for (const auto& [time, camera] : *s.cuts) {
       if (time != Time{INT64_MIN}) out += "at " + point(time) + " ";
       out += "look through " + name_of(camera) + "\n";
@@ -394,7 +393,7 @@ std::string write_besides(const Document& document, const Target& target) {
 
 std::string write(const Document& document) {
   Writer w{document.scene(), document, {}};
-  w.settings(), w.objects(), w.rest();
+  w.settings(), w.objects(), w.out += write_theme(w.s), w.rest();
   return std::move(w.out);
 }
 

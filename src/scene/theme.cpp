@@ -9,9 +9,7 @@
 namespace betwixt {
 namespace {
 
-Color hex(unsigned rgb) {
-  return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0};
-}
+Color hex(unsigned rgb) { return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0}; }
 template <std::size_t n>
 std::array<Color, n> all_of(const unsigned (&rgb)[n]) {
   std::array<Color, n> out;

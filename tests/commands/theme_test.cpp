@@ -71,7 +71,8 @@ TEST(Themes, FilmsAreWrittenWithTheirTheme) {
   for (const char* text :
        {"create before circle\ntheme paper\ntheme accent red\nlet again lake = blue\ncreate a circle\ncreate ax axes\n"
         "create f plot on=ax of=\"x\"\nbackground black\n",
-        "theme light\nbackground none\ncreate c code language=c text=\"int a;\"\n", "theme dark\nbackground transparent\n"}) {
+        "theme light\nbackground none\ncreate c code language=c text=\"int a;\"\n",
+        "theme dark\nbackground transparent\n"}) {
     const LoadedFilm s(text);
     ASSERT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
     const std::string out = write(s.loaded.document);
