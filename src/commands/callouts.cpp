@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/utf8.h"
 #include "commands/command.h"
 #include "commands/connecting.h"
 #include "commands/furnishing.h"
 #include "commands/furniture_rows.h"
 #include "commands/measuring.h"
+#include "exchange/fonts.h"
 #include "language/values.h"
 #include "program/compiled.h"
 #include "scene/kinds.h"
@@ -70,6 +70,17 @@ std::optional<Rect> view_at(Command& k, double z, Time t) {
   return far > 0 ? std::optional(Rect{at - half, at + half}) : std::nullopt;
 }
 
+// Returns what the letters of a text cover, with a little room above and below.
+Rect extent_of_text(const std::string& text, double size) {
+  Rect out{{0, -0.2, 0}, {0, 0.75, 0}};
+  for (const Contour& contour : text_outline(text, "DejaVu Sans").contours)
+    for (const Vec3 p : contour) {
+      out.low = {std::min(out.low.x, p.x), std::min(out.low.y, p.y), 0};
+      out.high = {std::max(out.high.x, p.x), std::max(out.high.y, p.y), 0};
+    }
+  return {size * out.low, size * out.high};
+}
+
 Rect text_beside(const Rect& own, const TextSide& side, Vec3 text, double away) {
   const Vec3 middle = 0.5 * (own.low + own.high), half = 0.5 * (own.high - own.low);
   const double slanted = side.x != 0 && side.y != 0 ? 0.7 : 1;
@@ -116,8 +127,8 @@ bool put_beside(Command& k) {
   const auto inward = inverse(m.world);
   if (!m.any || !inward) return c.fail(ErrorCode::range, fmt::format("'{}' draws nothing at this time", thing), word);
   const Rect own{m.low, m.high};
-  const auto letters = static_cast<double>(std::count_if(text.begin(), text.end(), begins_character));
-  const Vec3 extent{0.6 * letters * how.size, how.size, 0};
+  const Rect letters = extent_of_text(text, how.size);
+  const Vec3 extent = letters.high - letters.low;
   const Rect there = free_place(own, said, extent, how.away(), taken(k, id, own, t), view_at(k, m.middle().z, t));
   const Vec3 middle = m.middle(), off = 0.5 * (there.low + there.high) - middle,
              inner = transform_point(*inward, middle);
@@ -125,7 +136,8 @@ bool put_beside(Command& k) {
   std::string lines = fmt::format("create {} text text={} size={} color={}\n", name, write_text(text), n(how.size),
                                   theme_color(s, line ? &Theme::ink : &Theme::label));
   lines += fmt::format("set {}.position = \"value('{}.world') * vec({}, {}, {}) + vec({}, {}, 0.02)\"\n", name, thing,
-                       n(inner.x), n(inner.y), n(inner.z), n(off.x), n(off.y - 0.36 * how.size));
+                       n(inner.x), n(inner.y), n(inner.z), n(off.x - 0.5 * (letters.low.x + letters.high.x)),
+                       n(off.y - 0.5 * (letters.low.y + letters.high.y)));
   if (line) {
     Link link;
     const Vec3 half = 0.5 * m.size();
@@ -133,7 +145,7 @@ bool put_beside(Command& k) {
                  sy = std::max(1e-9, betwixt::length(transform_vector(m.world, {0, 1, 0})));
     link.color = theme_color(s, &Theme::muted);
     link.name = name + "/line", link.arrow = false, link.width = 0.02, link.gap = 0.06;
-    link.from = {name, {0, 0.36 * how.size, 0}, extent.x / 2, 0.7 * how.size};
+    link.from = {name, 0.5 * (letters.low + letters.high), extent.x / 2, extent.y / 2};
     link.to = {thing, inner, half.x / sx, half.y / sy};
     lines += lines_of_link(link);
   }

@@ -39,7 +39,8 @@ void make_code(Furnishing& f) {
       name, letter_width, line_height, line_middle);
   f.line("set {0}/panel.corner = \"0.4 * value('{0}.size')\"", name);
   f.line("create {}/mark rectangle color={} position=(0 0 -0.01)", name, f.faint());
-  f.line("set {0}/mark.display = \"value('{0}.lines').x > 0\"", name);
+  f.line("set {0}/mark.display = \"value('{0}.lines').x > 0 and value('{0}.lines').y <= block.extent('{0}').y + 0.01\"",
+         name);
   f.line(
       "set {0}/mark.size = \"local l = value('{0}.lines') return vec(value('{0}/panel.size').x, value('{0}.size') * "
       "(l.y - l.x + 1) * {1})\"",

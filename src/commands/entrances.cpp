@@ -7,6 +7,7 @@
 #include "base/utf8.h"
 #include "commands/command.h"
 #include "commands/furnishing.h"
+#include "commands/measuring.h"
 #include "language/values.h"
 #include "scene/document.h"
 #include "scene/formula_parts.h"
@@ -36,6 +37,22 @@ struct Stage {
     }
     const T* typed = std::get_if<T>(&out);
     return typed ? *typed : std::get<T>(spec.rest);
+  }
+  // Returns the last value until then at which the object can be seen; the default if there is none.
+  template <class T, class Visible>
+  T last_seen(const Object& o, FunctionId f, const Visible& visible) const {
+    const T* rest = std::get_if<T>(&spec_of(scene(), f).rest);
+    T out = *rest;
+    const auto look = [&](const Value& v) {
+      if (const T* typed = std::get_if<T>(&v); typed && visible(*typed)) out = *typed;
+    };
+    if (const Slot* slot = o.find(f)) {
+      if (slot->set) look(*slot->set);
+      slot->track->events.each([&](const Event& e) {
+        if (e.time <= from || slot->track->events.size() == 1) look(e.value);
+      });
+    }
+    return out;
   }
   void move(const std::string& target, const std::string& begin, const std::string& end, const char* way) {
     lines += at(from) + target + " " + begin + " " + way + "\n" + at(until) + target + " " + end + " hold\n";
@@ -77,7 +94,7 @@ std::size_t letters_of(const Stage& s, const Object& o) {
 
 void fade(Stage& s, const Object& o, bool in) {
   if (!drawable(o.kind)) return;
-  const std::string seen = write_number(s.value<double>(o, fn::transparency));
+  const std::string seen = write_number(s.last_seen<double>(o, fn::transparency, [](double v) { return v < 1; }));
   s.move(o.name + ".transparency", in ? "1" : seen, in ? seen : "1", "linear");
 }
 
@@ -90,7 +107,8 @@ void draw(Stage& s, const Object& o, bool in) {
   const bool line = row_of(o.kind).line;
   if (const std::size_t letters = letters_of(s, o); letters > 0) {
     const std::string all = std::to_string(letters);
-    s.move(o.name + ".typed", in ? "0" : all, in ? all : "0", "linear");
+    // At the end a longer text is not cut off.
+    s.move(o.name + ".typed", in ? "0" : all, in ? fmt::format("{} cut {}", all, most_letters) : "0", "linear");
   } else if (line && has_function(o, "trim")) {
     s.move(o.name + ".trim", in ? "(0 0)" : "(0 1)", in ? "(0 1)" : "(1 1)", "ease-in-out");
   } else {
@@ -99,7 +117,7 @@ void draw(Stage& s, const Object& o, bool in) {
 }
 
 void grow(Stage& s, const Object& o, bool in) {
-  const std::string full = write_vector(s.value<Vec3>(o, fn::scale));
+  const std::string full = write_vector(s.last_seen<Vec3>(o, fn::scale, [](Vec3 v) { return length(v) > 0; }));
   s.move(o.name + ".scale", in ? "(0 0 0)" : full, in ? full : "(0 0 0)", in ? "ease-out" : "ease-in");
 }
 void flip(Stage& s, const Object& o, bool in) {
@@ -175,7 +193,11 @@ bool morph(Command& k) {
   };
   const Color before = stage.value<Color>(from, fn::color), after = stage.value<Color>(to, fn::color);
   if (before != after) stage.move(from.name + ".color", color(before), color(after), "ease-in-out");
-  const Vec3 here = stage.value<Vec3>(from, fn::position), there = stage.value<Vec3>(to, fn::position);
+  // B may be below something else, and code may tell its place.
+  const auto m = measured(s, {a, b}, start);
+  const auto inward = inverse(m[0].to_world);
+  const Vec3 here = m[0].position, way = translation_of(m[1].world) - translation_of(m[0].world);
+  const Vec3 there = inward ? here + transform_vector(*inward, way) : here;
   if (here != there) stage.move(from.name + ".position", write_vector(here), write_vector(there), "ease-in-out");
   if (start > Time{}) stage.lines += stage.at(Time{}) + "hide " + to.name + "\n";
   stage.lines += stage.at(stage.until) + "hide " + from.name + "\n" + stage.at(stage.until) + "show " + to.name + "\n";
