@@ -70,6 +70,14 @@ holds 'the areas of clouds stay the same' 'same(v[1] * v[2], v[5] * v[6]) && sam
   bayes-areas 85f,133f days/clouds1.size days/clouds2.size
 holds 'a damped pendulum loses energy' 'v[2] ^ 2 / 2 - 6 * cos(v[1]) < -6 * cos(2.9) - 1' pendulum-phase 289f dot.position
 holds 'the search ends at 53' 'v[1] == v[2] && same(v[1], 3)' binary-search 217f look.position.x b11.position.x
+# Each distance is that of the neighbour before it on the shortest way, and the weight of the edge between them.
+holds 'Dijkstra finds the shortest ways' 'v[1] == 0 && v[3] == v[1] + 2 && v[2] == v[3] + 1 && v[4] == v[2] + 5 && v[5] == v[4] + 2 && v[6] == v[4] + 6' \
+  dijkstra 289f g/{A,B,C,D,E,F}/far.text
+holds 'the network tells a cat from a bird' 'v[1] > v[2] + 0.4 && v[1] > v[3] + 0.4 && v[6] > v[4] + 0.4 && v[6] > v[5] + 0.4' \
+  neural-network 140f,280f n4-{1,2,3}.level
+# In a valley the slope is 0: cos(2x) cos(1.5y) + 0.16x = 0 and -0.75 sin(2x) sin(1.5y) + 0.16y = 0.
+holds 'a ball rolls into a valley' 'same(cos(2 * v[1]) * cos(1.5 * v[2]) + 0.16 * v[1], 0) && same(0.75 * sin(2 * v[1]) * sin(1.5 * v[2]), 0.16 * v[2])' \
+  gradient-descent 193f ball20.position
 holds 'the ride ends where it began' 'same(v[1], v[4]) && same(v[2], v[5]) && same(v[3], v[6])' ride 1f,193f eye.position
 holds 'the fifth fish is where the leader was 15.36 frames before' 'same(v[1], v[10]) && same(v[2], v[11])' \
   swarm 84.64f,100f fish0.position fish5.position

@@ -10,7 +10,7 @@ root=$(cd -P -- "$(dirname -- "$0")/.." && pwd)
 films='pendulum-wave 60 bars 80 gears 40 spirograph 200 sine 110 ride 100 swarm 100 letters 60 completing-the-square 130 unfold 55 walk 60 fourier 170 race 170
 derivative-limit 150 riemann-sums 120 linear-map 145 eigenvectors 200 fourier-series 121 taylor-polynomials 265 phase-portrait 289
 pendulum-phase 200 unit-circle 150 complex-map 120 pythagoras 56 inequalities 217 bayes-areas 241 table-to-chart 103 bubble-sort 23
-binary-search 100'
+binary-search 100 refactoring 120 dijkstra 265 neural-network 112 gradient-descent 70'
 
 page() {
   printf '# Gallery\n\nShort films, each with its whole script. `./test` renders them, and `tools/gallery.sh PROGRAM` makes this page.\nThe films from [derivative-limit](#derivative-limit) on are for lessons.\n'
@@ -36,7 +36,7 @@ END
   python3 "$root/bench/scripts/lengths.py"
   cat <<'END'
 
-The sixteen films for lessons have counterparts in Manim, which we have not run either ([bench/teaching](../bench/teaching/README.md)).
+The twenty films for lessons have counterparts in Manim, which we have not run either ([bench/teaching](../bench/teaching/README.md)).
 These are the numbers of characters:
 
 END
