@@ -78,6 +78,8 @@ holds 'the network tells a cat from a bird' 'v[1] > v[2] + 0.4 && v[1] > v[3] + 
 # In a valley the slope is 0: cos(2x) cos(1.5y) + 0.16x = 0 and -0.75 sin(2x) sin(1.5y) + 0.16y = 0.
 holds 'a ball rolls into a valley' 'same(cos(2 * v[1]) * cos(1.5 * v[2]) + 0.16 * v[1], 0) && same(0.75 * sin(2 * v[1]) * sin(1.5 * v[2]), 0.16 * v[2])' \
   gradient-descent 193f ball20.position
+holds 'a name and a number of the table arrive where the chart has them' 'same(v[1], v[3]) && same(v[2], v[4]) && same(v[5], v[7]) && same(v[6], v[8])' \
+  table-to-chart 115f t/4-1.world.x t/4-1.world.y c/Oslo/label.world.x c/Oslo/label.world.y t/4-2.world.x t/4-2.world.y c/Oslo/number.world.x c/Oslo/number.world.y
 holds 'the ride ends where it began' 'same(v[1], v[4]) && same(v[2], v[5]) && same(v[3], v[6])' ride 1f,193f eye.position
 holds 'the fifth fish is where the leader was 15.36 frames before' 'same(v[1], v[10]) && same(v[2], v[11])' \
   swarm 84.64f,100f fish0.position fish5.position
