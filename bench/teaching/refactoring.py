@@ -15,8 +15,8 @@ FIRST = """def price(order):
             total += item.count * item.price
     return total"""
 COST = """def cost(item):
-    discount = 0.9 if item.count > 10 else 1
-    return discount * item.count * item.price
+    bulk_discount = 0.9 if item.count > 10 else 1
+    return bulk_discount * item.count * item.price
 
 def price(order):
 """
