@@ -193,10 +193,10 @@ bool morph(Command& k) {
   };
   const Color before = stage.value<Color>(from, fn::color), after = stage.value<Color>(to, fn::color);
   if (before != after) stage.move(from.name + ".color", color(before), color(after), "ease-in-out");
-  // B may be below something else, and code may tell its place.
-  const auto m = measured(s, {a, b}, start);
-  const auto inward = inverse(m[0].to_world);
-  const Vec3 here = m[0].position, way = translation_of(m[1].world) - translation_of(m[0].world);
+  // B may be below something else, and code may tell its place, which may change until the end.
+  const Measured first_place = measured(s, {a}, start)[0], last_place = measured(s, {b}, start + length)[0];
+  const auto inward = inverse(first_place.to_world);
+  const Vec3 here = first_place.position, way = translation_of(last_place.world) - translation_of(first_place.world);
   const Vec3 there = inward ? here + transform_vector(*inward, way) : here;
   if (here != there) stage.move(from.name + ".position", write_vector(here), write_vector(there), "ease-in-out");
   if (start > Time{}) stage.lines += stage.at(Time{}) + "hide " + to.name + "\n";

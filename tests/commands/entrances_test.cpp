@@ -15,7 +15,7 @@ TEST(Entrances, WritePlainEvents) {
                      {"title.display", "25f", {1}},
                      {"title.typed", "25f", {0}},
                      {"title.typed", "37f", {2.5}},
-                     {"title.typed", "49f", {5}},
+                     {"title.typed", "49f", {20000}},  // a longer text is not cut off
                      {"way.trim", "25f", {0, 0, 0}},
                      {"way.trim", "37f", {0, 1, 0}},
                      {"ball.transparency", "25f", {1}},
