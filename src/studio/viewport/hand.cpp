@@ -10,6 +10,8 @@
 #include "betwixt/track.h"
 #include "editor/made_by.h"
 #include "language/values.h"
+#include "program/asking.h"
+#include "program/on_axes.h"
 #include "scene/functions.h"
 
 namespace betwixt::studio {
@@ -85,6 +87,33 @@ Vec3 pivot_in_world(const Program& program, ObjectId id, const Mat4& world, Time
       if (const Value v = program.read(Target(id, fn::pivot), time); const auto* p = std::get_if<Vec3>(&v))
         return transform_point(world, *p);
   return translation_of(world);
+}
+
+// Returns the axes in whose numbers the position of an object counts.
+std::optional<AxesSpace> axes_below(const Program& program, ObjectId id, Time t) {
+  const Scene& scene = program.document().scene();
+  if (!position_by_axes(scene, scene.objects[id.index])) return std::nullopt;
+  Asking asking;
+  const Result<AxesSpace> space = axes_space(program.compiled(), id, t, asking);
+  return space ? std::optional(*space) : std::nullopt;
+}
+
+// Returns the numbers of axes after a move in metres, as tidy as a step there. Numbers that the move leaves alone stay.
+Vec3 moved_numbers(const AxesSpace& axes, Vec3 numbers, Vec3 by, double step) {
+  const Vec3 to = axes.place(numbers) + by;
+  const std::optional<Vec3> there = axes.numbers_at(to);
+  if (!there || !std::isfinite(to.x + to.y + to.z)) return numbers;
+  Vec3 steps;  // how far the numbers change along a step
+  for (int i = 0; i < 3; ++i) {
+    Vec3 aside = to;
+    aside[i] += step;
+    if (const auto beside = axes.numbers_at(aside))
+      for (int c = 0; c < 3; ++c) steps[c] = std::max(steps[c], std::abs((*beside)[c] - (*there)[c]));
+  }
+  Vec3 out = numbers;
+  for (int c = 0; c < 3; ++c)
+    if (std::abs((*there)[c] - numbers[c]) > 1e-6 * steps[c]) out[c] = rounded((*there)[c], steps[c]);
+  return out;
 }
 
 }  // namespace
@@ -184,6 +213,7 @@ void Hand::take(ObjectId id) {
   h.place = pivot_in_world(program_, id, **world, time_);
   const Mat4 to_world = program_.kinematics(id, time_).track_to_world;
   h.back = inverse(to_world).value_or(Mat4{});
+  h.axes = axes_below(program_, id, time_);
   h.aims = looks_at_something(program_, id, time_);
   // A parent's rotation turns the object too, unless it hangs, which passes on only the position.
   if (!hangs_only(d, id, time_))
@@ -228,8 +258,8 @@ void Hand::put(const Held& h, std::uint16_t function, const Vec3& before, const 
 void Hand::put_position(const Held& h, Vec3 by, double step, std::vector<std::string>& lines) const {
   if (h.still[0]) return;
   const Vec3 own = transform_vector(h.back, by);
-  Vec3 to = h.position;
-  for (int i = 0; i < 3; ++i)
+  Vec3 to = h.axes ? moved_numbers(*h.axes, h.position, own, step) : h.position;
+  for (int i = 0; i < 3 && !h.axes; ++i)
     if (std::abs(own[i]) > 1e-9 * (1 + length(own))) to[i] = rounded(h.position[i] + own[i], step);
   put(h, fn::position, h.position, to, 1e-12, lines);
 }

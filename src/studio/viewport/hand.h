@@ -5,9 +5,11 @@
 // `set ball.position (1 2 3)`.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "scene/axes.h"
 #include "studio/shell/workspace.h"
 
 namespace betwixt::studio {
@@ -57,11 +59,12 @@ class Hand {
     ObjectId id;
     Vec3 position, scale{1, 1, 1};
     Value rotation;
-    Vec3 place;         // in the world
-    Mat4 back;          // the linear part of the transform from the world to the position's space
-    Quat parent;        // the parents' rotation
-    bool still[3];      // position, rotation, scale: computed by code, so fixed
-    bool aims = false;  // has a look-at target
+    Vec3 place;                     // in the world
+    Mat4 back;                      // the linear part of the transform from the world to the position's space
+    std::optional<AxesSpace> axes;  // its position is numbers of these
+    Quat parent;                    // the parents' rotation
+    bool still[3];                  // position, rotation, scale: computed by code, so fixed
+    bool aims = false;              // has a look-at target
   };
   void take(ObjectId);
   void put_position(const Held&, Vec3 by, double step, std::vector<std::string>& lines) const;
