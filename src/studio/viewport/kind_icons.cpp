@@ -12,6 +12,7 @@
 
 #include "scene/kinds.h"
 #include "studio/shell/theme.h"
+#include "studio/viewport/chart_icons.h"
 
 namespace betwixt::studio {
 namespace {
@@ -96,6 +97,7 @@ void draw(QPainter& p, Kind k, const QColor& c) {
   fill.setAlpha(90);
   p.setPen(QPen(c, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   p.setBrush(fill);
+  if (draw_chart_icon(p, k)) return;
   switch (k) {
     case Kind::group:
       p.setBrush(Qt::NoBrush);
@@ -160,7 +162,6 @@ void draw(QPainter& p, Kind k, const QColor& c) {
       for (const QPointF at : {QPointF(4, 5), QPointF(11, 4), QPointF(7, 9), QPointF(12, 11), QPointF(4, 12.5)})
         p.drawEllipse(at, 1, 1);
       return;
-    case Kind::code:
     case Kind::text:
       p.setPen(QPen(c, 1.8));
       p.drawLine(QPointF(3.5, 3.5), QPointF(12.5, 3.5));
