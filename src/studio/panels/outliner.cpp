@@ -15,6 +15,8 @@
 #include <QVBoxLayout>
 
 #include "editor/made_by.h"
+#include "scene/functions.h"
+#include "scene/own_kinds.h"
 #include "studio/assets/look_lines.h"
 #include "studio/objects/creating.h"
 #include "studio/objects/object_actions.h"
@@ -47,17 +49,15 @@ OutlinerTree::OutlinerTree(Workspace& workspace, OutlinerModel& model, QWidget* 
     header()->setMinimumSectionSize(em);
     header()->resizeSection(OutlinerModel::eye, em + em / 2);
   });
-  connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& i) { folded_.insert(model_.object(i).index); });
-  connect(this, &QTreeView::expanded, this, [this](const QModelIndex& i) { folded_.erase(model_.object(i).index); });
-  // A rebuilt tree keeps its open and closed rows.
-  connect(&model, &QAbstractItemModel::modelReset, this, [this] {
-    const std::set<std::uint32_t> folded = folded_;
-    expandAll();
-    for (const std::uint32_t id : folded)
-      if (const QModelIndex i = model_.index_of({id}); i.isValid()) collapse(i);
-    take_selection();
-  });
-  expandAll();
+  const auto note = [this](std::set<std::uint32_t>& into, std::set<std::uint32_t>& from) {
+    return [this, &into, &from](const QModelIndex& i) {
+      if (!folding_) into.insert(model_.object(i).index), from.erase(model_.object(i).index);
+    };
+  };
+  connect(this, &QTreeView::collapsed, this, note(folded_, opened_));
+  connect(this, &QTreeView::expanded, this, note(opened_, folded_));
+  connect(&model, &QAbstractItemModel::modelReset, this, [this] { fold(), take_selection(); });
+  fold();
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
     if (selecting_) return;
     selecting_ = true;
@@ -65,6 +65,29 @@ OutlinerTree::OutlinerTree(Workspace& workspace, OutlinerModel& model, QWidget* 
     selecting_ = false;
   });
   connect(&workspace, &Workspace::selection_changed, this, &OutlinerTree::take_selection);
+}
+
+// Returns whether all below a row is made by `create`, such as the numbers of axes.
+bool OutlinerTree::has_only_pieces(const QModelIndex& of) const {
+  const Document& d = workspace_.document();
+  const std::string name = d.name(model_.object(of));
+  for (int row = 0; row < model_.rowCount(of); ++row)
+    if (!is_below(d.name(model_.object(model_.index(row, 0, of))), name)) return false;
+  for (std::string up = name;; up.resize(up.rfind('/'))) {
+    const ObjectId id = d.find(up);
+    if (id && find_built_in(kind(d, id), "bare")) return true;
+    if (up.find('/') == up.npos) return false;
+  }
+}
+
+// Opens and closes the rows of a new tree.
+void OutlinerTree::fold() {
+  folding_ = true;
+  expandAll();
+  for (const ObjectId id : objects(workspace_.document()))
+    if (const QModelIndex i = model_.index_of(id); i.isValid() && model_.rowCount(i) > 0)
+      if (folded_.contains(id.index) || (!opened_.contains(id.index) && has_only_pieces(i))) collapse(i);
+  folding_ = false;
 }
 
 // Returns the selected objects; the current one comes last, because it leads.

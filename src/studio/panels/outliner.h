@@ -39,9 +39,12 @@ class OutlinerTree : public QTreeView {
 
   Workspace& workspace_;
   OutlinerModel& model_;
-  std::set<std::uint32_t> folded_;
+  bool has_only_pieces(const QModelIndex&) const;
+  void fold();
+  // Objects that the user has closed, or opened. Others are open unless they have only pieces.
+  std::set<std::uint32_t> folded_, opened_;
   std::optional<QPoint> pressed_;
-  bool dragging_ = false, selecting_ = false;
+  bool dragging_ = false, selecting_ = false, folding_ = false;
   QPoint at_;
 };
 

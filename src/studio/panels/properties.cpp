@@ -173,9 +173,9 @@ void Properties::refresh() {
     const std::vector<Value> now = workspace_.program().read(targets, workspace_.time());
     std::vector<std::pair<std::string, EditorKind>> wanted;
     for (std::size_t i = 0; i < all.size(); ++i)
-      wanted.emplace_back(
-          all[i].name,
-          editor_of(all[i], now[i], all[i].animated && !made_by(d, targets[i], workspace_.time()).code.empty()));
+      wanted.emplace_back(all[i].name,
+                          editor_of(all[i], kind(d, id), now[i],
+                                    all[i].animated && !made_by(d, targets[i], workspace_.time()).code.empty()));
     if (wanted != built_ || kind(d, id) != built_of_) {
       built_ = wanted, built_of_ = kind(d, id);
       icon_->setPixmap(kind_icon(*built_of_).pixmap(fontMetrics().height(), fontMetrics().height()));

@@ -14,6 +14,7 @@
 #include "editor/plain_values.h"
 #include "language/values.h"
 #include "scene/functions.h"
+#include "studio/panels/lines_editor.h"
 #include "studio/shell/control_names.h"
 #include "studio/shell/number_field.h"
 #include "studio/shell/text_of.h"
@@ -316,9 +317,16 @@ class CodeEditor : public ValueEditor {
   QLabel* label_;
 };
 
+// Returns whether a text has lines, or usually has.
+bool has_lines(const FunctionView& f, Kind of_object, const Value& now) {
+  const auto* text = std::get_if<Text>(&now);
+  const bool usually = (of_object == Kind::code && f.name == "text") || (of_object == Kind::diagram && f.name == "of");
+  return usually || (text && (**text).find('\n') != std::string::npos);
+}
+
 }  // namespace
 
-EditorKind editor_of(const FunctionView& f, const Value& now, bool code) {
+EditorKind editor_of(const FunctionView& f, Kind of_object, const Value& now, bool code) {
   if (code) return EditorKind::code;
   switch (f.type) {
     case Type::scalar:
@@ -334,7 +342,8 @@ EditorKind editor_of(const FunctionView& f, const Value& now, bool code) {
     case Type::boolean:
       return EditorKind::boolean;
     case Type::text:
-      return f.words.empty() ? EditorKind::text : EditorKind::choice;
+      if (!f.words.empty()) return EditorKind::choice;
+      return has_lines(f, of_object, now) ? EditorKind::lines : EditorKind::text;
     case Type::shape:
     case Type::aim:
       return EditorKind::object;
@@ -359,6 +368,8 @@ ValueEditor* make_editor(EditorKind kind, const FunctionView& f, Workspace& work
       return new ChoiceEditor(f.words, parent);
     case EditorKind::text:
       return new WordsEditor(true, parent);
+    case EditorKind::lines:
+      return make_lines_editor(parent);
     case EditorKind::object:
       return new ObjectEditor(f.type == Type::shape, workspace, parent);
     case EditorKind::attachment:

@@ -25,8 +25,20 @@ class ValueEditor : public QWidget {
 };
 
 // The kind of editor for a function's value. If it changes, the row needs another editor.
-enum class EditorKind : std::uint8_t { number, numbers, color, boolean, choice, text, object, attachment, words, code };
-EditorKind editor_of(const FunctionView&, const Value& now, bool code);
+enum class EditorKind : std::uint8_t {
+  number,
+  numbers,
+  color,
+  boolean,
+  choice,
+  text,
+  lines,  // a text of several lines
+  object,
+  attachment,
+  words,
+  code
+};
+EditorKind editor_of(const FunctionView&, Kind of_object, const Value& now, bool code);
 ValueEditor* make_editor(EditorKind, const FunctionView&, Workspace&, QWidget* parent);
 
 }  // namespace betwixt::studio
