@@ -144,8 +144,9 @@ class OutlinerTest : public QObject {
   void new_things_stand_on_the_ground() {
     Shown s("ground on\n");
     const auto make = [&](const char* kind) {
-      for (QAction* a : s.panel.findChild<QToolButton*>("add")->menu()->actions())
-        if (a->text() == kind) a->trigger();
+      for (const QMenu* group : s.panel.findChild<QToolButton*>("add")->menu()->findChildren<QMenu*>())
+        for (QAction* a : group->actions())
+          if (a->text() == kind) a->trigger();
     };
     make("sphere");
     QVERIFY2(s.text().endsWith("create sphere1 sphere position=(0 1 0)\n"), qPrintable(s.text()));
@@ -216,8 +217,9 @@ class OutlinerTest : public QObject {
 
   void makes_objects() {
     Shown s("create sphere1 sphere\n");
-    for (QAction* a : s.panel.findChild<QToolButton*>("add")->menu()->actions())
-      if (a->text() == "sphere") a->trigger();
+    for (const QMenu* group : s.panel.findChild<QToolButton*>("add")->menu()->findChildren<QMenu*>())
+      for (QAction* a : group->actions())
+        if (a->text() == "sphere") a->trigger();
     QCOMPARE(s.text(), "create sphere1 sphere\ncreate sphere2 sphere\n");
     QCOMPARE(s.selected(), "sphere2");
   }
@@ -242,6 +244,21 @@ class OutlinerTest : public QObject {
     QTest::keyClick(&s.tree, Qt::Key_Minus);
     s.workspace.say(std::string("create more box"));
     QVERIFY(!s.tree.isExpanded(s.at("car")));
+  }
+
+  // The many pieces of axes do not hide the other objects.
+  void pieces_of_axes_are_folded_first() {
+    Shown s("film flat\ncreate car group\ncreate car/wheel circle\ncreate ax axes\n");
+    QVERIFY(s.tree.isExpanded(s.at("car")));
+    QVERIFY(!s.tree.isExpanded(s.at("ax")));
+    s.workspace.say(std::string("create dot circle on=ax"));  // which is seen at once
+    QVERIFY(s.tree.isExpanded(s.at("ax")) && !s.tree.isExpanded(s.at("ax/x")));
+    s.tree.collapse(s.at("ax")), s.tree.expand(s.at("ax"));
+    s.workspace.say(std::string("create ax2 axes"));
+    QVERIFY(s.tree.isExpanded(s.at("ax")) && !s.tree.isExpanded(s.at("ax2")));
+    s.tree.collapse(s.at("ax"));
+    s.workspace.say(std::string("create more circle"));
+    QVERIFY(!s.tree.isExpanded(s.at("ax")));
   }
 
   void ten_thousand_are_a_tree_too() {

@@ -19,6 +19,7 @@
 #include "scene/document.h"
 #include "studio/assets/asset_files.h"
 #include "studio/assets/look_lines.h"
+#include "studio/objects/staging.h"
 #include "studio/shell/keys.h"
 #include "studio/viewport/hand.h"
 
@@ -79,6 +80,8 @@ void ObjectActions::fill(QMenu& menu) {
     action->setToolTip(tr(row.sentence));
     action->setShortcut(QKeySequence(Keys::of_user().shown(row.name), QKeySequence::NativeText));
   }
+  menu.addSeparator();
+  fill_staging(menu, workspace_);
   menu.addSeparator();
   const auto with_axes = [&](const QString& title, std::size_t least, void (ObjectActions::*run)(Axis)) {
     QMenu* const sub = menu.addMenu(title);

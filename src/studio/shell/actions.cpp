@@ -6,6 +6,7 @@
 
 #include "studio/curves/curve_actions.h"
 #include "studio/objects/object_actions.h"
+#include "studio/objects/staging.h"
 #include "studio/poses/pose_actions.h"
 #include "studio/shell/preferences.h"
 #include "studio/shell/sound.h"
@@ -48,11 +49,23 @@ std::vector<ActionRow> object_rows() {
   return rows;
 }
 
+// What brings objects on, takes them off and points at them.
+std::vector<ActionRow> animation_rows() {
+  std::vector<ActionRow> rows;
+  for (const StagingRow& row : staging_rows()) {
+    rows.push_back({"Animation", row.name, "", row.sentence, [&row](Window& w) { stage(w.workspace(), row); }});
+    rows.back().also = row.also;
+    const bool new_sort = &row != staging_rows().data() && row.sort != (&row - 1)->sort;
+    rows.back().divides = new_sort && row.sort != StagingSort::unmark;
+  }
+  return rows;
+}
+
 // The words of other programs.
 constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"Insert event at playhead", "keyframe key set record"},
     {"Insert position, rotation and scale", "keyframe locrotscale transform whole"},
-    {"Add object", "create new mesh cube primitive insert"},
+    {"Add object", "create new mesh cube primitive insert chart graph code formula"},
     {"Key preset…", "blender after effects keymap hotkeys shortcuts keyboard"},
     {"Manual", "help documentation guide handbook"},
     {"About Betwixt", "version licence license copyright"},
@@ -331,7 +344,8 @@ std::vector<ActionRow> made_rows() {
       {"Help", "About Betwixt", "", "The version and the licence.", [](Window& w) { w.show_about(); }},
   };
   std::vector<ActionRow> objects = object_rows();
-  for (ActionRow& row : key_rows()) objects.push_back(std::move(row));
+  for (std::vector<ActionRow> more : {animation_rows(), key_rows()})
+    for (ActionRow& row : more) objects.push_back(std::move(row));
   for (const auto& [name, words] : other_words)
     for (std::vector<ActionRow>* rows : {&all, &objects})
       for (ActionRow& row : *rows)

@@ -20,6 +20,7 @@ struct ActionRow {
   std::function<void(Window&)> run;
   bool (*is_on)(const Window&) = nullptr;  // whether a switch is on; null if the command is no switch
   std::string_view also = {};              // words by which people look for it
+  bool divides = false;                    // a line above it in the menu
 };
 const std::vector<ActionRow>& action_rows();
 std::vector<ActionRow> picture_rows();  // those of the view of the picture

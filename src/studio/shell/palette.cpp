@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "editor/said_line.h"
+#include "studio/objects/creating.h"
 #include "studio/shell/actions.h"
 #include "studio/shell/keys.h"
 #include "studio/shell/text_of.h"
@@ -21,7 +22,7 @@ namespace betwixt::studio {
 namespace {
 
 constexpr int what = Qt::UserRole, which = Qt::UserRole + 1;
-enum What { action, object, line };
+enum What { action, object, line, kind_to_add };
 
 // Returns whether the text begins with a verb and another word.
 bool is_line(const QString& letters) {
@@ -75,16 +76,24 @@ void Palette::list(const QString& letters) {
     item->setToolTip(tip), item->setData(what, kind), item->setData(which, number);
     all.push_back({good, item});
   };
+  // The first of the other words is what the action is mostly called elsewhere.
+  const auto by_other_words = [&](std::string_view also) {
+    const auto place = (" " + text_of(also)).indexOf(" " + letters.trimmed(), 0, Qt::CaseInsensitive);
+    return letters.trimmed().size() > 2 && place >= 0 ? 1500 - static_cast<int>(place) : 0;
+  };
   const auto& rows = action_rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const QString name = word_of(rows[i].name), keys = Keys::of_user().shown(rows[i].name);
     int good = std::max(fit(letters, name), fit(letters, text_of(rows[i].name)));  // also by its English name
-    const QString other = " " + text_of(rows[i].also);
-    // The first of the other words is what the action is mostly called elsewhere.
-    const auto place = other.indexOf(" " + letters.trimmed(), 0, Qt::CaseInsensitive);
-    if (letters.size() > 2 && place >= 0) good = std::max(good, 1500 - static_cast<int>(place));
+    good = std::max(good, by_other_words(rows[i].also));
     add(good, word_of(rows[i].menu) + ": " + name + (keys.isEmpty() ? "" : "    " + keys), word_of(rows[i].sentence),
         action, static_cast<int>(i));
+  }
+  const auto kinds = created_kinds();
+  for (std::size_t i = 0; i < kinds.size() && !letters.isEmpty(); ++i) {
+    const QString name = text_of(name_of(kinds[i].kind));
+    add(std::max(fit(letters, name), by_other_words(kinds[i].also)), word_of("Add object") + ": " + name, {},
+        kind_to_add, static_cast<int>(i));
   }
   if (!letters.isEmpty()) {
     int listed = 0;
@@ -114,6 +123,8 @@ void Palette::run() {
   }
   accept();
   if (kind == action) action_rows()[static_cast<std::size_t>(number)].run(window_);
+  if (kind == kind_to_add)
+    create_of_kind(window_.workspace(), created_kinds()[static_cast<std::size_t>(number)], &window_);
   if (kind == object) window_.workspace().select({ObjectId{static_cast<std::uint32_t>(number)}});
 }
 

@@ -223,6 +223,7 @@ void Window::add_menus() {
   };
   for (const ActionRow& row : action_rows()) {
     QMenu* into = menu_of(text_of(row.menu));
+    if (row.divides) into->addSeparator();
     auto* action = into->addAction(text_of(row.name));
     actions_.emplace_back(action, &row);
     action->setToolTip(word_of(row.sentence));
