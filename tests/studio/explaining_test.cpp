@@ -280,10 +280,27 @@ class ExplainingTest : public QObject {
       }
   }
 
+  // In the window, ctrl-Return elsewhere goes to the console.
+  void code_keeps_the_focus_in_the_window() {
+    Film film("film flat\ncreate c code text=\"a\"\n");
+    Window window(film.workspace);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    window.show_panel("properties");
+    film.select("c");
+    auto* field = window.panel("properties")->findChild<ValueEditor*>("text")->findChild<QPlainTextEdit*>("value");
+    field->setFocus();
+    QTest::keyClicks(field, "b");
+    QTest::keyClick(field, Qt::Key_Return, Qt::ControlModifier);
+    QCOMPARE(*std::get<Text>(film.value("c.text")), std::string("ba"));
+    QCOMPARE(QApplication::focusWidget(), field);
+  }
+
   void code_is_edited_in_lines() {
     ShownProperties s("film flat\ncreate c code language=python text=\"a = 1\\nb = \\\"x\\\"\"\n", "c", 500);
     const auto field = [&] { return s.panel.findChild<ValueEditor*>("text")->findChild<QPlainTextEdit*>("value"); };
     QVERIFY(field());
+    QVERIFY2(field()->width() > 400, "it has the width of the panel, which is 500");
     QCOMPARE(field()->toPlainText(), "a = 1\nb = \"x\"");
     const QString before = s.text();
     field()->setFocus();
@@ -302,6 +319,40 @@ class ExplainingTest : public QObject {
     QCOMPARE(s.text(), before);
     auto* language = s.panel.findChild<ValueEditor*>("language")->findChild<QComboBox*>("value");
     QVERIFY(language && language->findText("rust") >= 0);
+  }
+
+  void a_diagram_changes_as_a_whole() {
+    ShownProperties s("film flat\nrange 1f 96f\n\ncreate d diagram of=\"a -> b -> c\"  # steps\n", "d", 500);
+    const QString before = s.text();
+    const auto layout = [&](const char* word) {
+      auto* box = s.panel.findChild<ValueEditor*>("layout")->findChild<QComboBox*>("value");
+      box->setCurrentText(word);
+      Q_EMIT box->textActivated(word);
+    };
+    const auto place = [&](const char* node, const char* when) {
+      const Value v = s.workspace.program().read(Target(s.id(node), Query::world), s.at_time(when));
+      return translation_of(*std::get<Matrix>(v));
+    };
+    QVERIFY(std::abs(place("d/a", "1f").x - place("d/b", "1f").x) < 1e-6);  // one below the other
+    layout("circle");
+    QCOMPARE(s.text(), QString(before).replace("\"  #", "\" layout=circle  #"));
+    QVERIFY(std::abs(place("d/a", "1f").x - place("d/b", "1f").x) > 0.5);
+    s.workspace.undo();
+    QCOMPARE(s.text(), before);
+    auto* of = s.panel.findChild<ValueEditor*>("of")->findChild<QPlainTextEdit*>("value");
+    of->setFocus();
+    of->selectAll();
+    QTest::keyClicks(of, "a -> z");
+    QTest::keyClick(of, Qt::Key_Return, Qt::ControlModifier);
+    QCOMPARE(s.text(), QString(before).replace("a -> b -> c", "a -> z"));
+    QVERIFY(s.id("d/z") && !s.id("d/b"));
+    s.workspace.undo();
+    // Later it turns into another one.
+    s.workspace.go_to(s.at_time("24f"));
+    layout("circle");
+    QCOMPARE(s.text(), before + "at 24f rearrange d layout=circle\n");
+    QVERIFY(std::abs(place("d/a", "24f").x - place("d/b", "24f").x) < 1e-6);
+    QVERIFY(std::abs(place("d/a", "48f").x - place("d/b", "48f").x) > 0.5);
   }
 
   // ---- The palette
@@ -330,6 +381,11 @@ class ExplainingTest : public QObject {
                                           {"appear", "Fade in"},
                                           {"latex", "Add object: text"}})
       QVERIFY2(among_first(letters, wanted), (std::string(letters) + ": " + wanted).c_str());
+    // The letters of other words do not come first.
+    palette.findChild<QLineEdit*>()->setText("chart");
+    QVERIFY2(list->item(0)->text().startsWith("Add object"), qPrintable(list->item(0)->text()));
+    palette.findChild<QLineEdit*>()->setText("copy");
+    QVERIFY2(list->item(0)->text().startsWith("Object: Copy"), qPrintable(list->item(0)->text()));
     palette.findChild<QLineEdit*>()->setText("columns");
     QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
     QVERIFY2(film.id("columns1"), qPrintable(film.text()));

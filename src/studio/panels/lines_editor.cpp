@@ -37,9 +37,13 @@ class TextLines : public QPlainTextEdit {
   }
 
  protected:
+  bool event(QEvent* e) override {
+    // In the window, ctrl-Return goes to the console.
+    if (e->type() == QEvent::ShortcutOverride && accepts(*static_cast<QKeyEvent*>(e))) return e->accept(), true;
+    return QPlainTextEdit::event(e);
+  }
   void keyPressEvent(QKeyEvent* e) override {
-    const bool is_return = e->key() == Qt::Key_Return || e->key() == Qt::Key_Enter;
-    if (is_return && e->modifiers() & Qt::ControlModifier) return pass_on();
+    if (accepts(*e)) return pass_on();
     if (e->key() != Qt::Key_Escape) return QPlainTextEdit::keyPressEvent(e);
     put(shown_), clearFocus();
   }
@@ -49,6 +53,9 @@ class TextLines : public QPlainTextEdit {
   }
 
  private:
+  static bool accepts(const QKeyEvent& e) {
+    return (e.key() == Qt::Key_Return || e.key() == Qt::Key_Enter) && e.modifiers() & Qt::ControlModifier;
+  }
   void put(const QString& text) {
     setPlainText(text);
     document()->setModified(false);

@@ -13,6 +13,7 @@
 #include "editor/made_by.h"
 #include "editor/plain_values.h"
 #include "scene/document.h"
+#include "studio/panels/diagram_lines.h"
 #include "studio/shell/control_names.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
@@ -256,7 +257,8 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
   auto* grid = static_cast<QGridLayout*>(section->layout());
   const int at = grid->rowCount();
   auto row = std::make_unique<Row>();
-  grid->setRowMinimumHeight(at + 1, 0);  // for its parts
+  const bool wide = kind == EditorKind::lines;        // below its name
+  grid->setRowMinimumHeight(at + (wide ? 2 : 1), 0);  // for its parts
   row->at = at, row->of = f, row->name = f.name, row->kind = kind;
   const QString name = text_of(f.name);
   row->diamond = new QToolButton(section);
@@ -275,7 +277,7 @@ void Properties::add_row(QWidget* section, const FunctionView& f, EditorKind kin
   row->diamond->setAccessibleName(tr("event of %1").arg(name));
   grid->addWidget(row->diamond, at, 0);
   grid->addWidget(row->called, at, 1);
-  grid->addWidget(row->editor, at, 2);
+  wide ? grid->addWidget(row->editor, at + 1, 1, 1, 4) : grid->addWidget(row->editor, at, 2);
   grid->addWidget(row->made, at, 3);
   row->diamond->setIcon(diamond(false, false));
   Row* of = row.get();
@@ -347,6 +349,10 @@ std::vector<std::string> Properties::lines_for(const Row& row, int component, co
           all += (i > 0 ? " " : "") + (i == component ? value : plain_value(part, Target(id, f.id, i), d));
         }
         value = (angles ? "euler(" : "(") + all + ")";
+      }
+      if (const auto line = diagram_line(workspace_, id, f.name, value)) {
+        lines.push_back(*line);
+        continue;
       }
       const bool makes = !spec_of(d.scene(), f.id).by_script && workspace_.makes_events();
       lines.push_back(makes ? line_of_event(d, t, workspace_.time(), value)

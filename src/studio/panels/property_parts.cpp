@@ -67,7 +67,8 @@ void Properties::unfold(Row& row, bool open) {
   QWidget* section = row.add->parentWidget()->parentWidget();
   row.parts = new PartsView(workspace_, Target(leading(), row.of.id), section);
   row.parts->setObjectName("parts_" + name);
-  static_cast<QGridLayout*>(section->layout())->addWidget(row.parts, row.at + 1, 1, 1, 4);
+  static_cast<QGridLayout*>(section->layout())
+      ->addWidget(row.parts, row.at + (row.kind == EditorKind::lines ? 2 : 1), 1, 1, 4);
   row.parts->show();
 }
 

@@ -76,15 +76,21 @@ void Palette::list(const QString& letters) {
     item->setToolTip(tip), item->setData(what, kind), item->setData(which, number);
     all.push_back({good, item});
   };
+  const QString word = letters.trimmed();
+  const auto whole_word = [&](const QString& in) {
+    return word.size() > 2 && (" " + in + " ").contains(" " + word + " ", Qt::CaseInsensitive);
+  };
+  const auto by_name = [&](const QString& name) { return fit(letters, name) + (whole_word(name) ? 2000 : 0); };
   // The first of the other words is what the action is mostly called elsewhere.
   const auto by_other_words = [&](std::string_view also) {
-    const auto place = (" " + text_of(also)).indexOf(" " + letters.trimmed(), 0, Qt::CaseInsensitive);
-    return letters.trimmed().size() > 2 && place >= 0 ? 1500 - static_cast<int>(place) : 0;
+    const auto place = (" " + text_of(also)).indexOf(" " + word, 0, Qt::CaseInsensitive);
+    const int good = whole_word(text_of(also)) ? 2600 : 1500;
+    return word.size() > 2 && place >= 0 ? good - static_cast<int>(place) : 0;
   };
   const auto& rows = action_rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const QString name = word_of(rows[i].name), keys = Keys::of_user().shown(rows[i].name);
-    int good = std::max(fit(letters, name), fit(letters, text_of(rows[i].name)));  // also by its English name
+    int good = std::max(by_name(name), by_name(text_of(rows[i].name)));  // also by its English name
     good = std::max(good, by_other_words(rows[i].also));
     add(good, word_of(rows[i].menu) + ": " + name + (keys.isEmpty() ? "" : "    " + keys), word_of(rows[i].sentence),
         action, static_cast<int>(i));
@@ -92,8 +98,8 @@ void Palette::list(const QString& letters) {
   const auto kinds = created_kinds();
   for (std::size_t i = 0; i < kinds.size() && !letters.isEmpty(); ++i) {
     const QString name = text_of(name_of(kinds[i].kind));
-    add(std::max(fit(letters, name), by_other_words(kinds[i].also)), word_of("Add object") + ": " + name, {},
-        kind_to_add, static_cast<int>(i));
+    add(std::max(by_name(name), by_other_words(kinds[i].also)), word_of("Add object") + ": " + name, {}, kind_to_add,
+        static_cast<int>(i));
   }
   if (!letters.isEmpty()) {
     int listed = 0;
