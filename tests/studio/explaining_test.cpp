@@ -217,14 +217,30 @@ class ExplainingTest : public QObject {
   }
 
   void marks_are_taken_away() {
-    Film film(
-        "film flat\nrange 1f 96f\ncreate a circle\ncreate b circle position=(4 0)\nat 12f underline a\n"
-        "at 12f spotlight a\n");
+    const QByteArray begin =
+        "film flat\nrange 1f 96f\ncreate a circle\ncreate b circle position=(4 0)\n"
+        "create c code text=\"a\\nb\"\n";
+    // Each mark alone, once: then there is nothing left.
+    for (const StagingRow& row : staging_rows()) {
+      if (row.sort != StagingSort::mark) continue;
+      Film film(begin);
+      film.select("a");
+      film.workspace.go_to(film.at_time("12f"));
+      stage(film.workspace, row);
+      film.workspace.go_to(film.at_time("48f"));
+      for (int times = 0; times < 2; ++times) {
+        stage(film.workspace, staging("Take marks away"));
+        QCOMPARE(film.text().count(" off\n"), 1);
+        film.workspace.go_to(film.at_time("72f"));
+      }
+      QVERIFY2(film.text().endsWith("at 48f " + QString::fromStdString(std::string(row.verb)) + " a off\n"), row.name);
+    }
+    Film film(begin + "at 12f underline a\nat 12f spotlight a\nat 12f highlight c lines 1..2\n");
     const QString before = film.text();
     film.workspace.go_to(film.at_time("48f"));
-    film.workspace.select({film.id("a"), film.id("b")});
+    film.workspace.select({film.id("a"), film.id("b"), film.id("c")});
     stage(film.workspace, staging("Take marks away"));
-    QCOMPARE(film.text(), before + "at 48f underline a off\nat 48f spotlight a off\n");
+    QCOMPARE(film.text(), before + "at 48f underline a off\nat 48f spotlight a off\nat 48f highlight c off\n");
     QString why;
     connect(&film.workspace, &Workspace::said, this, [&](const QString&, const QString& answer) { why = answer; });
     film.select("b");

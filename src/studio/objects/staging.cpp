@@ -10,6 +10,7 @@
 
 #include "betwixt/language.h"
 #include "language/values.h"
+#include "scene/functions.h"
 #include "studio/shell/text_of.h"
 
 namespace betwixt::studio {
@@ -43,9 +44,9 @@ constexpr StagingRow all_staging[] = {
      QT_TR_NOOP("Draws a line under the selection: `at 24f underline title`."), "annotate mark emphasis"},
     {StagingSort::mark, QT_TR_NOOP("Circle around"), "circle-around",
      QT_TR_NOOP("Draws a line around the selection: `at 24f circle-around ball`."),
-     "annotate mark encircle frame emphasis"},
+     "annotate mark encircle frame emphasis", "circle"},
     {StagingSort::mark, QT_TR_NOOP("Cross out"), "cross-out",
-     QT_TR_NOOP("Strikes the selection out: `at 24f cross-out title`."), "annotate mark strike wrong"},
+     QT_TR_NOOP("Strikes the selection out: `at 24f cross-out title`."), "annotate mark strike wrong", "cross"},
     {StagingSort::mark, QT_TR_NOOP("Spotlight"), "spotlight",
      QT_TR_NOOP("Darkens everything but the selection: `at 24f spotlight ball`."), "annotate mark dim focus emphasis"},
     {StagingSort::unmark, QT_TR_NOOP("Take marks away"), "",
@@ -70,12 +71,23 @@ constexpr StagingRow all_staging[] = {
      "transform shape become replace match"},
 };
 
-// Returns the marks that an object has: their words, without highlights of lines of code, which have no end of their
-// own.
-std::vector<std::string_view> marks_of(const Document& d, ObjectId id) {
+// Returns the words of the marks that an object shows at a time.
+std::vector<std::string_view> marks_of(const Program& program, ObjectId id, Time t) {
+  const Document& d = program.document();
   std::vector<std::string_view> found;
-  for (const StagingRow& row : all_staging)
-    if (row.sort == StagingSort::mark && d.find(fmt::format("{}/{}", d.name(id), row.verb))) found.push_back(row.verb);
+  for (const StagingRow& row : all_staging) {
+    if (row.sort != StagingSort::mark) continue;
+    const ObjectId mark = d.find(fmt::format("{}/{}", d.name(id), row.detail.empty() ? row.verb : row.detail));
+    const Value shown = mark ? program.read(Target(mark, fn::display), t) : Value();
+    const auto* is = std::get_if<bool>(&shown);
+    bool any = is && *is;
+    if (kind(d, id) == Kind::code && row.verb == "highlight") {  // it may mark lines
+      const Value lines = program.read(Target(id, *find_built_in(Kind::code, "lines")), t);
+      const auto* from_to = std::get_if<Vec3>(&lines);
+      any = any || (from_to && from_to->x > 0);
+    }
+    if (any) found.push_back(row.verb);
+  }
   return found;
 }
 
@@ -99,8 +111,9 @@ QString asked_text(const Workspace& workspace, const StagingRow& row) {
 
 std::span<const StagingRow> staging_rows() { return all_staging; }
 
-Lines staging_lines(const StagingRow& row, const Document& d, const std::vector<ObjectId>& objects, Time t,
+Lines staging_lines(const StagingRow& row, const Program& program, const std::vector<ObjectId>& objects, Time t,
                     const std::string& text) {
+  const Document& d = program.document();
   const std::string at = fmt::format("at {} ", format_time(t, d));
   // What is there from the beginning of the film needs no time.
   const std::string from = t > d.range().first ? at : "";
@@ -109,12 +122,13 @@ Lines staging_lines(const StagingRow& row, const Document& d, const std::vector<
     if (objects.size() != 2) return lines;
     const std::string one = d.name(objects[0]), two = d.name(objects[1]);
     if (row.sort == StagingSort::morph) return {fmt::format("{}morph {} into {}", at, one, two)};
-    return {fmt::format("{}connect {} to {}{}{}", from, one, two, row.route.empty() ? "" : " ", row.route)};
+    return {fmt::format("{}connect {} to {}{}{}", from, one, two, row.detail.empty() ? "" : " ", row.detail)};
   }
   for (const ObjectId id : objects) {
     const std::string name = d.name(id);
     if (row.sort == StagingSort::unmark)
-      for (const std::string_view word : marks_of(d, id)) lines.push_back(fmt::format("{}{} {} off", at, word, name));
+      for (const std::string_view word : marks_of(program, id, t))
+        lines.push_back(fmt::format("{}{} {} off", at, word, name));
     else if (row.sort == StagingSort::text)
       lines.push_back(fmt::format("{}{} {} {}", from, row.verb, name, write_text(text)));
     else
@@ -127,7 +141,7 @@ void stage(Workspace& workspace, const StagingRow& row) {
   const std::vector<ObjectId>& selected = workspace.selected();
   QString said;
   if (row.sort == StagingSort::text && !selected.empty() && (said = asked_text(workspace, row)).isEmpty()) return;
-  const Lines lines = staging_lines(row, workspace.document(), selected, workspace.time(), said.toStdString());
+  const Lines lines = staging_lines(row, workspace.program(), selected, workspace.time(), said.toStdString());
   if (lines.empty()) return Q_EMIT workspace.said({}, what_is_missing(row, selected.size()), true);
   workspace.say(lines);
 }

@@ -29,14 +29,15 @@ struct StagingRow {
   const char* name;       // in menus
   std::string_view verb;  // "fade-in"
   const char* sentence;
-  std::string_view also;        // words by which people look for it
-  std::string_view route = {};  // of a connection
+  std::string_view also;  // words by which people look for it
+  std::string_view detail =
+      {};  // the route of a connection; what a mark is called below its object, if not by its verb
 };
 std::span<const StagingRow> staging_rows();
 
 // Returns the lines of an action for objects, in the order in which they were selected. `text`: of a label. No lines:
 // the action needs other objects.
-Lines staging_lines(const StagingRow&, const Document&, const std::vector<ObjectId>&, Time, const std::string& text);
+Lines staging_lines(const StagingRow&, const Program&, const std::vector<ObjectId>&, Time, const std::string& text);
 // Carries an action out for the selection, as one step. Asks for the text of a label.
 void stage(Workspace&, const StagingRow&);
 // Gives a menu the actions in submenus.
