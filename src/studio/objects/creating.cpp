@@ -16,6 +16,7 @@
 #include "scene/own_kinds.h"
 #include "studio/shell/text_of.h"
 #include "studio/viewport/kind_icons.h"
+#include "syntax/tokens.h"
 
 namespace betwixt::studio {
 namespace {
@@ -111,49 +112,55 @@ void put_instead(std::string& line, std::string_view what, const std::string& ot
   if (const std::size_t at = line.find(what); at != line.npos) line.replace(at, what.size(), other);
 }
 
+// Returns what follows `create NAME` in a line of an example.
+std::string after_name(std::string_view line) {
+  (void)take_piece(line), (void)take_piece(line);
+  return std::string(line);
+}
+
 // Returns the lines of a kind's example, with names that are free.
 ObjectEdit like_example(const Workspace& workspace, Kind k) {
   const KindRow& row = betwixt::row_of(k);
   const Document& d = workspace.document();
   ObjectEdit edit{{}, {free_name(d, std::string(row.name) + "1")}};
-  std::string_view own = row.example;
-  const std::size_t line_end = own.find('\n');
-  if (line_end != own.npos) {  // its axes are on the first line
+  const std::size_t line_end = row.example.find('\n');
+  std::string own = "create " + edit.names[0] + after_name(row.example.substr(line_end + 1));  // without its axes
+  if (line_end != row.example.npos) {
     std::string axes = axes_for(workspace, k);
     if (axes.empty()) {
       axes = free_name(d, "axes1", edit.names);
+      const bool upright = k == Kind::surface && !d.scene().appearance.flat;  // its height goes up
       edit.lines.push_back("create " + axes +
-                           std::string(own.substr(std::string_view("create ax").size(),
-                                                  line_end - std::string_view("create ax").size())));
+                           (upright ? " axes size=(6 6 2) z=(-1 1) rotation=(-90deg 0 0)"
+                                    : after_name(row.example.substr(0, line_end))));
     }
-    own.remove_prefix(line_end + 1);
-    const std::string_view rest = own.substr(own.find(' ', std::string_view("create ").size()));
-    std::string line = "create " + edit.names[0] + std::string(rest);
-    put_instead(line, "on=ax", "on=" + axes);
+    put_instead(own, "on=ax", "on=" + axes);
     if (const std::string plot = selected_plot(workspace, k); !plot.empty())
-      put_instead(line, "of=\"x^2 / 4\"", "of=" + plot);
-    edit.lines.push_back(line);
-    return edit;
+      put_instead(own, "of=\"x^2 / 4\"", "of=" + plot);
   }
-  edit.lines.push_back("create " + edit.names[0] +
-                       std::string(own.substr(own.find(' ', std::string_view("create ").size()))));
+  edit.lines.push_back(own);
   return edit;
 }
 
-// If the film has a ground, returns the position in which a new object stands on it with all its pieces.
-std::string above_ground(const Workspace& workspace, const Lines& lines, const std::string& name) {
-  const std::string& line = lines.back();
-  if (!workspace.document().scene().appearance.ground || line.find("position=") != line.npos ||
-      line.find(" on=") != line.npos)
-    return {};
+// If the film has a ground, gives new objects a position in which they stand on it with all their pieces. The first
+// line places them: the others are on its axes.
+void put_on_ground(const Workspace& workspace, Lines& lines) {
+  std::string& first = lines.front();
+  if (!workspace.document().scene().appearance.ground || first.find("position=") != first.npos ||
+      first.find(" on=") != first.npos)
+    return;
   const auto then = workspace.session().look_ahead(lines);
-  if (!then) return {};
-  const Frame frame = Program::compile(*then).frame(workspace.time());
+  if (!then) return;
+  const Program program = Program::compile(*then);
   double lowest = 0;
-  for (const Item& item : frame.items)
-    if (const std::string of = then->name(item.id); of == name || is_below(of, name))
+  for (const Item& item : program.frame(workspace.time()).items)
+    if (!workspace.document().find(then->name(item.id)))
       for (const Vec3& corner : drawn(item).corners) lowest = std::min(lowest, corner.y);
-  return lowest < -1e-9 ? fmt::format(" position=(0 {:.4g} 0)", -lowest) : "";
+  std::string_view words = first;
+  (void)take_piece(words);
+  const Value at = program.read(Target(then->find(take_piece(words)), fn::position), workspace.time());
+  if (const auto* p = std::get_if<Vec3>(&at); p && lowest < -1e-9)  // code without a position is in the middle
+    first += fmt::format(" position=({:.4g} {:.4g} {:.4g})", p->x, p->y - lowest, p->z);
 }
 
 // A first camera sees what stands around the middle; another one looks from where the user looks from.
@@ -181,7 +188,7 @@ ObjectEdit plain_lines(const Workspace& workspace, const std::string& kind, cons
 }
 
 void say_creation(Workspace& workspace, ObjectEdit edit) {
-  edit.lines.back() += above_ground(workspace, edit.lines, edit.names[0]);
+  put_on_ground(workspace, edit.lines);
   if (workspace.say(edit.lines)) workspace.select({workspace.document().find(edit.names[0])});
 }
 
