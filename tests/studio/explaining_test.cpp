@@ -20,6 +20,7 @@
 #include "studio/shell/window.h"
 #include "studio/shown_properties.h"
 #include "studio/viewport/kind_icons.h"
+#include "studio/viewport/viewport.h"
 
 namespace betwixt {
 std::span<const Verb> entrances_verbs();
@@ -284,6 +285,51 @@ class ExplainingTest : public QObject {
     answer("x", false);
     stage(film.workspace, staging("Callout…"));
     QCOMPARE(film.text(), before);
+  }
+
+  // ---- Charts in the picture
+
+  void of_a_chart_the_first_click_takes_the_whole() {
+    Film film(
+        "film flat\ncreate b columns of=(3 1) keys=(\"x\" \"y\") size=(4 4)\ncreate d diagram of=\"p -> q\" "
+        "position=(5 0)\nset d/p.position (0 1)\nset d/q.position (0 -1)\n");
+    Viewport view(film.workspace);
+    view.resize(800, 450);  // a metre is 50 pixels
+    view.show();
+    view.await_picture();
+    // Where a piece is, by the frame.
+    const auto spot = [&](const char* name) {
+      Vec3 low{1e9, 1e9, 0}, high{-1e9, -1e9, 0};
+      for (const Item& item : film.workspace.program().frame({}).items)
+        if (item.id == film.id(name))
+          for (const Vec3& c : drawn(item).corners)
+            low = {std::min(low.x, c.x), std::min(low.y, c.y), 0},
+            high = {std::max(high.x, c.x), std::max(high.y, c.y), 0};
+      const Vec3 middle = 0.5 * (low + high);
+      return QPoint(int(std::lround(400 + 50 * middle.x)), int(std::lround(225 - 50 * middle.y)));
+    };
+    const auto click = [&](const char* name) { QTest::mouseClick(&view, Qt::LeftButton, {}, spot(name)); };
+    click("b/x");
+    QCOMPARE(film.selected(), "b");
+    click("b/x");
+    QCOMPARE(film.selected(), "b/x");
+    click("b/y");  // within the chart, the pieces
+    QCOMPARE(film.selected(), "b/y");
+    click("d/p");  // nodes are objects of their own
+    QCOMPARE(film.selected(), "d/p");
+    QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(20, 20));
+    QCOMPARE(film.selected(), "");
+    // A drag moves the whole chart by a metre.
+    const QPoint from = spot("b/x");
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 5; ++i) {
+      QMouseEvent move(QEvent::MouseMove, from + QPoint(10 * i, 0), view.mapToGlobal(from + QPoint(10 * i, 0)),
+                       Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(50, 0));
+    QCOMPARE(film.selected(), "b");
+    QVERIFY2(film.text().endsWith("set b.position (1 0 0)\n"), qPrintable(film.text()));
   }
 
   // ---- Icons and fields

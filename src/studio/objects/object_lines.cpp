@@ -15,6 +15,7 @@
 #include "editor/made_by.h"
 #include "language/values.h"
 #include "scene/document.h"
+#include "scene/functions.h"
 #include "scene/own_kinds.h"
 #include "studio/viewport/hand.h"
 #include "syntax/tokens.h"
@@ -107,6 +108,16 @@ ObjectId parent_at(const Document& d, ObjectId id, Time t) {
 
 std::vector<ObjectId> all_below_at(const Document& d, const std::vector<ObjectId>& objects, Time t) {
   return in_order(closure(d, objects, [&](ObjectId id) { return parent_at(d, id, t); }));
+}
+
+ObjectId whole_of(const Document& d, ObjectId id) {
+  const std::string name = d.name(id);
+  for (std::size_t at = name.find('/'); at != name.npos; at = name.find('/', at + 1)) {
+    const ObjectId up = d.find(name.substr(0, at));
+    if (!up || !find_built_in(kind(d, up), "bare")) continue;
+    return kind(d, up) == Kind::diagram ? d.find(name.substr(0, name.find('/', at + 1))) : up;
+  }
+  return id;
 }
 
 std::vector<ObjectId> topmost(const Document& d, const std::vector<ObjectId>& objects) {

@@ -38,6 +38,9 @@ std::vector<ObjectId> with_all_below(const Document&, const std::vector<ObjectId
 ObjectId parent_at(const Document&, ObjectId, Time);
 // Returns the objects, and those that hang on them at this time; each once, in order of creation.
 std::vector<ObjectId> all_below_at(const Document&, const std::vector<ObjectId>&, Time);
+// Returns the chart, the axes, the table or the code of which an object is a piece; the node of a diagram for its text.
+// Other objects are wholes themselves.
+ObjectId whole_of(const Document&, ObjectId);
 // Returns those of the objects that do not hang on another one of them.
 std::vector<ObjectId> topmost(const Document&, const std::vector<ObjectId>&);
 

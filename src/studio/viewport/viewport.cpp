@@ -223,7 +223,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* e) {
     case Gesture::press:  // a click on one of several selected objects selects only this one
       gesture_ = Gesture::none;
       if (!(e->modifiers() & Qt::ShiftModifier))
-        workspace_.select(pressed_ ? std::vector{*pressed_} : std::vector<ObjectId>{});
+        workspace_.select(clicked_ ? std::vector{*clicked_} : std::vector<ObjectId>{});
       break;
     case Gesture::box:
       gesture_ = Gesture::none;

@@ -252,7 +252,7 @@ class Viewport : public QWidget {
   Gesture gesture_ = Gesture::none;
   QPointF from_, at_;
   Vec3 pivot_;
-  std::optional<ObjectId> pressed_;
+  std::optional<ObjectId> pressed_, clicked_;  // what a drag moves; what a click selects
   std::optional<Pull> pull_;
   struct MotionDrag {
     MotionHandles handles;

@@ -71,9 +71,16 @@ void Viewport::press_on(QPointF p, Qt::KeyboardModifiers modifiers) {
     }
   gesture_ = Gesture::press;
   const auto found = hit(p);
-  pressed_ = found ? std::optional(found->id) : std::nullopt;
+  pressed_ = clicked_ = found ? std::optional(found->id) : std::nullopt;
   if (!pressed_) return;
   std::vector<ObjectId> ids = workspace_.selected();
+  // Of a chart, the first click takes the whole, the next one a piece.
+  const Document& d = workspace_.document();
+  const ObjectId whole = whole_of(d, *pressed_);
+  const bool has_whole = std::ranges::find(ids, whole) != ids.end();
+  const bool inside = std::ranges::any_of(ids, [&](ObjectId id) { return !(id == whole) && whole_of(d, id) == whole; });
+  if (!inside) pressed_ = whole;
+  if (!inside && !has_whole) clicked_ = whole;
   const auto known = std::find(ids.begin(), ids.end(), *pressed_);
   if (modifiers & Qt::ShiftModifier) {
     if (known != ids.end())

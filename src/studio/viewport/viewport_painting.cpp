@@ -7,12 +7,19 @@
 #include <cmath>
 
 #include "betwixt/object.h"
+#include "scene/functions.h"
+#include "studio/objects/object_lines.h"
 #include "studio/shell/marks.h"
 #include "studio/shell/theme.h"
 #include "studio/viewport/viewport.h"
 
 namespace betwixt::studio {
 namespace {
+
+bool has_members(Kind k) { return k == Kind::group || find_built_in(k, "bare"); }
+
+// Outlines would cover such small letters.
+bool is_text_of_chart(const Document& d, ObjectId id) { return kind(d, id) == Kind::text && !(whole_of(d, id) == id); }
 
 constexpr std::size_t most_outlined = 60;     // objects
 constexpr std::size_t most_corners = 40'000;  // of their meshes
@@ -185,13 +192,14 @@ void Viewport::paint_outlines(QPainter& p, const Scope& s) {
     on.setClipRect(s.box);
     std::size_t things = 0, corners = 0;
     const HeldShapes before = std::exchange(outlined_shapes_, {});
-    // A group is outlined through its members.
+    // A group is outlined through its members, a chart through its pieces.
     const std::vector<ObjectId>& ids = workspace_.selected();
-    const bool groups = std::any_of(ids.begin(), ids.end(),
-                                    [&](ObjectId id) { return kind(workspace_.document(), id) == Kind::group; });
+    const bool groups =
+        std::any_of(ids.begin(), ids.end(), [&](ObjectId id) { return has_members(kind(workspace_.document(), id)); });
     const Marks marked(groups ? with_what_hangs_on(ids) : ids);
+    const Marks selected(ids);
     for (const Item& i : frame().items) {
-      if (!marked(i.id)) continue;
+      if (!marked(i.id) || (is_text_of_chart(workspace_.document(), i.id) && !selected(i.id))) continue;
       corners += i.shape->mesh ? i.shape->mesh->positions.size() : 300;
       if (++things > most_outlined || corners > most_corners) {
         if (bracketed_.size() < most_bracketed) bracketed_.push_back(i.id);
