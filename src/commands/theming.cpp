@@ -31,6 +31,7 @@ bool say_theme(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view word = c.next_word();
   const Theme before = *s.appearance.theme;
+  if (word == "none") return finish(c) && (s.appearance.theme = Theme(), true);
   if (const Theme* named = find_theme(word)) {
     if (!finish(c)) return false;
     s.appearance.theme = *named;
@@ -41,9 +42,10 @@ bool say_theme(Command& k) {
   const auto colors = theme_colors();
   const auto one = std::find_if(colors.begin(), colors.end(), [&](const ThemeColor& t) { return t.name == word; });
   if (one == colors.end()) {
-    std::vector<std::string_view> known{"dark", "light", "paper"};
+    std::vector<std::string_view> known{"dark", "light", "paper", "none"};
     for (const ThemeColor& t : colors) known.push_back(t.name);
-    return no_choice(c, word, "a theme is dark, light or paper; or write the name of one of its colors and a color",
+    return no_choice(c, word,
+                     "a theme is dark, light, paper or none; or write the name of one of its colors and a color",
                      did_you_mean(word, known));
   }
   Theme now = theme_of(s);
@@ -55,13 +57,13 @@ bool say_theme(Command& k) {
 }
 
 constexpr Verb theming_rows[] = {
-    {"theme", "theme dark|light|paper or theme NAME COLOR",
+    {"theme", "theme dark|light|paper|none or theme NAME COLOR",
      "Sets the background, and the colors of things that have none of their own. The colors have names for the lines "
      "below: ink, muted, accent, and the palette lake, amber, leaf, rose, grape, lagoon, blush, moss, clay, iris, "
      "straw, "
      "jade. `theme NAME COLOR` changes one of them.",
      "theme paper\ntheme lake #205080\ncreate a circle color=leaf", Verb::once, say_theme,
-     "dark light paper ink muted accent; COLOR"},
+     "dark light paper none ink muted accent; COLOR"},
 };
 
 // Returns the name without the number at its end: b for b12.

@@ -32,6 +32,7 @@ constexpr Setting settings[] = {
     {"size", QT_TRANSLATE_NOOP("FilmSettings", "Size"), "1280x720", "1280x720;1920x1080;3840x2160;1080x1920;1080x1080"},
     {"samples", QT_TRANSLATE_NOOP("FilmSettings", "Samples a pixel"), "4", "1;4;9;16"},
     {"film", QT_TRANSLATE_NOOP("FilmSettings", "Drawn as"), "solid", "solid;flat"},
+    {"theme", QT_TRANSLATE_NOOP("FilmSettings", "Theme"), "none", "none;dark;light;paper"},
     {"background", QT_TRANSLATE_NOOP("FilmSettings", "Background"), "none",
      "none;transparent;white;black;navy to black", true},
     {"sky", QT_TRANSLATE_NOOP("FilmSettings", "Sky"), "off", "off;on"},
@@ -52,7 +53,7 @@ std::string said(const Document& d, const std::string& verb) {
   }
   if (verb == "range") return format_time(d.range().first, d) + " " + format_time(d.range().second, d);
   if (verb == "size" && d.size()) return fmt::format("{}x{}", d.size()->first, d.size()->second);
-  const std::string all = write_appearance(d.scene());
+  const std::string all = write_appearance(d.scene()) + write_theme(d.scene());
   for (std::size_t at = 0; at < all.size(); at = all.find('\n', at) + 1)
     if (all.compare(at, verb.size() + 1, verb + " ") == 0)
       return all.substr(at + verb.size() + 1, all.find('\n', at) - at - verb.size() - 1);
