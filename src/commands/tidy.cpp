@@ -136,7 +136,10 @@ class Tidier {
       if (t.kind == TokenKind::close && open_ == 0) return false;
       if (text == "#") return false;  // not a colour; with a space after it, a comment
       if (line.tokens.empty()) line.indented = indented;
-      line.tokens.push_back({shortest(text), false, fresh && brackets > 0, end == t.at});
+      const bool touches = end == t.at;
+      const bool adds = touches && text[0] == '+';  // as in abs(i)+2, where it is no sign of a number
+      line.tokens.push_back(
+          {(adds ? "+" + shortest(text.substr(1)) : shortest(text)), false, fresh && brackets > 0, touches});
       open_ = brackets;
       fresh = false, end = t.end();
     }

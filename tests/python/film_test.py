@@ -104,6 +104,8 @@ class Values(unittest.TestCase):
                     self.assertEqual(list(got), list(said))
                     for target, value in said.items():
                         mine = got[target]
+                        if np.ndim(mine) == 2:  # JSON has no infinite numbers; in a list of points they lift the pen
+                            value = [[np.inf if n is None else n for n in row] for row in value]
                         if np.shape(mine) == (4, 4):
                             mine = mine.reshape(16)  # row by row
                         np.testing.assert_array_equal(mine, value, target)

@@ -108,7 +108,9 @@ class ConsoleTest : public QObject {
     s.type(" b s");
     QTest::keyClick(&s.line, Qt::Key_Tab);
     QVERIFY(s.words().isVisible());
-    QCOMPARE(s.words().topLevelItem(0)->text(0), "scene");
+    QCOMPARE(s.words().topLevelItem(0)->text(0), "scatter");
+    QTest::keyClick(&s.line, Qt::Key_Down);
+    QCOMPARE(s.words().currentItem()->text(0), "scene");
     QTest::keyClick(&s.line, Qt::Key_Down);
     QCOMPARE(s.words().currentItem()->text(0), "sound");
     QTest::keyClick(&s.line, Qt::Key_Down);

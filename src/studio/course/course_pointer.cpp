@@ -104,6 +104,7 @@ void CoursePointer::point_at(const std::string& place) {
   if (place != place_) brought_ = false;
   place_ = place;
   rows_ = QString::fromStdString(place).split(" > ").mid(1);
+  for (QString& row : rows_) row = QObject::tr(row.toUtf8());
   Spot spot = find(place);
   if (!brought_) bring_forward(spot.on);
   if (!spot.on || spot.on->visibleRegion().isEmpty() || spot.box.isEmpty()) return hide();
