@@ -9,7 +9,7 @@ globalThis.Betwixt = {
   drawing_fails: "",
   async engine() {
     if (Betwixt.engine_fails) throw new Error(Betwixt.engine_fails);
-    return (Betwixt.one ??= (Betwixt.counts.engines++, { version: "mock", prepare: async () => {}, open: (text, how) => new Betwixt.Film(text, how) }));
+    return (Betwixt.one ??= (Betwixt.counts.engines++, { version: "mock", prepare: async () => {}, is_prepared: () => true, open: (text, how) => new Betwixt.Film(text, how) }));
   },
   Film: class {
     constructor(text, { name, files = {} }) {

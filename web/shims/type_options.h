@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// FreeType's usual options, without those for hinting and for other font formats.
+// FreeType's usual options, without those for hinting and for other font formats. The reader of OpenType fonts with
+// PostScript outlines, as that of formulas, needs the names of PostScript.
 #pragma once
 #include <freetype/config/ftoption.h>
 
@@ -17,5 +18,4 @@
 #undef T1_CONFIG_OPTION_OLD_ENGINE
 #undef CFF_CONFIG_OPTION_OLD_ENGINE
 #undef FT_CONFIG_OPTION_ADOBE_GLYPH_LIST
-#undef FT_CONFIG_OPTION_POSTSCRIPT_NAMES
 #undef TT_CONFIG_OPTION_GX_VAR_SUPPORT
