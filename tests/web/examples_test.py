@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Compares every example in a page with the program: pictures with a PSNR of at least 40 dB, and the values of all
-# objects at random times, letter by letter as `betwixt eval --json` prints them. Skipped if the player is not built.
+# Compares every example in a page with the program: pictures with a PSNR of at least 38 dB, because pages smooth the
+# edges of thin lines in another way; and the values of all objects at random times, letter by letter as
+# `betwixt eval --json` prints them. Skipped if the player is not built.
 #   examples_test.py PROGRAM [FILM…]     the variable LOOK=FOLDER keeps the pictures
 import base64, glob, math, os, random, subprocess, sys, tempfile
 from browser import Browser, Served
@@ -81,7 +82,7 @@ with Browser() as browser, Served(scratch.name) as served:
                 if keep:
                     with open(f"{keep}/{name[:-3]}-{frame}.ppm", "wb") as out:
                         out.write(b"P6 %d %d 255\n" % (wide, high) + shown)
-                check(f"{name} at {frame}f looks as it does elsewhere", alike >= 40, f"{alike:.1f} dB")
+                check(f"{name} at {frame}f looks as it does elsewhere", alike >= 38, f"{alike:.1f} dB")
             times = ",".join(f"{rand.uniform(first, last):.6f}f" for _ in range(5))
             wanted = run("eval", path, "--at", times, "--json").decode().strip()
             found = page.ask(f"film.evalAll([], {times.split(',')!r}, {{ text: true }})", patience=120)
