@@ -12,6 +12,7 @@
 #include "commands/furniture_rows.h"
 #include "commands/measuring.h"
 #include "language/values.h"
+#include "scene/code_languages.h"
 #include "scene/kinds.h"
 
 namespace betwixt {
@@ -32,6 +33,9 @@ struct Annotation {
   double height() const { return high.y - low.y; }
   // A margin that suits the size of the object.
   std::string accent() const { return theme_color(k.scene, &Theme::accent); }
+  std::string line_color() const { return palette(k.scene, 1); }
+  // A sheet of the accent is faint on a bright background, so it is less transparent there.
+  const char* sheet() const { return theme_of(k.scene).paper.g > 0.5 ? "0.4" : "0.7"; }
   double margin() const { return std::clamp(0.25 * std::min(width(), height()), 0.08, 0.25); }
   template <class... A>
   void line(fmt::format_string<A...> format, A&&... arguments) {
@@ -46,7 +50,11 @@ std::string xyz(Vec3 v) { return fmt::format("({} {} {})", write_number(v.x), wr
 
 // The bounds of what the object and those below it draw, in the object's own space.
 bool measure(Annotation& a, ObjectId id, std::string_view about) {
-  const Measured m = measured(a.k.scene, {id}, a.from)[0];
+  // Other marks are no part of the thing.
+  std::vector<ObjectId> all{id};
+  for (const char* mark : {"highlight", "underline", "circle", "cross", "spotlight"})
+    if (const ObjectId other = a.k.scene.names.find(a.name(mark))) all.push_back(other);
+  const Measured m = measured(a.k.scene, all, a.from)[0];
   const auto inward = inverse(m.world);
   if (!m.any || !inward)
     return a.k.cursor.fail(ErrorCode::range, fmt::format("'{}' draws nothing at this time", a.object.name), about);
@@ -71,18 +79,18 @@ struct AnnotationRow {
 
 void make_highlight(Annotation& a, std::string_view part) {
   const double m = a.margin();
-  a.line("create {} rectangle size=({} {}) corner={} color={} transparency=0.7 position={}", a.name(part),
-         write_number(a.width() + 2 * m), write_number(a.height() + 2 * m), write_number(m), a.accent(),
+  a.line("create {} rectangle size=({} {}) corner={} color={} transparency={} position={}", a.name(part),
+         write_number(a.width() + 2 * m), write_number(a.height() + 2 * m), write_number(m), a.accent(), a.sheet(),
          xyz({a.middle().x, a.middle().y, a.low.z - 0.015}));
 }
 void make_underline(Annotation& a, std::string_view part) {
   a.line("create {} line to=({} 0 0) width={} color={} position={}", a.name(part), write_number(a.width()),
-         write_number(0.35 * a.margin()), a.accent(), xyz({a.low.x, a.low.y - 0.8 * a.margin(), a.high.z + 0.01}));
+         write_number(0.35 * a.margin()), a.line_color(), xyz({a.low.x, a.low.y - 0.8 * a.margin(), a.high.z + 0.01}));
 }
 void make_circle(Annotation& a, std::string_view part) {
   const double m = 1.6 * a.margin(), w = a.width() + 2 * m, h = a.height() + 2 * m;
   a.line("create {} rectangle size=({} {}) corner={} fill=off stroke={} stroke-width={} position={}", a.name(part),
-         write_number(w), write_number(h), write_number(0.5 * std::min(w, h)), a.accent(),
+         write_number(w), write_number(h), write_number(0.5 * std::min(w, h)), a.line_color(),
          write_number(0.35 * a.margin()), xyz({a.middle().x, a.middle().y, a.high.z + 0.01}));
 }
 void make_cross(Annotation& a, std::string_view part) {
@@ -121,6 +129,20 @@ Vec3 marked_lines(const Annotation& a, FunctionId lines) {
   }
   const auto* pair = std::get_if<Vec3>(&v);
   return pair ? *pair : Vec3{};
+}
+
+// Warns of lines that the code does not have at this time.
+void say_missing_lines(const Annotation& a, double last, std::string_view about) {
+  const Slot* slot = a.object.find(fn::text);
+  Value v = slot && slot->set ? *slot->set : Value(Text());
+  if (slot)
+    slot->track->events.each([&](const Event& e) {
+      if (e.time <= a.from && std::holds_alternative<Text>(e.value)) v = e.value;
+    });
+  const auto* text = std::get_if<Text>(&v);
+  if (!text) return;
+  if (const double lines = code_extent(**text).lines; last > lines)
+    a.k.script.note(Severity::warning, fmt::format("the code has {:g} lines at this time", lines), about);
 }
 
 // Lets the mark appear, glide to other lines, or go.
@@ -184,6 +206,7 @@ bool annotate(Command& k) {
     if (lines && !code)
       return c.fail(ErrorCode::type, fmt::format("'{}' is {}; only code has lines", o.name, a_kind(o.kind)), word);
     if (lines || (off && row == 0 && code && !a.exists(how.part))) {
+      if (lines) say_missing_lines(a, lines->second, word);
       mark_lines(a, lines);
     } else if (off) {
       if (!a.exists(how.part))
@@ -206,7 +229,7 @@ bool annotate(Command& k) {
 
 constexpr unsigned in_time = Verb::timed;
 constexpr Verb annotations_rows[] = {
-    {"highlight", "at TIME highlight OBJECTS [lines N..M | off] [for L]",
+    {"highlight", "at TIME highlight OBJECTS [lines N | lines N..M | off] [for L]",
      "Puts a bright sheet behind an object, or marks lines of code; `off` takes it away.",
      "create title text text=\"The end\"\nat 12f highlight title\nat 48f highlight title off", in_time, annotate<0>,
      "OBJECT; lines off for"},

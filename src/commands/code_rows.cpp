@@ -3,6 +3,9 @@
 //
 // The pieces of a block of code: a panel, the numbers of its lines, the mark of some lines, and a part for each class
 // of words.
+#include <algorithm>
+#include <cmath>
+
 #include "commands/furniture_rows.h"
 #include "language/values.h"
 #include "scene/code_languages.h"
@@ -19,14 +22,18 @@ void make_code(Furnishing& f) {
   const std::string& name = f.name;
   if (!f.says("font")) f.line("set {}.font {}", name, write_text(std::string(code_font)));
   if (!f.says("align")) f.line("set {}.align left", name);
-  if (!f.says("size")) f.line("set {}.size 0.3", name);
+  // A block without a size fits into the usual picture.
+  const CodeExtent extent = code_extent(f.text("text"));
+  const double numbers = std::get<bool>(f.value("numbers")) ? 3 : 0;
+  const double em =
+      f.says("size")
+          ? f.number("size")
+          : std::min({0.3, 15 / (letter_width * extent.columns + 2 + numbers), 8 / (line_height * extent.lines + 1.2)});
+  if (!f.says("size")) f.line("set {}.size {}", name, write_number(std::floor(em * 100) / 100));
   if (!f.colored()) f.line("set {}.color {}", name, write_color(theme_of(f.scene).code[0]));
-  if (!f.says("position")) {
-    const CodeExtent e = code_extent(f.text("text"));
-    const double em = f.says("size") ? f.number("size") : 0.3;
-    f.line("set {}.position ({} {})", name, write_number(-0.5 * letter_width * e.columns * em),
-           write_number((0.5 * (e.lines - 1) * line_height - line_middle) * em));
-  }
+  if (!f.says("position"))
+    f.line("set {}.position ({} {})", name, write_number(0.5 * em * (numbers - letter_width * extent.columns)),
+           write_number((0.5 * (extent.lines - 1) * line_height - line_middle) * em));
   f.line("create {}/panel rectangle color={} position=(0 0 -0.02)", name, f.panel());
   f.line("set {0}/panel.display = \"value('{0}.panel')\"", name);
   f.line(

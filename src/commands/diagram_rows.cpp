@@ -172,6 +172,11 @@ struct Rearranging {
     for (const Link& e : after.edges) {
       if (!scene.names.find(e.name)) lines += lines_of_link(e);
       if (!has_part(before.edges, e.name)) last("fade-in " + e.name);
+      const std::string label = e.name + "/label";
+      const auto was = std::find_if(before.edges.begin(), before.edges.end(),
+                                    [&](const Link& other) { return other.name == e.name; });
+      if (was != before.edges.end() && was->label != e.label && scene.names.find(label))
+        last(label + ".text " + write_text(e.label));
     }
     for (const PlacedNode& n : before.nodes)
       if (!has_part(after.nodes, n.name)) last("fade-out " + n.name);
