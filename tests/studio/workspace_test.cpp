@@ -276,8 +276,10 @@ class DeskTest : public QObject {
     window.viewport().look_along({-1, 0, 0});
     const Vec3 eye = translation_of(workspace.view()->world);
     auto* menu = window.findChild<QToolButton*>("add")->menu();
-    for (QAction* a : menu->actions())
-      if (a->text() == "camera") a->trigger();
+    for (QAction* group : menu->actions())
+      for (QAction* a : group->menu() ? group->menu()->actions() : QList<QAction*>())
+        if (a->text() == "camera") a->trigger();
+    QVERIFY(!workspace.selected().empty());
     const ObjectId camera = workspace.selected().back();
     const Value at = workspace.program().read(Target(camera, fn::position), workspace.time());
     QVERIFY(length(std::get<Vec3>(at) - eye) < 0.02 * length(eye));
