@@ -166,11 +166,21 @@ constexpr Verb names_rows[] = {
 
 }  // namespace
 
+// Returns whether a pair follows whose second number has a sign: (3 -1) in a list is a vector, not 2.
+static bool signed_pair_follows(Cursor ahead) {
+  double first = 0;
+  if (!ahead.open() || !ahead.literal(first)) return false;
+  const char* const behind = ahead.at;
+  ahead.space();
+  const bool sign = ahead.at + 1 < ahead.end && (*ahead.at == '-' || *ahead.at == '+');
+  return ahead.at > behind && sign && ((ahead.at[1] >= '0' && ahead.at[1] <= '9') || ahead.at[1] == '.');
+}
+
 bool let_item(Command& k, LetItem& out) {
   Cursor& c = k.cursor;
   ValueReader reader = values(k);
   c.space();
-  if (c.peek() == '(' && reader.is_vector()) {
+  if (c.peek() == '(' && (reader.is_vector() || signed_pair_follows(c))) {
     Vec3 v;
     if (!reader.point(v)) return false;
     return out = v, true;

@@ -202,5 +202,12 @@ TEST(RowsWithALength, ErrorsHaveTheirPlaces) {
   }
 }
 
+TEST(Lists, TakePairsWithSigns) {
+  const LoadedFilm s("let p = ((1 -2) (-3 -4) (5 6))\ncreate a{1..3} sphere position=p[i]\n");
+  EXPECT_EQ(place(s, "a1", "1f"), (Vec3{1, -2, 0}));
+  EXPECT_EQ(place(s, "a2", "1f"), (Vec3{-3, -4, 0}));
+  EXPECT_EQ(load_text(write(s.loaded.document), "w.bx").document, s.loaded.document) << write(s.loaded.document);
+}
+
 }  // namespace
 }  // namespace betwixt
