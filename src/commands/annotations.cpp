@@ -31,11 +31,11 @@ struct Annotation {
   Vec3 middle() const { return 0.5 * (low + high); }
   double width() const { return high.x - low.x; }
   double height() const { return high.y - low.y; }
-  // A margin that suits the size of the object.
   std::string accent() const { return theme_color(k.scene, &Theme::accent); }
   std::string line_color() const { return palette(k.scene, 1); }
   // A sheet of the accent is faint on a bright background, so it is less transparent there.
   const char* sheet() const { return theme_of(k.scene).paper.g > 0.5 ? "0.4" : "0.7"; }
+  // A margin that suits the size of the object.
   double margin() const { return std::clamp(0.25 * std::min(width(), height()), 0.08, 0.25); }
   template <class... A>
   void line(fmt::format_string<A...> format, A&&... arguments) {
@@ -47,27 +47,6 @@ struct Annotation {
 };
 
 std::string xyz(Vec3 v) { return fmt::format("({} {} {})", write_number(v.x), write_number(v.y), write_number(v.z)); }
-
-// The bounds of what the object and those below it draw, in the object's own space.
-bool measure(Annotation& a, ObjectId id, std::string_view about) {
-  // Other marks are no part of the thing.
-  std::vector<ObjectId> all{id};
-  for (const char* mark : {"highlight", "underline", "circle", "cross", "spotlight"})
-    if (const ObjectId other = a.k.scene.names.find(a.name(mark))) all.push_back(other);
-  const Measured m = measured(a.k.scene, all, a.from)[0];
-  const auto inward = inverse(m.world);
-  if (!m.any || !inward)
-    return a.k.cursor.fail(ErrorCode::range, fmt::format("'{}' draws nothing at this time", a.object.name), about);
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p = transform_point(
-        *inward, {(corner & 1 ? m.high : m.low).x, (corner & 2 ? m.high : m.low).y, (corner & 4 ? m.high : m.low).z});
-    for (int i = 0; i < 3; ++i) {
-      a.low[i] = corner ? std::min(a.low[i], p[i]) : p[i];
-      a.high[i] = corner ? std::max(a.high[i], p[i]) : p[i];
-    }
-  }
-  return true;
-}
 
 // ---- What each word draws, and how it comes and goes
 
@@ -117,38 +96,43 @@ constexpr AnnotationRow annotation_rows[] = {{"highlight", make_highlight, "fade
                                              {"cross", make_cross, "draw", "erase"},
                                              {"spotlight", make_spotlight, "fade-in", "fade-out"}};
 
-// ---- The mark of lines of code
-
-Vec3 marked_lines(const Annotation& a, FunctionId lines) {
-  Value v = Vec3{};
-  if (const Slot* slot = a.object.find(lines)) {
-    if (slot->set) v = *slot->set;
-    slot->track->events.each([&](const Event& e) {
-      if (e.time <= a.from) v = e.value;
-    });
+// The bounds of what the object and those below it draw, in the object's own space.
+bool measure(Annotation& a, ObjectId id, std::string_view about) {
+  // Other marks are no part of the thing.
+  std::vector<ObjectId> all{id};
+  for (const AnnotationRow& row : annotation_rows)
+    if (const ObjectId mark = a.k.scene.names.find(a.name(row.part))) all.push_back(mark);
+  const Measured m = measured(a.k.scene, all, a.from)[0];
+  const auto inward = inverse(m.world);
+  if (!m.any || !inward)
+    return a.k.cursor.fail(ErrorCode::range, fmt::format("'{}' draws nothing at this time", a.object.name), about);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p = transform_point(
+        *inward, {(corner & 1 ? m.high : m.low).x, (corner & 2 ? m.high : m.low).y, (corner & 4 ? m.high : m.low).z});
+    for (int i = 0; i < 3; ++i) {
+      a.low[i] = corner ? std::min(a.low[i], p[i]) : p[i];
+      a.high[i] = corner ? std::max(a.high[i], p[i]) : p[i];
+    }
   }
-  const auto* pair = std::get_if<Vec3>(&v);
-  return pair ? *pair : Vec3{};
+  return true;
 }
+
+// ---- The mark of lines of code
 
 // Warns of lines that the code does not have at this time.
 void say_missing_lines(const Annotation& a, double last, std::string_view about) {
-  const Slot* slot = a.object.find(fn::text);
-  Value v = slot && slot->set ? *slot->set : Value(Text());
-  if (slot)
-    slot->track->events.each([&](const Event& e) {
-      if (e.time <= a.from && std::holds_alternative<Text>(e.value)) v = e.value;
-    });
+  const Value v = value_said(a.k.scene, a.object, fn::text, a.from);
   const auto* text = std::get_if<Text>(&v);
-  if (!text) return;
-  if (const double lines = code_extent(**text).lines; last > lines)
+  if (const double lines = text ? code_extent(**text).lines : last; last > lines)
     a.k.script.note(Severity::warning, fmt::format("the code has {:g} lines at this time", lines), about);
 }
 
 // Lets the mark appear, glide to other lines, or go.
 void mark_lines(Annotation& a, std::optional<std::pair<double, double>> to) {
-  const Vec3 now = marked_lines(a, *find_built_in(Kind::code, "lines"));
-  const std::string lines = a.name("").substr(0, a.object.name.size()) + ".lines", mark = a.name("mark");
+  const FunctionId function = *find_built_in(Kind::code, "lines");
+  const Value said = value_said(a.k.scene, a.object, function, a.from);
+  const Vec3 now = std::holds_alternative<Vec3>(said) ? std::get<Vec3>(said) : Vec3{};
+  const std::string lines = a.object.name + ".lines", mark = a.name("mark");
   const auto at = [&](Time t, const std::string& what) { a.line("at {} {}", write_time(t, a.k.scene.rate), what); };
   const auto pair = [](double x, double y) { return fmt::format("({} {})", write_number(x), write_number(y)); };
   const Time end = a.from + a.length;
@@ -156,7 +140,7 @@ void mark_lines(Annotation& a, std::optional<std::pair<double, double>> to) {
     at(a.from, lines + " " + pair(now.x, now.y) + " ease-in-out");
     at(end, lines + " " + pair(to->first, to->second) + " hold");
   } else if (to) {
-    const Slot* slot = a.object.find(*find_built_in(Kind::code, "lines"));
+    const Slot* slot = a.object.find(function);
     if (a.from > Time{} && (!slot || slot->track->events.empty())) at(Time{}, lines + " (0 0) hold");
     at(a.from, lines + " " + pair(to->first, to->second) + " hold");
     at(a.from, mark + ".transparency 1 linear");
@@ -195,9 +179,7 @@ bool annotate(Command& k) {
   const bool off = c.accept_word("off");
   if (row == 0 && !off && c.accept_word("lines") && !some_lines(k, lines.emplace())) return false;
   Time length = from_seconds(0.5);
-  if (c.accept_word("for") && !c.length(length)) return false;
-  if (length <= Time{}) return c.fail(ErrorCode::range, "the length must be greater than 0", word, "as in for 12f");
-  if (!finish(c)) return false;
+  if (!lasting(k, length, word)) return false;
   std::string all;
   for (const ObjectId id : found) {
     const Object& o = s.objects[id.index];
@@ -222,9 +204,7 @@ bool annotate(Command& k) {
     }
     all += a.lines;
   }
-  Rollback rollback(s);
-  if (!carry_out_lines(k, all, word)) return false;
-  return rollback.keep(), true;
+  return all_or_none(k, all, word);
 }
 
 constexpr unsigned in_time = Verb::timed;

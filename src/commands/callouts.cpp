@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "commands/command.h"
 #include "commands/connecting.h"
@@ -43,18 +44,23 @@ struct Rect {
   }
 };
 
-// Returns where other things are at a time, without those around the thing, such as a panel that it lies on.
-std::vector<Rect> taken(Command& k, ObjectId id, const Rect& own, Time t) {
-  std::vector<ObjectId> all;
+// Measures a thing, and then all other things that are drawn; the pieces below the thing belong to it.
+std::vector<Measured> thing_and_others(Command& k, ObjectId id, Time t) {
+  std::vector<ObjectId> all{id};
   const std::vector<ObjectId> parts = k.script.below(k.scene, k.scene.objects[id.index].name, false);
-  for (std::uint32_t i = 0; i < k.scene.objects.size(); ++i) {
-    const Object& o = k.scene.objects[i];
-    const bool part = std::find(parts.begin(), parts.end(), ObjectId{i}) != parts.end();
-    if (!o.removed && i != id.index && !part && drawable(o.kind)) all.push_back({i});
-  }
+  std::set<std::uint32_t> own;
+  for (const ObjectId part : parts) own.insert(part.index);
+  for (std::uint32_t i = 0; i < k.scene.objects.size(); ++i)
+    if (const Object& o = k.scene.objects[i]; !o.removed && i != id.index && !own.contains(i) && drawable(o.kind))
+      all.push_back({i});
+  return measured(k.scene, all, t);
+}
+
+// Returns where other things are, without those around the thing, such as a panel that it lies on.
+std::vector<Rect> taken(const std::vector<Measured>& all, const Rect& own) {
   std::vector<Rect> out;
-  for (const Measured& m : measured(k.scene, all, t))
-    if (const Rect r{m.low, m.high}; m.any && !r.holds(own)) out.push_back(r);
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (const Rect r{all[i].low, all[i].high}; all[i].any && !r.holds(own)) out.push_back(r);
   return out;
 }
 
@@ -117,42 +123,35 @@ bool put_beside(Command& k) {
   Time length = from_seconds(0.5);
   for (const TextSide& side : text_sides)
     if (!side.word.empty() && c.accept_word(side.word)) said = side.word;
-  if (c.accept_word("for") && !c.length(length)) return false;
-  if (length <= Time{}) return c.fail(ErrorCode::range, "the length must be greater than 0", word, "as in for 12f");
-  if (!finish(c)) return false;
+  if (!lasting(k, length, word)) return false;
   const Beside how{0.28, line};
   const std::string thing = s.objects[id.index].name, name = thing + (line ? "-callout" : "-label");
   const Time t = time.value_or(Time{});
-  const Measured m = measured(s, {id}, t)[0];
-  const auto inward = inverse(m.world);
-  if (!m.any || !inward) return c.fail(ErrorCode::range, fmt::format("'{}' draws nothing at this time", thing), word);
+  const std::vector<Measured> all = thing_and_others(k, id, t);
+  const Measured& m = all[0];
+  const auto border = end_of_link(s, m);
+  if (!border) return c.fail(ErrorCode::range, fmt::format("'{}' draws nothing at this time", thing), word);
   const Rect own{m.low, m.high};
   const Rect letters = extent_of_text(text, how.size);
   const Vec3 extent = letters.high - letters.low;
-  const Rect there = free_place(own, said, extent, how.away(), taken(k, id, own, t), view_at(k, m.middle().z, t));
-  const Vec3 middle = m.middle(), off = 0.5 * (there.low + there.high) - middle,
-             inner = transform_point(*inward, middle);
-  const auto n = [](double v) { return write_number(std::round(v * 1e4) / 1e4); };
-  std::string lines = fmt::format("create {} text text={} size={} color={}\n", name, write_text(text), n(how.size),
-                                  theme_color(s, line ? &Theme::ink : &Theme::label));
+  const Rect there = free_place(own, said, extent, how.away(), taken(all, own), view_at(k, m.middle().z, t));
+  const Vec3 off = 0.5 * (there.low + there.high) - m.middle(), inner = border->middle;
+  std::string lines = fmt::format("create {} text text={} size={} color={}\n", name, write_text(text),
+                                  write_metres(how.size), theme_color(s, line ? &Theme::ink : &Theme::label));
   lines += fmt::format("set {}.position = \"value('{}.world') * vec({}, {}, {}) + vec({}, {}, 0.02)\"\n", name, thing,
-                       n(inner.x), n(inner.y), n(inner.z), n(off.x - 0.5 * (letters.low.x + letters.high.x)),
-                       n(off.y - 0.5 * (letters.low.y + letters.high.y)));
+                       write_metres(inner.x), write_metres(inner.y), write_metres(inner.z),
+                       write_metres(off.x - 0.5 * (letters.low.x + letters.high.x)),
+                       write_metres(off.y - 0.5 * (letters.low.y + letters.high.y)));
   if (line) {
     Link link;
-    const Vec3 half = 0.5 * m.size();
-    const double sx = std::max(1e-9, betwixt::length(transform_vector(m.world, {1, 0, 0}))),
-                 sy = std::max(1e-9, betwixt::length(transform_vector(m.world, {0, 1, 0})));
     link.color = theme_color(s, &Theme::muted);
     link.name = name + "/line", link.arrow = false, link.width = 0.02, link.gap = 0.06;
     link.from = {name, 0.5 * (letters.low + letters.high), extent.x / 2, extent.y / 2};
-    link.to = {thing, inner, half.x / sx, half.y / sy};
+    link.to = *border;
     lines += lines_of_link(link);
   }
   if (time) lines += fmt::format("at {} fade-in {} for {}\n", write_time(t, s.rate), name, write_seconds(length));
-  Rollback rollback(s);
-  if (!carry_out_lines(k, lines, word)) return false;
-  return rollback.keep(), true;
+  return all_or_none(k, lines, word);
 }
 
 constexpr Verb callouts_rows[] = {

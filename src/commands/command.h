@@ -176,6 +176,9 @@ bool way(Command&, const Selected& to, Event&, std::optional<Time>* lasts = null
 
 // ---- moves.cpp
 
+// Returns the value that a function has at a time, as far as what is set and its own events say: before the first event
+// what is set, or the first event's value. With `counts`, other values are passed over.
+Value value_said(const Scene&, const Object&, FunctionId, Time, bool (*counts)(const Value&) = nullptr);
 // Adds two events: what is there at the event's time, and its value at the end.
 bool put_for(Command&, const Selected& to, Event, Time length, std::string_view about);
 

@@ -22,26 +22,15 @@ namespace {
 constexpr std::array<std::string_view, 3> routes{"straight", "curved", "angled"};
 
 std::string end_in_code(const LinkEnd& e) {
-  const auto number = [](double v) { return write_number(std::round(v * 1e4) / 1e4); };
-  return fmt::format("'{}', {}, {}, {}, {}", e.name, number(e.middle.x), number(e.middle.y), number(e.width),
-                     number(e.height));
+  return fmt::format("'{}', {}, {}, {}, {}", e.name, write_metres(e.middle.x), write_metres(e.middle.y),
+                     write_metres(e.width), write_metres(e.height));
 }
 
-// Measures the border of an object now.
-bool end_of_link(Command& k, ObjectId id, std::string_view about, LinkEnd& out) {
+// Measures the border of an object. A line to a group goes to its origin.
+bool find_end(Command& k, ObjectId id, std::string_view about, LinkEnd& out) {
   const Object& o = k.scene.objects[id.index];
-  out.name = o.name;
   if (!placed(o.kind)) return k.cursor.fail(ErrorCode::type, fmt::format("'{}' has no place", o.name), about);
-  const Measured m = measured(k.scene, {id}, k.time.value_or(Time{}))[0];
-  if (!m.any) return true;  // a group: the line goes to its origin
-  const auto inward = inverse(m.world);
-  const Vec3 scale{length(transform_vector(m.world, {1, 0, 0})), length(transform_vector(m.world, {0, 1, 0})), 1};
-  if (!inward || !(scale.x > 0) || !(scale.y > 0)) return true;
-  out.middle = transform_point(*inward, m.middle());
-  out.width = 0.5 * m.size().x / scale.x, out.height = 0.5 * m.size().y / scale.y;
-  const bool is_round =
-      o.kind == Kind::sphere || o.kind == Kind::disc || o.kind == Kind::ring || o.kind == Kind::regular;
-  if (is_round) out.height = 0;
+  out = end_of_link(k.scene, measured(k.scene, {id}, k.time.value_or(Time{}))[0]).value_or(LinkEnd{o.name, {}, 0, 0});
   return true;
 }
 
@@ -65,9 +54,9 @@ bool connect(Command& k) {
     if (std::find(routes.begin(), routes.end(), word) != routes.end()) {
       link.route = word;
     } else if (word == "as") {
-      c.space();
-      const std::string_view name = c.next_word();
-      link.name = name;
+      link.name = c.next_word();
+      if (link.name.empty())
+        return c.fail_here(ErrorCode::syntax, "a name is missing here", "as in connect a to b as way");
     } else if (word == "label" && c.accept('=')) {
       if (!c.text(link.label)) return false;
     } else if (word == "arrow" && c.accept('=')) {
@@ -80,16 +69,14 @@ bool connect(Command& k) {
     }
   }
   if (!finish(c)) return false;
-  if (!end_of_link(k, a, first, link.from) || !end_of_link(k, b, second, link.to)) return false;
+  if (!find_end(k, a, first, link.from) || !find_end(k, b, second, link.to)) return false;
   link.color = theme_color(s, &Theme::muted), link.label_color = theme_color(s, &Theme::label);
   if (link.name.empty()) link.name = link.from.name + "-" + last_of(link.to.name);
   std::string lines = lines_of_link(link);
   if (time)
     lines +=
         fmt::format("at {} draw {} for {}\n", write_time(*time, s.rate), link.name, write_seconds(from_seconds(0.5)));
-  Rollback rollback(s);
-  if (!carry_out_lines(k, lines, first)) return false;
-  return rollback.keep(), true;
+  return all_or_none(k, lines, first);
 }
 
 constexpr Verb connecting_rows[] = {
@@ -100,6 +87,17 @@ constexpr Verb connecting_rows[] = {
 };
 
 }  // namespace
+
+std::optional<LinkEnd> end_of_link(const Scene& s, const Measured& m) {
+  const Object& o = s.objects[m.id.index];
+  const auto inward = inverse(m.world);
+  const double wide = length(transform_vector(m.world, {1, 0, 0})), high = length(transform_vector(m.world, {0, 1, 0}));
+  if (!m.any || !inward || !(wide > 0) || !(high > 0)) return std::nullopt;
+  const bool is_round =
+      o.kind == Kind::sphere || o.kind == Kind::disc || o.kind == Kind::ring || o.kind == Kind::regular;
+  return LinkEnd{o.name, transform_point(*inward, m.middle()), 0.5 * m.size().x / wide,
+                 is_round ? 0 : 0.5 * m.size().y / high};
+}
 
 std::string lines_of_link(const Link& l) {
   const double tip = l.arrow ? 5 * l.width : 0;

@@ -4,10 +4,11 @@
 // Lines between two objects, which follow them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "betwixt/math.h"
+#include "commands/measuring.h"
 
 namespace betwixt {
 
@@ -26,6 +27,8 @@ struct Link {
   bool arrow = true;
   double gap = 0.08, width = 0.04;
 };
+// Returns the border of an object as it was measured; nullopt if it draws nothing.
+std::optional<LinkEnd> end_of_link(const Scene&, const Measured&);
 // Returns the lines of the language that make it: the line, its tip and its label.
 std::string lines_of_link(const Link&);
 

@@ -97,10 +97,7 @@ Result<PlacedDiagram> placed_diagram(const Scene& s, const std::string& diagram,
   return out;
 }
 
-std::string place_of(Vec3 at) {
-  const auto number = [](double v) { return write_number(std::round(v * 1e4) / 1e4); };
-  return fmt::format("({} {})", number(at.x), number(at.y));
-}
+std::string place_of(Vec3 at) { return fmt::format("({} {})", write_metres(at.x), write_metres(at.y)); }
 
 std::string lines_of_node(const PlacedDiagram& d, const PlacedNode& n) {
   const std::string form =
@@ -201,9 +198,7 @@ bool rearrange(Command& k) {
   std::string_view of_at = word;
   if (!said_again(k, said, of_at)) return false;
   Time length = from_seconds(1);
-  if (c.accept_word("for") && !c.length(length)) return false;
-  if (length <= Time{}) return c.fail(ErrorCode::range, "the length must be greater than 0", word, "as in for 12f");
-  if (!finish(c)) return false;
+  if (!lasting(k, length, word)) return false;
   const auto after = placed_diagram(s, name, said);
   if (!after) return c.fail(after.error().code, after.error().message, of_at, after.error().hint);
   Rearranging change{
@@ -211,9 +206,7 @@ bool rearrange(Command& k) {
       {}};
   change.all();
   change.lines += fmt::format("set {0}.of {1}\nset {0}.layout {2}\n", name, write_text(said.of), said.layout);
-  Rollback rollback(s);
-  if (!carry_out_lines(k, change.lines, word)) return false;
-  return rollback.keep(), true;
+  return all_or_none(k, change.lines, word);
 }
 
 constexpr Verb diagrams_rows[] = {

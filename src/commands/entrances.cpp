@@ -24,35 +24,12 @@ struct Stage {
 
   const Scene& scene() const { return k.scene; }
   std::string at(Time t) const { return "at " + write_time(t, k.scene.rate) + " "; }
-  // Returns the value that the object has at the end of the entrance: the last row before it, or what is set.
+  // Returns the value that the object has at the beginning; with `counts`, the last one that counts.
   template <class T>
-  T value(const Object& o, FunctionId f) const {
-    const FunctionSpec& spec = spec_of(scene(), f);
-    Value out = spec.rest;
-    if (const Slot* slot = o.find(f)) {
-      if (slot->set) out = *slot->set;
-      slot->track->events.each([&](const Event& e) {
-        if (e.time <= from || slot->track->events.size() == 1) out = e.value;
-      });
-    }
-    const T* typed = std::get_if<T>(&out);
-    return typed ? *typed : std::get<T>(spec.rest);
-  }
-  // Returns the last value until then at which the object can be seen; the default if there is none.
-  template <class T, class Visible>
-  T last_seen(const Object& o, FunctionId f, const Visible& visible) const {
-    const T* rest = std::get_if<T>(&spec_of(scene(), f).rest);
-    T out = *rest;
-    const auto look = [&](const Value& v) {
-      if (const T* typed = std::get_if<T>(&v); typed && visible(*typed)) out = *typed;
-    };
-    if (const Slot* slot = o.find(f)) {
-      if (slot->set) look(*slot->set);
-      slot->track->events.each([&](const Event& e) {
-        if (e.time <= from || slot->track->events.size() == 1) look(e.value);
-      });
-    }
-    return out;
+  T value(const Object& o, FunctionId f, bool (*counts)(const Value&) = nullptr) const {
+    const Value said = value_said(scene(), o, f, from, counts);
+    const T* typed = std::get_if<T>(&said);
+    return typed ? *typed : std::get<T>(spec_of(scene(), f).rest);
   }
   void move(const std::string& target, const std::string& begin, const std::string& end, const char* way) {
     lines += at(from) + target + " " + begin + " " + way + "\n" + at(until) + target + " " + end + " hold\n";
@@ -92,9 +69,18 @@ std::size_t letters_of(const Stage& s, const Object& o) {
   return count;
 }
 
+bool can_be_seen(const Value& transparency) {
+  const auto* v = std::get_if<double>(&transparency);
+  return v && *v < 1;
+}
+bool has_a_size(const Value& scale) {
+  const auto* v = std::get_if<Vec3>(&scale);
+  return v && length(*v) > 0;
+}
+
 void fade(Stage& s, const Object& o, bool in) {
   if (!drawable(o.kind)) return;
-  const std::string seen = write_number(s.last_seen<double>(o, fn::transparency, [](double v) { return v < 1; }));
+  const std::string seen = write_number(s.value<double>(o, fn::transparency, can_be_seen));
   s.move(o.name + ".transparency", in ? "1" : seen, in ? seen : "1", "linear");
 }
 
@@ -117,7 +103,7 @@ void draw(Stage& s, const Object& o, bool in) {
 }
 
 void grow(Stage& s, const Object& o, bool in) {
-  const std::string full = write_vector(s.last_seen<Vec3>(o, fn::scale, [](Vec3 v) { return length(v) > 0; }));
+  const std::string full = write_vector(s.value<Vec3>(o, fn::scale, has_a_size));
   s.move(o.name + ".scale", in ? "(0 0 0)" : full, in ? full : "(0 0 0)", in ? "ease-out" : "ease-in");
 }
 void flip(Stage& s, const Object& o, bool in) {
@@ -139,9 +125,7 @@ bool entrance(Command& k) {
   std::vector<ObjectId> found;
   if (!objects(k, word, found)) return false;
   Time length = from_seconds(1);
-  if (c.accept_word("for") && !c.length(length)) return false;
-  if (length <= Time{}) return c.fail(ErrorCode::range, "the length must be greater than 0", word, "as in for 12f");
-  if (!finish(c)) return false;
+  if (!lasting(k, length, word)) return false;
   const Time from = time.value_or(Time{});
   Stage stage{k, from, from + length, {}};
   for (const ObjectId id : found) {
@@ -159,9 +143,7 @@ bool entrance(Command& k) {
       if (drawable(p.kind) && !computed && !in) stage.vanish(p);
     }
   }
-  Rollback rollback(s);
-  if (!carry_out_lines(k, stage.lines, word)) return false;
-  return rollback.keep(), true;
+  return all_or_none(k, stage.lines, word);
 }
 
 bool morph(Command& k) {
@@ -176,9 +158,7 @@ bool morph(Command& k) {
   const std::string_view second = c.peek_word();
   if (!values(k).object(b)) return false;
   Time length = from_seconds(1);
-  if (c.accept_word("for") && !c.length(length)) return false;
-  if (length <= Time{}) return c.fail(ErrorCode::range, "the length must be greater than 0", first, "as in for 12f");
-  if (!finish(c)) return false;
+  if (!lasting(k, length, first)) return false;
   const Object &from = s.objects[a.index], &to = s.objects[b.index];
   for (const auto& [o, word] : {std::pair{&from, first}, {&to, second}})
     if (!drawable(o->kind))
@@ -202,9 +182,7 @@ bool morph(Command& k) {
   if (start > Time{}) stage.lines += stage.at(Time{}) + "hide " + to.name + "\n";
   stage.lines += stage.at(stage.until) + "hide " + from.name + "\n" + stage.at(stage.until) + "show " + to.name + "\n";
   if (start == Time{}) stage.lines += stage.at(Time{}) + "hide " + to.name + "\n";
-  Rollback rollback(s);
-  if (!carry_out_lines(k, stage.lines, first)) return false;
-  return rollback.keep(), true;
+  return all_or_none(k, stage.lines, first);
 }
 
 constexpr unsigned how = Verb::timed;

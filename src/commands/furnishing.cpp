@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "commands/furniture_rows.h"
 #include "language/formula.h"
+#include "language/values.h"
 #include "procedure/lua.h"
 #include "program/on_axes.h"
 #include "scene/kinds.h"
@@ -87,6 +89,21 @@ bool carry_out_lines(Command& k, const std::string& lines, std::string_view abou
     if (d.severity == Severity::error) return k.cursor.fail(d.what.code, d.what.message, about, d.what.hint);
   return true;
 }
+
+bool all_or_none(Command& k, const std::string& lines, std::string_view about) {
+  Rollback rollback(k.scene);
+  if (!carry_out_lines(k, lines, about)) return false;
+  return rollback.keep(), true;
+}
+
+bool lasting(Command& k, Time& length, std::string_view about) {
+  Cursor& c = k.cursor;
+  if (c.accept_word("for") && !c.length(length)) return false;
+  if (length <= Time{}) return c.fail(ErrorCode::range, "the length must be greater than 0", about, "as in for 12f");
+  return finish(c);
+}
+
+std::string write_metres(double v) { return write_number(std::round(v * 1e4) / 1e4); }
 
 bool furniture(Command& k, Kind kind, std::string_view key, Furniture& out) {
   const FurnitureRow* row = furniture_of(kind);

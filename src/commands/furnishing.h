@@ -29,6 +29,12 @@ std::string_view meant_at_create(Kind, std::string_view key);
 bool furnish(Command&, ObjectId, const Furniture&, std::string_view about);
 // Carries out lines of the language, as a command of the author's own does. Changes the scene even if it fails.
 bool carry_out_lines(Command&, const std::string& lines, std::string_view about);
+// The same, but if a line fails, none of them counts.
+bool all_or_none(Command&, const std::string& lines, std::string_view about);
+// Reads [for L] and the end of the line. `length` has the default.
+bool lasting(Command&, Time& length, std::string_view about);
+// Writes a length in metres to a tenth of a millimetre.
+std::string write_metres(double);
 // Couples an object to its axes, if it has no parent and is on some.
 bool put_on_axes(Command&, Object&, ObjectId& parent, std::string_view about);
 

@@ -10,17 +10,6 @@
 namespace betwixt {
 namespace {
 
-// Returns the text that a target has at a time, as far as its own events say.
-Value text_at(const Scene& s, const Target& t, Time when) {
-  const Slot* const slot = s.objects[t.object.index].find(t.function);
-  Value out = slot && slot->set ? *slot->set : spec_of(s, t.function).rest;
-  if (slot)
-    slot->track->events.each([&](const Event& e) {
-      if (e.time <= when && !e.keep) out = e.value;
-    });
-  return out;
-}
-
 // Returns the value that a target has before its events: what is set, or the default.
 Value settled_at(const Scene& s, const Target& t) {
   const Slot* const slot = s.objects[t.object.index].find(t.function);
@@ -28,16 +17,20 @@ Value settled_at(const Scene& s, const Target& t) {
   return t.component < 0 ? whole : Value(component_of(whole, t.component));
 }
 
+// Calls f for each event of a target's own tracks.
+template <class F>
+void each_event(const Scene& s, const Target& t, const F& f) {
+  const Slot* const slot = s.objects[t.object.index].find(t.function);
+  if (!slot) return;
+  slot->track->events.each(f);
+  for (std::size_t i = 0; i < slot->components.size(); ++i)
+    if (t.component < 0 || t.component == static_cast<int>(i)) slot->components[i]->events.each(f);
+}
+
 // Returns whether events say what a target does at a time.
 bool has_events_by(const Scene& s, const Target& t, Time when) {
-  const Slot* const slot = s.objects[t.object.index].find(t.function);
-  if (!slot) return false;
   bool any = false;
-  const auto look = [&](const Track& track) {
-    track.events.each([&](const Event& e) { any = any || e.time <= when; });
-  };
-  look(*slot->track);
-  for (const auto& track : slot->components) look(*track);
+  each_event(s, t, [&](const Event& e) { any = any || e.time <= when; });
   return any;
 }
 
@@ -53,10 +46,8 @@ bool can_last(Command& k, const Selected& to, const Event& e, std::string_view a
 
 // Warns of rows inside the time of a move, which then goes through their values.
 void say_rows_between(Command& k, const Target& t, Time from, Time until, std::string_view about) {
-  const Slot* const slot = k.scene.objects[t.object.index].find(t.function);
-  if (!slot) return;
   std::optional<Time> inside;
-  slot->track->events.each([&](const Event& e) {
+  each_event(k.scene, t, [&](const Event& e) {
     if (e.time > from && e.time < until && !inside) inside = e.time;
   });
   if (inside)
@@ -67,6 +58,21 @@ void say_rows_between(Command& k, const Target& t, Time from, Time until, std::s
 }
 
 }  // namespace
+
+Value value_said(const Scene& s, const Object& o, FunctionId f, Time when, bool (*counts)(const Value&)) {
+  const Slot* const slot = o.find(f);
+  Value out = spec_of(s, f).rest;
+  bool any = false;
+  const auto take = [&](const Value& v) {
+    if (!counts || counts(v)) out = v, any = true;
+  };
+  if (!slot) return out;
+  if (slot->set) take(*slot->set);
+  slot->track->events.each([&](const Event& e) {
+    if (!e.keep && !e.release && (e.time <= when || !any)) take(e.value);
+  });
+  return out;
+}
 
 bool put_for(Command& k, const Selected& to, Event e, Time length, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
@@ -83,7 +89,8 @@ bool put_for(Command& k, const Selected& to, Event e, Time length, std::string_v
     if (begin.keep)
       begin.value = 0.0;
     else
-      begin.value = to.type() == Type::text ? text_at(s, t, e.time) : settled_at(s, t);
+      begin.value =
+          to.type() == Type::text ? value_said(s, s.objects[t.object.index], t.function, e.time) : settled_at(s, t);
     Event end;
     end.time = e.time + length, end.value = e.value;
     if (to.type() != Type::text) end.twerper = *find_twerper("hold");

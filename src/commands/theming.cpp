@@ -72,11 +72,12 @@ std::string_view stem_of(std::string_view name) {
   return name;
 }
 
+// The kinds that have the color of ink. Others that have a surface have a color of the palette.
+constexpr KindBits inked_kinds = letter_kinds | line_kinds | bits_of({Kind::arrow, Kind::brace});
+
 bool is_solid(Kind kind) {
-  const KindRow& row = row_of(kind);
-  const bool letters_or_lines = ((letter_kinds | line_kinds) & bit(kind)) != 0;
-  return row.fill != Fill::nothing && row.fill != Fill::file && !letters_or_lines && kind != Kind::arrow &&
-         kind != Kind::brace && kind != Kind::plane;
+  const Fill fill = row_of(kind).fill;
+  return fill != Fill::nothing && fill != Fill::file && !(inked_kinds & bit(kind)) && kind != Kind::plane;
 }
 
 }  // namespace
@@ -87,7 +88,7 @@ void give_theme_color(Command& k, Object& o) {
   if (k.scene.appearance.theme->name.empty() || !drawable(o.kind) || own_colors || o.find(fn::color) ||
       o.find(fn::texture))
     return;
-  if ((letter_kinds | line_kinds) & bit(o.kind) || o.kind == Kind::arrow || o.kind == Kind::brace) {
+  if (inked_kinds & bit(o.kind)) {
     if (!shown_part(o)) o.slot(fn::color).set = theme.ink;
     return;
   }

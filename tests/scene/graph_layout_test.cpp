@@ -101,7 +101,7 @@ TEST(Graphs, ACircleIsRegular) {
   EXPECT_GE(length(at[1] - at[0]), 2 - 1e-9);
 }
 
-TEST(Graphs, LargeOnesTakeNoTime) {
+TEST(Graphs, TheLargestArePlaced) {
   std::mt19937 random(5);
   const Graph g = random_graph(random, most_graph_nodes, most_graph_edges);
   for (const GraphLayout layout : {GraphLayout::layered, GraphLayout::tree, GraphLayout::force, GraphLayout::circle})
