@@ -338,26 +338,20 @@ int line_of_chart(lua_State* l, Machine& m) {
   return push_points(l, out), 1;
 }
 
-template <int (*body)(lua_State*, Machine&)>
-int charted(lua_State* l) {
-  charge(l, 60);
-  return guarded<body>(l);
-}
-
 }  // namespace
 
-const luaL_Reg chart_functions[] = {{"readings", charted<readings_of>},
-                                    {"extent", charted<extent_of>},
-                                    {"place", charted<place_in_chart>},
-                                    {"slice", charted<slice_of>},
-                                    {"fit", charted<fit_of>},
-                                    {"label", charted<label_of>},
-                                    {"number", charted<number_of>},
-                                    {"range", charted<range_of>},
-                                    {"span", charted<span_of>},
-                                    {"slot", charted<slot_of>},
-                                    {"dot", charted<dot_of>},
-                                    {"line", charted<line_of_chart>},
+const luaL_Reg chart_functions[] = {{"readings", of_piece<readings_of>},
+                                    {"extent", of_piece<extent_of>},
+                                    {"place", of_piece<place_in_chart>},
+                                    {"slice", of_piece<slice_of>},
+                                    {"fit", of_piece<fit_of>},
+                                    {"label", of_piece<label_of>},
+                                    {"number", of_piece<number_of>},
+                                    {"range", of_piece<range_of>},
+                                    {"span", of_piece<span_of>},
+                                    {"slot", of_piece<slot_of>},
+                                    {"dot", of_piece<dot_of>},
+                                    {"line", of_piece<line_of_chart>},
                                     {nullptr, nullptr}};
 
 }  // namespace betwixt::lua

@@ -51,15 +51,9 @@ int numbers_of_block(lua_State* l, Machine& m) {
   return lua_pushlstring(l, all.data(), all.size()), 1;
 }
 
-template <int (*body)(lua_State*, Machine&)>
-int about_block(lua_State* l) {
-  charge(l, 60);
-  return guarded<body>(l);
-}
-
 }  // namespace
 
 const luaL_Reg code_functions[] = {
-    {"extent", about_block<extent_of_block>}, {"numbers", about_block<numbers_of_block>}, {nullptr, nullptr}};
+    {"extent", of_piece<extent_of_block>}, {"numbers", of_piece<numbers_of_block>}, {nullptr, nullptr}};
 
 }  // namespace betwixt::lua

@@ -35,4 +35,11 @@ std::string as_difference(const std::string& formula);
 // Pushes a formula as a function of x and y, which knows t and all names of code. Returns why it cannot, or "".
 std::string push_formula(lua_State*, Machine&, const std::string& formula);
 
+// A function that a piece of a chart, a block of code or a connection calls; it costs 60 steps.
+template <int (*body)(lua_State*, Machine&)>
+int of_piece(lua_State* l) {
+  charge(l, 60);
+  return guarded<body>(l);
+}
+
 }  // namespace betwixt::lua

@@ -24,6 +24,13 @@ struct Border {
   }
 };
 
+// Returns the transform of an object to the world; "": of the object whose value it is.
+std::optional<Mat4> world_now(Machine& m, const std::string& name) {
+  const auto v = value_now(m, name + ".world");
+  const auto* matrix = v ? std::get_if<Matrix>(&*v) : nullptr;
+  return matrix ? std::optional<Mat4>(**matrix) : std::nullopt;
+}
+
 // Reads NAME, X, Y, W, H at an argument: an object, the middle of its border and half the size of the border.
 std::string read_border(lua_State* l, Machine& m, int first, Border& out) {
   if (lua_type(l, first) != LUA_TSTRING) return "the name of an object is missing";
@@ -33,13 +40,11 @@ std::string read_border(lua_State* l, Machine& m, int first, Border& out) {
     numbers[static_cast<std::size_t>(i)] = lua_tonumber(l, first + 1 + i);
   }
   const std::string name = lua_tostring(l, first);
-  const auto at = value_now(m, name + ".world");
-  const auto* matrix = at ? std::get_if<Matrix>(&*at) : nullptr;
-  if (!matrix) return "there is no object '" + name + "'";
-  const Mat4& world = **matrix;
-  out.middle = transform_point(world, {numbers[0], numbers[1], 0});
-  out.width = numbers[2] * length(transform_vector(world, {1, 0, 0}));
-  out.height = numbers[3] * length(transform_vector(world, {0, 1, 0}));
+  const auto world = world_now(m, name);
+  if (!world) return "there is no object '" + name + "'";
+  out.middle = transform_point(*world, {numbers[0], numbers[1], 0});
+  out.width = numbers[2] * length(transform_vector(*world, {1, 0, 0}));
+  out.height = numbers[3] * length(transform_vector(*world, {0, 1, 0}));
   return "";
 }
 
@@ -88,9 +93,8 @@ int points_of_link(lua_State* l, Machine& m) {
   std::vector<Vec3> points = way_between(a, b, route, lua_tonumber(l, 12));
   shorten(points, lua_tonumber(l, 13));
   // The line may be below another object.
-  const auto own = value_now(m, ".world");
-  const auto* matrix = own ? std::get_if<Matrix>(&*own) : nullptr;
-  if (const auto inward = matrix ? inverse(**matrix) : std::nullopt)
+  const auto own = world_now(m, "");
+  if (const auto inward = own ? inverse(*own) : std::nullopt)
     for (Vec3& p : points) p = transform_point(*inward, p);
   return push_points(l, points), 1;
 }
@@ -124,18 +128,12 @@ int middle_of_link(lua_State* l, Machine& m) {
   return push_place(l, at + (across.y < 0 ? -away : away) * across), 1;
 }
 
-template <int (*body)(lua_State*, Machine&)>
-int linked(lua_State* l) {
-  charge(l, 60);
-  return guarded<body>(l);
-}
-
 }  // namespace
 
-const luaL_Reg link_functions[] = {{"points", linked<points_of_link>},
-                                   {"tip", linked<tip_of_link>},
-                                   {"turn", linked<turn_of_link>},
-                                   {"middle", linked<middle_of_link>},
+const luaL_Reg link_functions[] = {{"points", of_piece<points_of_link>},
+                                   {"tip", of_piece<tip_of_link>},
+                                   {"turn", of_piece<turn_of_link>},
+                                   {"middle", of_piece<middle_of_link>},
                                    {nullptr, nullptr}};
 
 }  // namespace betwixt::lua

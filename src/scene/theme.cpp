@@ -9,58 +9,63 @@
 namespace betwixt {
 namespace {
 
-Color hex(unsigned rgb) { return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0}; }
-template <std::size_t n>
-std::array<Color, n> all_of(const unsigned (&rgb)[n]) {
-  std::array<Color, n> out;
-  std::transform(std::begin(rgb), std::end(rgb), out.begin(), hex);
-  return out;
-}
+struct ThemeRow {
+  const char* name;
+  unsigned paper, ink, muted, label, faint, panel, accent;
+  unsigned palette[12];
+  unsigned code[code_class_names.size()];
+};
+constexpr ThemeRow theme_rows[] = {
+    {"dark",
+     0x0e1526,
+     0xeef1f6,
+     0x8b95a7,
+     0xc3cad6,
+     0x39424f,
+     0x1c2b47,
+     0xffd166,
+     {0x4aa8ff, 0xffb02e, 0x35c77a, 0xff6b6b, 0xb58cff, 0x2ccfd6, 0xff8fc7, 0xa6d82e, 0xff9248, 0x7d9bff, 0xe3c14a,
+      0x5ed3a8},
+     {0xe6ebf4, 0xff8fa3, 0xf2c66d, 0x7cb7ff, 0xa5d76e, 0xf7a072, 0x7f8da3, 0x9fb0c8}},
+    {"light",
+     0xffffff,
+     0x1d2433,
+     0x6b7688,
+     0x3d4657,
+     0xd9dee6,
+     0xeef2f8,
+     0xffd24d,
+     {0x1f77d0, 0xd98200, 0x1e9e57, 0xdd4444, 0x8257d8, 0x0d9aa2, 0xd4579a, 0x6f9a12, 0xd6681c, 0x4f6edb, 0xa88a12,
+      0x2d9a77},
+     {0x1d2433, 0xc2255c, 0x9a6700, 0x0b62c4, 0x2b7a31, 0xb35309, 0x7a8699, 0x5a6678}},
+    {"paper",
+     0xf6f0e4,
+     0x2b2620,
+     0x857a6a,
+     0x51493e,
+     0xddd3c1,
+     0xebe3d2,
+     0xf0c35a,
+     {0x2f6f9f, 0xc77d1e, 0x3f7f4f, 0xb8483f, 0x77599b, 0x2f8384, 0xad5580, 0x73842a, 0xb5622f, 0x566ba8, 0x94791f,
+      0x3d8069},
+     {0x2b2620, 0xa33b50, 0x8a6414, 0x2a5d8f, 0x44702f, 0xa0521c, 0x8d8374, 0x6b6153}},
+};
 
-Theme dark_theme() {
-  return {"dark",
-          hex(0x0e1526),
-          hex(0xeef1f6),
-          hex(0x8b95a7),
-          hex(0xc3cad6),
-          hex(0x39424f),
-          hex(0x1c2b47),
-          hex(0xffd166),
-          all_of({0x4aa8ff, 0xffb02e, 0x35c77a, 0xff6b6b, 0xb58cff, 0x2ccfd6, 0xff8fc7, 0xa6d82e, 0xff9248, 0x7d9bff,
-                  0xe3c14a, 0x5ed3a8}),
-          all_of({0xe6ebf4, 0xff8fa3, 0xf2c66d, 0x7cb7ff, 0xa5d76e, 0xf7a072, 0x7f8da3, 0x9fb0c8})};
-}
-Theme light_theme() {
-  return {"light",
-          hex(0xffffff),
-          hex(0x1d2433),
-          hex(0x6b7688),
-          hex(0x3d4657),
-          hex(0xd9dee6),
-          hex(0xeef2f8),
-          hex(0xffd24d),
-          all_of({0x1f77d0, 0xd98200, 0x1e9e57, 0xdd4444, 0x8257d8, 0x0d9aa2, 0xd4579a, 0x6f9a12, 0xd6681c, 0x4f6edb,
-                  0xa88a12, 0x2d9a77}),
-          all_of({0x1d2433, 0xc2255c, 0x9a6700, 0x0b62c4, 0x2b7a31, 0xb35309, 0x7a8699, 0x5a6678})};
-}
-Theme paper_theme() {
-  return {"paper",
-          hex(0xf6f0e4),
-          hex(0x2b2620),
-          hex(0x857a6a),
-          hex(0x51493e),
-          hex(0xddd3c1),
-          hex(0xebe3d2),
-          hex(0xf0c35a),
-          all_of({0x2f6f9f, 0xc77d1e, 0x3f7f4f, 0xb8483f, 0x77599b, 0x2f8384, 0xad5580, 0x73842a, 0xb5622f, 0x566ba8,
-                  0x94791f, 0x3d8069}),
-          all_of({0x2b2620, 0xa33b50, 0x8a6414, 0x2a5d8f, 0x44702f, 0xa0521c, 0x8d8374, 0x6b6153})};
+Color hex(unsigned rgb) { return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0}; }
+
+Theme theme_of_row(const ThemeRow& r) {
+  Theme t{r.name,       hex(r.paper), hex(r.ink),    hex(r.muted), hex(r.label),
+          hex(r.faint), hex(r.panel), hex(r.accent), {},           {}};
+  std::transform(std::begin(r.palette), std::end(r.palette), t.palette.begin(), hex);
+  std::transform(std::begin(r.code), std::end(r.code), t.code.begin(), hex);
+  return t;
 }
 
 }  // namespace
 
 std::span<const Theme> themes() {
-  static const std::array<Theme, 3> all{dark_theme(), light_theme(), paper_theme()};
+  static const std::array<Theme, 3> all{theme_of_row(theme_rows[0]), theme_of_row(theme_rows[1]),
+                                        theme_of_row(theme_rows[2])};
   return all;
 }
 
