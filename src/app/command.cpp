@@ -59,12 +59,12 @@ Result<FrameList> read_frames(const std::string& text, const Document& document,
   auto [first, last] = document.range();
   if (!text.empty()) {
     const std::size_t dots = text.find("..");
-    if (dots == std::string::npos)
-      return fail(ErrorCode::range, fmt::format("{}: \"{}\" is not a segment", option, text), "as in 1f..24f");
     const auto from = read_time(text.substr(0, dots), document, option);
     if (!from) return from.error();
     first = *from;
-    if (const std::string end = text.substr(dots + 2); !end.empty()) {
+    if (dots == std::string::npos) {
+      last = first;
+    } else if (const std::string end = text.substr(dots + 2); !end.empty()) {
       const auto to = read_time(end, document, option);
       if (!to) return to.error();
       last = *to;

@@ -130,7 +130,7 @@ std::string output_or(const std::string& out, const std::string& script, const s
 Parameter frames_parameter(std::string& frames, const std::string& examples) {
   return {.name = "--frames",
           .value = "A..B",
-          .sentence = "only these frames, both ends included: " + examples,
+          .sentence = "only these frames, both ends included, or one frame: " + examples,
           .into = &frames};
 }
 

@@ -68,9 +68,9 @@ struct Alone {  // ends the single runs on every way out
   ~Alone() { k.script.only.reset(), k.cursor.place = {}; }
 };
 
-bool says_place(const Command& k, const char* from) {
+bool says_place(const Command& k, const char* from, bool formula = false) {
   if (writes_out_names(between(from, k.cursor.end))) return true;
-  return speaks_of_place(from, k.cursor.end) || code_speaks_of_place(from, k.cursor.end);
+  return speaks_of_place(from, k.cursor.end) || code_speaks_of_place(from, k.cursor.end, formula);
 }
 
 }  // namespace
@@ -119,7 +119,8 @@ bool in_places(Command& k, const Selected& of, const std::function<bool(const Se
   Sheet& sheet = k.script.sheet;
   const std::vector<Time> above = std::exchange(sheet.each_above, {});
   const bool apart = !above.empty() && (k.cursor.space(), k.cursor.peek() == '+');
-  if (!apart && !says_place(k, start)) return row(of);
+  const bool formula = of.spec && of.spec->written == "\"FORMULA\"";
+  if (!apart && !says_place(k, start, formula)) return row(of);
   std::vector<Selected> each;
   std::vector<std::string> names;
   for (const Target& t : of.targets) {

@@ -3,10 +3,17 @@
 #include "export/gltf_nodes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 
 #include "export/seen.h"
 
 namespace betwixt::gltf {
+namespace {
+
+constexpr double smallest_scale = 1e-6;  // of a node before its animation begins
+
+}  // namespace
 
 std::size_t Nodes::place_objects(const Program& program, const ExportOptions& options) {
   const Document& document = program.document();
@@ -51,7 +58,10 @@ std::size_t Nodes::add_below(std::size_t parent, Json node) {
 }
 
 void Nodes::put(std::size_t node, const char* path, const Channel& c, const std::array<double, 4>& rest) {
-  const auto& first = c.pieces.front().begin;
+  std::array<double, 4> first = c.pieces.front().begin;
+  // Programs that read a node as a matrix (assimp) find no rotation in a scale of 0, and then keep a wrong one.
+  if (std::string_view(path) == "scale" && !c.constant())
+    for (double& x : first) x = std::abs(x) < smallest_scale ? smallest_scale : x;
   const auto same = [&](double a, double b) { return static_cast<float>(a) == static_cast<float>(b); };
   if (!std::equal(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(c.width), rest.begin(), same))
     all_[node][path] = numbers(first, c.width);

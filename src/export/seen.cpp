@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "betwixt/evaluation.h"
 #include "betwixt/object.h"
@@ -19,7 +20,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_triangles = 20'000'000;
+constexpr std::size_t most_triangles = 20'000'000, usual_triangles = 4'000'000;
 constexpr std::size_t most_points = 1'000'000, fewest_forms = 24, most_forms = 600;  // of one object
 
 class Watch {
@@ -41,7 +42,7 @@ class Watch {
       if (fresh) {
         all_.emplace_back();
         all_.back().id = id;
-        forms_.emplace_back();
+        known_.emplace_back();
         if (t > options_.from) all_.back().when.push_back({options_.from, -1});
       }
       Seen& s = all_[place->second];
@@ -57,7 +58,7 @@ class Watch {
                              ? realise(shape)
                              : realise_blend(shape, *e.shape(look.toward), look.blend);
       if (rests) s.skin = skin;
-      if (Status ok = add(s, forms_[place->second], t, g); !ok) return ok;
+      if (Status ok = add(s, known_[place->second], t, g); !ok) return ok;
     }
     return Nothing{};
   }
@@ -87,7 +88,13 @@ class Watch {
     if (s.when.empty() || s.when.back().form != form) s.when.push_back({t, form});
   }
 
-  Status add(Seen& s, std::map<std::pair<const Mesh*, std::array<double, 16>>, int>& forms, Time t, const Geometry& g) {
+  // The forms that an object has had; of a new one, only each n-th is kept.
+  struct Known {
+    std::map<std::pair<const Mesh*, std::array<double, 16>>, int> forms;
+    std::size_t each = 1, left_out = 0;
+  };
+
+  Status add(Seen& s, Known& known, Time t, const Geometry& g) {
     if (g.mesh->triangles.empty() && g.mesh->edges.empty()) {
       if (!s.when.empty())
         seen(s, t, -1);
@@ -95,18 +102,54 @@ class Watch {
         s.when.push_back({t, -1});
       return Nothing{};
     }
-    const auto [known, fresh] = forms.try_emplace({g.mesh.get(), g.local.m}, static_cast<int>(s.forms.size()));
-    if (fresh) {
-      const bool another = s.forms.empty() || s.forms.back().mesh != g.mesh;
+    auto place = known.forms.find({g.mesh.get(), g.local.m});
+    if (place == known.forms.end()) {
+      if (!s.forms.empty() && ++known.left_out < known.each) {
+        seen(s, t, static_cast<int>(s.forms.size()) - 1);
+        return Nothing{};
+      }
+      known.left_out = 0;
+      place = known.forms.emplace(std::pair{g.mesh.get(), g.local.m}, static_cast<int>(s.forms.size())).first;
+      if (s.forms.empty() || s.forms.back().mesh != g.mesh) triangles_ += g.mesh->triangles.size() / 3;
       s.forms.push_back({g.mesh, g.local});
-      if (another) triangles_ += g.mesh->triangles.size() / 3;
-      if (triangles_ > most_triangles)
-        return fail(ErrorCode::range,
-                    fmt::format("the visible objects need more than {} million triangles", most_triangles / 1'000'000),
-                    "choose fewer frames: --frames 1f..24f");
     }
-    seen(s, t, known->second);
+    seen(s, t, place->second);
+    if (triangles_ > thin_at_) thin_largest();
+    if (triangles_ > most_triangles)
+      return fail(ErrorCode::range,
+                  fmt::format("the visible objects need more than {} million triangles", most_triangles / 1'000'000),
+                  "choose fewer frames: --frames 1f..24f");
     return Nothing{};
+  }
+
+  static std::size_t triangles(const Seen& s) {
+    std::size_t all = 0;
+    const Mesh* last = nullptr;
+    for (const Seen::Form& f : s.forms)
+      if (f.mesh.get() != std::exchange(last, f.mesh.get())) all += f.mesh->triangles.size() / 3;
+    return all;
+  }
+
+  // Keeps every second form of the objects with the most triangles until the film is of a usual size.
+  void thin_largest() {
+    std::vector<std::size_t> sizes(all_.size());
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (all_[i].forms.size() > fewest_forms) sizes[i] = triangles(all_[i]);
+    while (triangles_ > usual_triangles) {
+      const auto largest = std::max_element(sizes.begin(), sizes.end());
+      if (*largest == 0) break;
+      const auto i = static_cast<std::size_t>(largest - sizes.begin());
+      Seen& s = all_[i];
+      keep_each(s, 2);
+      Known& known = known_[i];
+      known.each *= 2, known.forms.clear();
+      for (const Seen::Form& f : s.forms)
+        known.forms.emplace(std::pair{f.mesh.get(), f.local.m}, static_cast<int>(known.forms.size()));
+      const std::size_t left = triangles(s);
+      triangles_ -= *largest - left;
+      *largest = s.forms.size() > fewest_forms && left < *largest ? left : 0;
+    }
+    thin_at_ = std::max(usual_triangles, triangles_) + usual_triangles / 2;
   }
 
   // A shape that grows would be too large with all its frames: each n-th form is used up to the next.
@@ -115,7 +158,11 @@ class Watch {
     for (const Seen::Form& f : s.forms) largest = std::max(largest, f.mesh->positions.size());
     const std::size_t most = std::clamp(most_points / largest, fewest_forms, most_forms);
     const std::size_t step = (s.forms.size() + most - 1) / most;
-    if (step == 1) return;
+    if (step > 1) keep_each(s, step);
+  }
+
+  // Keeps each n-th form, the middle one of its n.
+  static void keep_each(Seen& s, std::size_t step) {
     std::vector<Seen::Form> forms;
     for (std::size_t i = 0; i < s.forms.size(); i += step)
       forms.push_back(s.forms[std::min(i + step / 2, s.forms.size() - 1)]);
@@ -153,9 +200,9 @@ class Watch {
   const ExportOptions& options_;
   std::vector<bool> as_skin_;  // by skin
   std::vector<Seen> all_;
-  std::vector<std::map<std::pair<const Mesh*, std::array<double, 16>>, int>> forms_;  // the forms that each has had
+  std::vector<Known> known_;  // by index into all_
   std::unordered_map<std::uint32_t, std::size_t> at_;
-  std::size_t triangles_ = 0;
+  std::size_t triangles_ = 0, thin_at_ = usual_triangles + usual_triangles / 2;
 };
 
 }  // namespace

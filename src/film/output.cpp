@@ -18,7 +18,7 @@ namespace {
 Result<Output> read_number(Output out) {
   const Error wrong =
       fail(ErrorCode::range, fmt::format("the name of numbered pictures needs one number, unlike \"{}\"", out.name),
-           "as in frame-%04d.png");
+           "as in frame-%04d.png; one picture: betwixt frame FILE --at 24f -o NAME.png");
   const std::size_t at = out.name.find('%');
   if (at == std::string::npos) return wrong;
   std::size_t end = at + 1;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "language/cursor.h"
@@ -76,10 +77,8 @@ class Words {
 }  // namespace
 
 std::vector<std::string_view> free_names(std::string_view code) {
-  std::vector<std::string_view> used, made;
-  const auto has = [](const auto& all, std::string_view w) {
-    return std::find(all.begin(), all.end(), w) != all.end();
-  };
+  std::vector<std::string_view> used;
+  std::unordered_set<std::string_view> seen, made;
   enum { nothing, list, head, parameters } makes = nothing;
   std::string_view before;
   Words words(code);
@@ -90,25 +89,30 @@ std::vector<std::string_view> free_names(std::string_view code) {
       makes = head;
     } else if (code_name_begins(w[0])) {
       if (makes == list && before != "," && before != "local" && before != "for") makes = nothing;
-      if (makes != nothing) made.push_back(w);
-      if (makes == nothing && before != "." && before != ":" && !has(used, w)) used.push_back(w);
+      if (makes != nothing) made.insert(w);
+      if (makes == nothing && before != "." && before != ":" && seen.insert(w).second) used.push_back(w);
     } else if (makes == head) {
       makes = w == "(" ? parameters : head;
     } else if (makes == list ? w != "," : w == ")") {
       makes = nothing;
     }
   }
-  std::erase_if(used, [&](std::string_view w) { return has(made, w); });
+  std::erase_if(used, [&](std::string_view w) { return made.contains(w); });
   return used;
 }
 
-std::string with_values(const std::string& formula, const Lets& lets) {
+std::string with_values(const std::string& formula, const Lets* lets, const PatternPlace& place) {
   constexpr std::string_view own[] = {"x", "y", "u", "t", "e"};
   std::vector<std::pair<std::string_view, std::string>> values;
   for (const std::string_view name : free_names(formula)) {
-    const auto let = lets.find(name);
-    if (let == lets.end() || known_to_lua(name) || std::find(std::begin(own), std::end(own), name) != std::end(own))
+    if (known_to_lua(name) || std::find(std::begin(own), std::end(own), name) != std::end(own)) continue;
+    if (const std::size_t number = place_of(name, place); number > 0) {
+      values.emplace_back(name, std::to_string(number));
       continue;
+    }
+    if (!lets) continue;
+    const auto let = lets->find(name);
+    if (let == lets->end()) continue;
     if (std::string value = write_code(let->second); !value.empty()) values.emplace_back(name, "(" + value + ")");
   }
   std::string out;
@@ -133,13 +137,13 @@ std::vector<std::string> quoted_texts(std::string_view code) {
   return all;
 }
 
-bool code_speaks_of_place(const char* at, const char* end) {
+bool code_speaks_of_place(const char* at, const char* end, bool formula) {
   if (!may_hold_text(between(at, line_end(at, end)))) return false;
   Lexer lexer(between(at, end));
-  bool sign = false;  // the previous token is '='
+  bool sign = formula;  // the text is code or a formula
   auto token = lexer.next();
   for (; token && token->kind != TokenKind::feed && token->kind != TokenKind::text; token = lexer.next())
-    if (!is_space(*token)) sign = lexer.of(*token) == "=";
+    if (!is_space(*token)) sign = formula || lexer.of(*token) == "=" || lexer.of(*token).ends_with(".of");
   if (!token || token->kind != TokenKind::text || !sign) return false;
   Cursor c(between(at + token->at, end));
   std::string code;

@@ -125,8 +125,8 @@ struct TypedReader {
       s = c.word();
     }
     // A formula that is one word may be the name of a plot.
-    if (spec.written == "\"FORMULA\"" && c.lets && !values.scene.names.find(s.substr(0, s.find('\''))))
-      s = with_values(s, *c.lets);
+    if (spec.written == "\"FORMULA\"" && !values.scene.names.find(s.substr(0, s.find('\''))))
+      s = with_values(s, c.lets, c.place);
     if (!spec.words.empty() && !is_choice(s)) return false;
     if (spec.name == "text" && s.size() > most_letters && count_characters(s) > most_letters)
       return c.fail(ErrorCode::range, fmt::format("a text can have at most {} letters", most_letters),

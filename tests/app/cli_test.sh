@@ -133,7 +133,8 @@ check 'ending' 2 "did you mean '.mp4'?" render bounce.bx -o a.mp5
 check 'no ending' 2 'has no file extension' render bounce.bx -o film
 check 'picture without a number' 2 'frame-%04d.png' render bounce.bx -o a.png
 check 'no such folder' 2 'there is no folder nowhere' render bounce.bx -o nowhere/a.mp4
-check 'segment' 2 'is not a segment' render bounce.bx -o a.mp4 --frames 3
+check 'segment' 2 'is not a time' render bounce.bx -o a.mp4 --frames x
+check 'one frame' 0 '"frames":1' render bounce.bx -o a.mp4 --frames 3 --plan
 check 'segment backwards' 2 'ends before it begins' render bounce.bx -o a.mp4 --frames 9..3
 check 'segment of nonsense' 2 '--frames:' render bounce.bx -o a.mp4 --frames 1q..2q
 check 'too many frames' 2 'too many' render bounce.bx -o a.mp4 --frames 1f..99999999f

@@ -191,6 +191,20 @@ TEST(Plots, KnowNamesOfValues) {
   for (const Vec3 p : points_of(s, "g")) EXPECT_NEAR(p.y, 0.5, 1e-9);  // the plot, not the value
 }
 
+// Formulas of a pattern know their places in it, in commands and in rows.
+TEST(Plots, KnowTheirPlacesInAPattern) {
+  const LoadedFilm s(plane +
+                     "let a = 0.5\ncreate f{1..3} plot on=ax of=\"a * i * x\"\nat 25f f*.of \"(i - n) * x\"\n"
+                     "f{1..3}.of\n  49f \"i / 10\"\n");
+  ASSERT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+  for (int i = 1; i <= 3; ++i) {
+    const std::string f = "f" + std::to_string(i);
+    for (const Vec3 p : points_of(s, f)) EXPECT_NEAR(p.y, 0.5 * i * p.x, 1e-9) << f;
+    for (const Vec3 p : points_of(s, f, "25f")) EXPECT_NEAR(p.y, (i - 3) * p.x, 1e-9) << f;
+    for (const Vec3 p : points_of(s, f, "49f")) EXPECT_NEAR(p.y, i / 10.0, 1e-9) << f;
+  }
+}
+
 // ---- Error
 
 // The largest distance of a plot from its closed form in pixels of a picture 1920 wide, where the axes fill it: of

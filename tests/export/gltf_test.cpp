@@ -11,6 +11,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <random>
 
 #include "betwixt/export.h"
@@ -267,6 +268,46 @@ TEST(Gltf, WholeFramesAreThereHoweverSoonAJumpFollows) {
     for (int frame = 0; frame <= 48; ++frame)
       EXPECT_NEAR(by_values(file, 0, frame / 24.0)(0, 3), frame - 1, 1e-3) << late << " behind frame " << 1 + frame;
   }
+}
+
+// A program that reads nodes as matrices must find the rotation of what grows out of nothing.
+TEST(Gltf, NoNodeThatGrowsRestsAtAScaleOfZero) {
+  const Glb file = as_glb(
+      "range 1f 49f\ncreate b box rotation.z=30deg\nb.scale\n  1f (0 0 0) smooth\n  25f (1 1 1)\nhide b\n"
+      "at 12f show b\n");
+  int growing = 0;
+  for (const Json& node : file.json["nodes"]) {
+    if (!node.contains("scale")) continue;
+    ++growing;
+    for (const double x : node["scale"]) EXPECT_GT(x, 0) << node;
+  }
+  EXPECT_EQ(growing, 2);
+  EXPECT_NEAR(world(file, 0, 0)(0, 0), 0, 1e-5);
+  EXPECT_NEAR(world(file, 0, 1)(0, 0), std::cos(std::acos(-1) / 6), 1e-5);
+}
+
+// 6 plots with 4 million triangles each, if each frame had its own: fewer meshes are kept, evenly over the film.
+TEST(Gltf, AFilmWithTooManyShapesKeepsFewerOfThem) {
+  const Glb file = as_glb(
+      "range 1f 241f\nfilm flat\ndefine freq number 1\ncreate ax axes x=(0 10) y=(-2 2) numbers=off\n"
+      "create p{1..6} plot on=ax of=\"sin(x * value('ax.freq') + i)\"\nax.freq\n  1f 1 linear\n  241f 2\n");
+  std::size_t triangles = 0, shapes = 0;
+  for (const Json& mesh : file.json["meshes"])
+    for (const Json& part : mesh["primitives"])
+      triangles += file.json["accessors"][part["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3, ++shapes;
+  EXPECT_LT(triangles, 6'000'000u);
+  EXPECT_GT(shapes, 6u * 24);
+  // One shape of a plot is visible at each frame: it is as large as the object, the others have no size.
+  std::map<double, double> visible;
+  const Json& film = file.json["animations"][0];
+  for (const Json& channel : film["channels"]) {
+    const std::size_t node = channel["target"].value("node", std::size_t{0});
+    if (!file.json["nodes"][node].value("name", "").starts_with("p1 shape ")) continue;
+    const Json& sampler = film["samplers"][channel["sampler"].get<std::size_t>()];
+    for (int frame = 0; frame <= 240; frame += 40) visible[frame] += sampled(file, sampler, false, frame / 24.0)[0];
+  }
+  EXPECT_EQ(visible.size(), 7u);
+  for (const auto& [frame, sum] : visible) EXPECT_NEAR(sum, 1, 1e-3) << frame;
 }
 
 TEST(Gltf, EachFormatHasItsUsualKeys) {
