@@ -77,7 +77,13 @@ beside = """const addresses = {
   "betwixt-code": () => new URL("./betwixt-code.otf", import.meta.url),
 };
 const wasmBytes = async (name) => {
-  const answer = await fetch(addresses[name]());
+  const url = addresses[name]();
+  if (url.protocol === "file:" && globalThis.process?.versions?.node) {  // Node fetches no files
+    const fs = globalThis.process.getBuiltinModule?.("node:fs");
+    if (!fs) throw new Error(`betwixt-player needs Node 20.16, 22.3 or later; this is ${globalThis.process.version}`);
+    return new Uint8Array(fs.readFileSync(url)).buffer;
+  }
+  const answer = await fetch(url);
   if (!answer.ok) throw new Error(`${answer.url} cannot be fetched: the server answered ${answer.status}`);
   return answer.arrayBuffer();
 };

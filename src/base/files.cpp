@@ -16,6 +16,9 @@
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <vector>
+
+#include "base/names.h"
 
 namespace betwixt {
 namespace {
@@ -98,7 +101,7 @@ Error hindered(const std::string& path, const FileContents& in) {
     case ReadProblem::too_large:
       return fail(ErrorCode::file, fmt::format("{} is larger than 1 GiB", path));
     case ReadProblem::missing:
-      if (in.reason == ENOENT) return fail(ErrorCode::file, fmt::format("there is no file {}", path));
+      if (in.reason == ENOENT) return no_file(path);
       break;
     default:
       break;
@@ -107,6 +110,21 @@ Error hindered(const std::string& path, const FileContents& in) {
 }
 
 }  // namespace
+
+Error no_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr std::size_t most_looked_at = 10'000;
+  const fs::path wanted(path);
+  const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (fs::directory_iterator i(folder, failed), end; !failed && i != end && names.size() < most_looked_at;
+       i.increment(failed))
+    names.push_back(i->path().filename().string());
+  std::sort(names.begin(), names.end());  // the order in a folder is random
+  return fail(ErrorCode::file, fmt::format("there is no file '{}'", path),
+              did_you_mean(wanted.filename().string(), {names.begin(), names.end()}));
+}
 
 int OpenFile::close() {
   const int fd = std::exchange(fd_, -1);

@@ -34,6 +34,8 @@ Status write_whole(const std::string& path, std::string_view bytes, bool overwri
 Status check_place(const std::string& path, bool overwrite);
 // Renames a finished file to its final name. Errors: file (it exists), machine.
 Status put_in_place(const std::string& from, const std::string& to, bool overwrite);
+// Returns the error that there is no such file. Its hint is a file in the same folder with a similar name.
+Error no_file(const std::string& path);
 // Returns "the disk is full" and the like, for the system's error about a path.
 Error system_error(int number, const std::string& doing, const std::string& path);
 

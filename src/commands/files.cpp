@@ -44,7 +44,7 @@ Result<std::string> contents(const fs::path& path, bool special) {
     case ReadProblem::none:
       return std::move(in.text);
     case ReadProblem::missing:
-      return fail(ErrorCode::file, fmt::format("there is no file '{}'", path.string()));
+      return no_file(path.string());
     case ReadProblem::folder:
       return failed("is a folder, not a script");
     case ReadProblem::special:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/files.h"
 #include "editor/row_change.h"
 #include "editor/session_state.h"
 #include "language/cursor.h"
@@ -164,7 +165,7 @@ Status Session::State::go_on_from_file() {
   if (looks_only || file.empty()) return Nothing{};
   const auto there = read_script(file);
   if (!there) return there.error();
-  if (!*there) return fail(ErrorCode::file, fmt::format("there is no file '{}'", file));
+  if (!*there) return no_file(file);
   go_in_place();
   known = fingerprint(**there);
   tally.save();

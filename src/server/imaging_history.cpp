@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "base/files.h"
 #include "base/free_beside.h"
 #include "exchange/sent.h"
 #include "language/json.h"
@@ -59,7 +60,7 @@ Result<StoredHistory> Imaging::gather(const std::string& from, bool goes_on, boo
   if (!from.empty()) {
     const auto there = read_script(from);
     if (!there) return there.error();
-    if (!*there && !goes_on) return fail(ErrorCode::file, fmt::format("there is no file '{}'", from));
+    if (!*there && !goes_on) return no_file(from);
     text = *there;
   }
   StoredHistory kept;

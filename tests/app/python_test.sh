@@ -336,7 +336,7 @@ with a.object() as o:
     fails("pop", Refused, "this 'pop' has no 'push' before it (usage: pop)", a.pop_matrix)
     fails("end", Refused, "this 'end' has no 'begin' before it (usage: end)", a.end_environment)
     fails("itself", Refused, f"'O{o}' cannot call itself", a.call_object, o)
-    fails("texture", Refused, "there is no file none.png", a.texture, "none.png")
+    fails("texture", Refused, "there is no file 'none.png'", a.texture, "none.png")
     fails("perspective", Refused, "perspective must be at most 177.6deg (the angle of view of a camera must be less than 180deg)", a.perspective, 9)
     fails("orthographic", Refused, "orthographic must be at least 0", a.orthographic, -1)
     fails("text", Refused, "this is not a text file: it contains a control character (byte 0x00)", a.text, "a\0b")

@@ -96,7 +96,7 @@ TEST(Errors, Words) {
            {"create b text text=\"hello", "syntax 20 \"", "this text is not closed on the same line"},
            {"create b text text=\"a\\q\"", "syntax 22 \\q", "a text cannot contain '\\q'"},
            {"create b mesh", "syntax 10 mesh", "a mesh needs its file"},
-           {"create b mesh file=\"none.obj\"", "file 20 \"none.obj\"", "there is no file none.obj"},
+           {"create b mesh file=\"none.obj\"", "file 20 \"none.obj\"", "there is no file 'none.obj'"},
            {"create b like bal", "name 15 bal", "there is no object 'bal'", "did you mean 'ball'?"},
            {"create bus/wheel sphere", "name 8 bus/wheel", "there is no 'bus' for 'bus/wheel' to belong to",
             "create bus first"},
