@@ -10,6 +10,9 @@ const Betwixt = (globalThis.Betwixt ??= {});
 // The fonts that only some films need, and the words in their scripts (web/put_together.py, src/app/web_page.cpp).
 const some_fonts = { "betwixt-formulas": /\btex\b/, "betwixt-code": /\bcode\b/ };
 
+// The parts of a path below the film's folder.
+const parts_of = (path) => path.split("/").filter((p) => p && p !== "." && p !== "..");
+
 class Film {
   changed = null;  // a function, called after each edit; its argument: whether the duration is another one
   #engine;
@@ -165,7 +168,8 @@ class Engine {
   }
 
   // Opens the film of a script. `files` has the bytes of its files by path, and fonts (.ttf, .otf) by any path.
-  open(text, { name = "film.bx", files = {} } = {}) {
+  open(text, { name: path = "film.bx", files = {} } = {}) {
+    const name = parts_of(path).join("/");  // absolute paths of Node too
     for (const [path, bytes] of Object.entries(files)) if (/\.(ttf|otf|ttc)$/i.test(path)) this.#add_font(path, bytes);
     return this.with_files({ ...files, [name]: text },
                            () => new Film(this, this.call("betwixt_open", name, false), { name, files }));
@@ -178,7 +182,7 @@ class Engine {
     const { FS } = this.#module;
     const written = [];
     const put = (path, content) => {
-      const parts = path.split("/").filter((p) => p && p !== "." && p !== "..");
+      const parts = parts_of(path);
       for (let i = 1; i < parts.length; ++i) {
         const folder = "/film/" + parts.slice(0, i).join("/");
         if (!FS.analyzePath(folder).exists) FS.mkdir(folder);

@@ -19,7 +19,7 @@ const files = JSON.parse(process.argv[2]).map((path) => {
 });
 const wrong = made.open("create b sphere\\nb.positon\\n  1f (0 0 0)\\n");
 const edited = made.open("create b sphere\\n");
-edited.setTrack("b.position", [0, 1], [[0, 2], [0, 4], [0, 6]], { twerper: "linear" });
+edited.setTrack("b.position", [0, 1], [[0, 0, 0], [2, 4, 6]], { twerper: "linear" });
 console.log(JSON.stringify({ files, wrong: wrong.message, edited: edited.eval("b.position", 0.5) }));
 """
 
@@ -45,7 +45,7 @@ with tempfile.TemporaryDirectory() as folder:
     if said.returncode == 0:
         got = json.loads(said.stdout)
         for film, answer in zip(films, got["files"]):
-            check([t["values"] for t in answer["times"]] == values(film), f"{film}: {str(answer)[:400]}")
+            check(isinstance(answer, dict) and [t["values"] for t in answer["times"]] == values(film), f"{film}: {str(answer)[:400]}")
         check("positon" in got["wrong"] and "did you mean 'position'?" in got["wrong"], got["wrong"])
         check(got["edited"] == [1, 2, 3], got["edited"])
 print(f"{passed} passed, {failed} failed")
