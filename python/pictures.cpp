@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files.h"
 #include "betwixt/film.h"
 #include "betwixt/language.h"
 #include "betwixt/picture.h"
@@ -152,6 +153,14 @@ py::bytes png_of(const Pixels& p) {
   return py::bytes(value_or_raise(unlocked([&] { return to_png(*p.picture); })));
 }
 
+Status write_picture(const std::string& path, const Picture& picture, bool overwrite) {
+  const std::string kind = ending(path);
+  if (kind == "jpg" || kind == "jpeg") return write_jpeg(path, picture, 92, overwrite);
+  if (kind == "png") return write_png(path, picture, overwrite);
+  return fail(ErrorCode::range, "a picture is written as .png or .jpg, not \"" + path + "\"",
+              kind == "exr" ? "betwixt frame FILE --at TIME -o NAME.exr writes OpenEXR" : "");
+}
+
 py::array_t<std::uint8_t> pixels_of(const Pixels& p) {
   const py::ssize_t w = p.picture->width, h = p.picture->height;
   return view(p.picture->rgba.data(), {h, w, 4}, {4 * w, 4, 1}, keep(p.picture));
@@ -178,9 +187,10 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
       .def(
           "write",
           [](const Pixels& p, const std::filesystem::path& path, bool overwrite) {
-            value_or_raise(unlocked([&] { return write_png(path.string(), *p.picture, overwrite); }));
+            value_or_raise(unlocked([&] { return write_picture(path.string(), *p.picture, overwrite); }));
           },
-          py::arg("path"), py::kw_only(), py::arg("overwrite") = true, says("Writes a PNG."))
+          py::arg("path"), py::kw_only(), py::arg("overwrite") = true,
+          says("Writes a PNG or a JPEG; the file's extension chooses."))
       .def(
           "__repr__",
           [](const Pixels& p) {

@@ -6,6 +6,10 @@
 // Room: base
 #pragma once
 
+#if __cplusplus < 202002L
+#error "Betwixt needs C++20: compile with -std=c++20"
+#endif
+
 #include <cassert>
 #include <cstdint>
 #include <string>
@@ -67,6 +71,8 @@ using Diagnostics = std::vector<Diagnostic>;
 
 // Returns "file:line:column: error: message", the line, a caret and the suggestion, with a final newline.
 std::string to_string(const Diagnostic&);
+// Returns the same of an error, which has no line of text: "error: message" and the suggestion.
+std::string to_string(const Error&);
 bool has_errors(const Diagnostics&);
 
 template <class T>

@@ -14,5 +14,6 @@ int main() {
   const betwixt::Frame frame = program.frame(film.document.rate().frame(24));
   auto renderer = betwixt::make_renderer({.width = 640, .height = 360});
   betwixt::Picture picture;
-  return renderer && (*renderer)->render(frame, picture) && write_png("still.png", picture) ? 0 : 1;
+  if (!renderer) return std::fputs(to_string(renderer.error()).c_str(), stderr), 1;
+  return (*renderer)->render(frame, picture) && write_png("still.png", picture) ? 0 : 1;
 }

@@ -29,6 +29,23 @@ std::optional<double> number_in(std::string_view word) {
   const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), n);
   return wrong == std::errc() && end == word.data() + word.size() ? std::optional(n) : std::nullopt;
 }
+// Returns a number, or an angle in radians.
+std::optional<double> tolerance_in(std::string_view word) {
+  constexpr std::pair<std::string_view, double> units[] = {{"deg", pi / 180}, {"rad", 1}, {"turn", 2 * pi}, {"", 1}};
+  for (const auto& [unit, radians] : units)
+    if (word.ends_with(unit))
+      if (const auto n = number_in(word.substr(0, word.size() - unit.size()))) return *n * radians;
+  return std::nullopt;
+}
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+// Returns an error's message and its hint.
+std::string in_a_line(const Error& e) { return e.hint.empty() ? e.message : e.message + ": " + e.hint; }
+
+std::string not_expected(const std::string& rest) {
+  const std::string_view word = without_indent(rest);
+  return fmt::format("'{}' is not expected{}", word, word.starts_with("with") ? ": did you mean 'within'?" : "");
+}
+
 // Reads one line. Errors: syntax.
 class ExpectationReader {
  public:
@@ -61,13 +78,14 @@ class ExpectationReader {
 
  private:
   static Error wrong(std::string message) { return fail(ErrorCode::syntax, std::move(message)); }
-  // Takes `within NUMBER` from the end of a line. Returns -1 if there is none.
+  // Takes `within NUMBER` or `within ANGLE` from the end of a line. Returns -1 if there is none.
   static Result<double> take_within(std::string_view& line) {
-    const std::size_t at = line.rfind(" within ");
-    if (at == std::string_view::npos) return -1.0;
-    std::string_view rest = line.substr(at + 8);
-    const auto number = number_in(take_piece(rest));
-    if (!number || *number < 0) return wrong("within needs a number that is not negative");
+    const std::size_t at = line.rfind(" within");
+    if (at == std::string_view::npos || (at + 7 < line.size() && !is_blank(line[at + 7]))) return -1.0;
+    std::string_view rest = line.substr(at + 7);
+    const auto number = tolerance_in(take_piece(rest));
+    if (!number || *number < 0)
+      return wrong("within needs a number or an angle, not negative: within 0.001, within 0.1deg");
     line = line.substr(0, at);
     return *number;
   }
@@ -114,23 +132,29 @@ class GoldenFilm {
 
   void check(const ExpectedValue& e, int line) {
     const auto time = read_time(e.time, film_, "at");
-    if (!time) return fails(line, time.error().message);
+    if (!time) return fails(line, in_a_line(time.error()));
     const auto targets = find_targets(e.target, film_);
-    if (!targets) return fails(line, targets.error().message);
+    if (!targets) return fails(line, in_a_line(targets.error()));
     if (targets->size() != 1)
       return fails(line, fmt::format("{} names {} targets, not one", e.target, targets->size()));
     const Target target = targets->front();
     std::vector<std::string> problems;
     const Value found = program_.read(std::vector{target}, *time, &problems).front();
     if (!problems.empty()) return fails(line, problems.front());
-    if (!agrees(found, target, e))
+    std::string unreadable;
+    if (agrees(found, target, e, unreadable)) return;
+    if (unreadable.empty())
       fails(line, fmt::format("{} at {}: expected {}{}, found {}", e.target, e.time, e.value,
                               numbers(found).empty() || e.within == ExpectedValue().within
                                   ? ""
                                   : fmt::format(" within {}", write_number(e.within)),
                               plain_value(found, target, film_)));
+    else
+      fails(line, fmt::format("{} at {}: expected {}: {}; found {}", e.target, e.time, e.value, unreadable,
+                              plain_value(found, target, film_)));
   }
-  bool agrees(const Value& found, const Target& target, const ExpectedValue& e) const {
+  // `unreadable`: why the expected value is none of this target.
+  bool agrees(const Value& found, const Target& target, const ExpectedValue& e, std::string& unreadable) const {
     const std::vector<double> is = numbers(found);
     std::vector<double> wanted;
     if (!target.query()) {
@@ -139,8 +163,12 @@ class GoldenFilm {
       ValueReader reader{c, film_.scene(), nullptr, nullptr, nullptr};
       Value value;
       FunctionSpec spec = unbounded(spec_of(film_.scene(), target.function));
-      if (!reader.value(spec, target.component, value) || !c.at_line_end())
-        return plain_value(found, target, film_) == e.value;
+      const bool read = reader.value(spec, target.component, value);
+      if (!read || !c.at_line_end()) {
+        if (plain_value(found, target, film_) == e.value) return true;
+        unreadable = !read && c.error ? in_a_line(*c.error) : not_expected(std::string(c.at, c.end));
+        return false;
+      }
       wanted = numbers(value);
       if (wanted.empty() || is.empty()) return value == found;
     } else {

@@ -47,6 +47,8 @@ std::string to_string(const Diagnostic& d) {
   return out;
 }
 
+std::string to_string(const Error& e) { return to_string(Diagnostic{Severity::error, e, {}, 0}); }
+
 std::string with_line(int line, const std::string& message) {
   return line > 0 ? fmt::format("line {}: {}", line, message) : message;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 
@@ -89,6 +90,8 @@ bool is_pattern(std::string_view s) {
   return std::any_of(s.begin(), s.end(), [](char c) { return c == '*' || c == '?' || c == '[' || c == '{'; });
 }
 
+static bool all_digits(std::string_view s) { return !s.empty() && s.find_first_not_of("0123456789") == s.npos; }
+
 Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::size_t most) {
   if (const auto set = pattern.rfind('['); set != pattern.npos && pattern.find(']', set + 2) == pattern.npos)
     return fail(ErrorCode::syntax, fmt::format("the bracket in '{}' is not closed", pattern.substr(0, 60)));
@@ -110,6 +113,11 @@ Result<std::vector<std::string>> expand_braces(std::string_view pattern, std::si
         return fail(ErrorCode::syntax, fmt::format("the brace in '{}' is not closed", s.substr(0, 60)));
       if (round == 100) return fail(ErrorCode::range, "a name with more than 100 braces");
       any = true;
+      const std::string_view inside = std::string_view(s).substr(open + 1, close - open - 1);
+      if (const auto dash = inside.find('-');
+          dash > 0 && dash != inside.npos && all_digits(inside.substr(0, dash)) && all_digits(inside.substr(dash + 1)))
+        return fail(ErrorCode::syntax, fmt::format("'{{{}}}' is no range", inside.substr(0, 60)),
+                    fmt::format("write {{{}..{}}}", inside.substr(0, dash), inside.substr(dash + 1)));
       auto parts = alternatives(std::string_view(s).substr(open + 1, close - open - 1), most);
       if (!parts) return parts.error();
       if (next.size() + parts->size() > most)
@@ -218,10 +226,24 @@ bool natural_less(std::string_view a, std::string_view b) {
 
 Hint correction(const std::string& word) { return {fmt::format("did you mean '{}'?", word), word}; }
 
+bool same_letters(std::string_view a, std::string_view b) {
+  const auto next = [](std::string_view s, std::size_t& i) {
+    while (i < s.size() && (s[i] == '-' || s[i] == '_')) ++i;
+    return i < s.size() ? std::tolower(static_cast<unsigned char>(s[i++])) : -1;
+  };
+  std::size_t i = 0, j = 0;
+  for (;;) {
+    const int x = next(a, i), y = next(b, j);
+    if (x != y || x < 0) return x == y;
+  }
+}
+
 Hint did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   if (word.empty() || word.size() > 64) return {};
   std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
   std::string_view found;
+  for (auto c : candidates)
+    if (c != word && same_letters(c, word)) return correction(std::string(c));
   std::vector<std::size_t> before, row, next;  // optimal string alignment, three rows
   for (auto c : candidates) {
     Cancellation::check();

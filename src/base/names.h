@@ -28,6 +28,8 @@ bool matches(std::string_view pattern, std::string_view name);
 // Orders ball2 before ball10: runs of digits compare as numbers.
 bool natural_less(std::string_view a, std::string_view b);
 
+// Returns whether two words are the same but for capitals, - and _, as FadeIn and fade-in are.
+bool same_letters(std::string_view, std::string_view);
 // Returns the hint "did you mean 'sphere'?".
 Hint correction(const std::string& word);
 // Returns that hint if a candidate is similar to `word`, otherwise an empty one.

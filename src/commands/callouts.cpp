@@ -138,10 +138,16 @@ bool put_beside(Command& k) {
   const Vec3 off = 0.5 * (there.low + there.high) - m.middle(), inner = border->middle;
   std::string lines = fmt::format("create {} text text={} size={} color={}\n", name, write_text(text),
                                   write_metres(how.size), theme_color(s, line ? &Theme::ink : &Theme::label));
-  lines += fmt::format("set {}.position = \"value('{}.world') * vec({}, {}, {}) + vec({}, {}, 0.02)\"\n", name, thing,
-                       write_metres(inner.x), write_metres(inner.y), write_metres(inner.z),
-                       write_metres(off.x - 0.5 * (letters.low.x + letters.high.x)),
-                       write_metres(off.y - 0.5 * (letters.low.y + letters.high.y)));
+  const double right = off.x - 0.5 * (letters.low.x + letters.high.x),
+               up = off.y - 0.5 * (letters.low.y + letters.high.y);
+  const std::size_t slash = name.rfind('/');
+  const std::string at = fmt::format("{}, {}, {}", write_metres(inner.x), write_metres(inner.y), write_metres(inner.z));
+  // A text of a piece lies below the same object as the piece.
+  lines += slash == std::string::npos
+               ? fmt::format("set {}.position = \"value('{}.world') * vec({}) + vec({}, {}, 0.02)\"\n", name, thing, at,
+                             write_metres(right), write_metres(up))
+               : fmt::format("set {}.position = \"link.beside('{}', {}, {}, {}, '{}')\"\n", name, thing, at,
+                             write_metres(right), write_metres(up), name.substr(0, slash));
   if (line) {
     Link link;
     link.color = theme_color(s, &Theme::muted);

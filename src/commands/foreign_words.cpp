@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/names.h"
+
 namespace betwixt {
 namespace {
 
@@ -83,7 +85,43 @@ constexpr std::string_view to_note = "a note is a text at a time: at 24f note \"
 constexpr std::string_view to_occlude = "contact on darkens corners and places where objects meet";
 constexpr std::string_view to_hear = "sound plays a file: create music sound file=\"music.mp3\" at=24f gain=0.8";
 
+constexpr std::string_view to_script =
+    "a film is a script of its own, a line for each step; Python makes films with the module betwixt";
+constexpr std::string_view to_formula =
+    "tex= makes a text a formula: create f text tex=\"x^2\"; at 24f f.tex \"x^3\" match turns it into another";
+constexpr std::string_view to_morph =
+    "morph turns a thing into another: at 24f morph a into b; formulas and code do so by match";
+constexpr std::string_view to_point_out =
+    "highlight, circle-around and spotlight point at a thing: at 24f circle-around ball for 1s";
+constexpr std::string_view to_range = "axes have their ranges and steps in brackets: create ax axes x=(-4 4 1) y=(0 2)";
+constexpr std::string_view to_last = "for says how long a row takes: at 24f fade-in ball for 1s";
+constexpr std::string_view to_count =
+    "code writes numbers into a text: set t.text = \"string.format('%.2f', value('ball.position.x'))\"; define adds a "
+    "number of your own";
+constexpr std::string_view to_points_of_axes =
+    "on=ax places a thing by the numbers of axes: create p circle radius=0.06 on=ax position=(2 1)";
+
 constexpr ForeignWord all_foreign_words[] = {
+    {"import", to_script, "create use"},
+    {"from", to_script, "create use"},
+    {"class", to_script, "define create"},
+    {"def", to_script, "procedure"},
+    {"self", to_script, "at create"},
+    {"mathtex", to_formula, "text tex"},
+    {"latex", to_formula, "text tex"},
+    {"transform", to_morph, "morph match"},
+    {"replacement-transform", to_morph, "morph match"},
+    {"indicate", to_point_out, "highlight circle-around spotlight"},
+    {"circumscribe", to_point_out, "circle-around"},
+    {"x-range", to_range, "axes"},
+    {"y-range", to_range, "axes"},
+    {"number-plane", "plane-grid is a grid of lines: create g plane-grid", "plane-grid axes"},
+    {"run-time", to_last, "at"},
+    {"decimal-number", to_count, "text define"},
+    {"value-tracker", to_count, "define text"},
+    {"c2p", to_points_of_axes, "axes"},
+    {"dot", "a dot is a small circle: create p circle radius=0.06", "circle"},
+    {"gsap", to_event, "at"},
     {"image", to_picture, "rectangle texture"},
     {"picture", to_picture, "rectangle texture"},
     {"photo", to_picture, "rectangle texture"},
@@ -247,8 +285,9 @@ constexpr ForeignWord all_foreign_words[] = {
 std::span<const ForeignWord> foreign_words() { return all_foreign_words; }
 
 std::string_view foreign_word_hint(std::string_view word) {
+  word = word.substr(0, word.find_first_of(".("));  // self.play(…)
   const auto at = std::find_if(std::begin(all_foreign_words), std::end(all_foreign_words),
-                               [&](const ForeignWord& r) { return r.word == word; });
+                               [&](const ForeignWord& r) { return same_letters(r.word, word); });
   return at == std::end(all_foreign_words) ? std::string_view() : at->leads;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "base/cancellation.h"
@@ -285,9 +286,11 @@ bool parameters(Command& k, Object& object, std::vector<FunctionId>* said, Furni
     if (key.empty()) return c.fail_here(ErrorCode::syntax, "expected key=value here");
     if (!c.accept('=')) {
       const auto colon = key.find(':');
+      const bool decimals = std::isdigit(static_cast<unsigned char>(key[0])) && key.data()[-1] == ',';
       return c.fail(
           ErrorCode::syntax, fmt::format("'{}' needs a value", key.substr(0, std::min<std::size_t>(colon, 40))), key,
-          key == "at" ? "write the place as position=(0 0 0)"
+          decimals      ? "numbers have a point: 0.5"
+          : key == "at" ? "write the place as position=(0 0 0)"
           : colon != std::string_view::npos
               ? fmt::format("write {}={}", key.substr(0, std::min<std::size_t>(colon, 40)), key.substr(colon + 1, 40))
               : fmt::format("as in {}=…", key.substr(0, 40)));

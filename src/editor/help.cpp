@@ -10,6 +10,7 @@
 #include <deque>
 #include <vector>
 
+#include "base/names.h"
 #include "commands/command_parameters.h"
 #include "commands/foreign_words.h"
 #include "commands/list_rows.h"
@@ -230,7 +231,7 @@ std::string help_text(std::string_view word, const Scene& scene, std::optional<K
   for (const GroupRow& group : groups)
     if (group.word == word) list_group(group, out);
   for (const ForeignWord& r : foreign_words())
-    if (r.word == word) out += signpost(r);
+    if (same_letters(r.word, word)) out += signpost(r);
   for (const HelpEntry& e : help_entries()) {
     if (e.word != word || (of_kind && e.function && !(e.function->kinds & bit(*of_kind)))) continue;
     if (!out.empty()) out += "\n";

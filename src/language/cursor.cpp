@@ -160,6 +160,13 @@ std::string_view Cursor::unit() {
   return since(start);
 }
 
+std::string hint_of_escape(std::string_view from) {
+  std::size_t end = 1;
+  while (end < from.size() && std::isalpha(static_cast<unsigned char>(from[end]))) ++end;
+  if (end == 1) return "a text can contain \\n \\t \\\" \\\\";
+  return fmt::format("write \\{}, or put the text between \"\"\" and \"\"\"", from.substr(0, end));
+}
+
 bool Cursor::text(std::string& out) {
   space();
   const char* const start = at;
@@ -173,10 +180,13 @@ bool Cursor::text(std::string& out) {
     const std::string_view written = between(start + 1, quoted.at - quoted.closed);
     if (const auto wrong = read_escapes(written, out))
       return fail(ErrorCode::syntax, fmt::format("a text cannot contain '{}'", written.substr(*wrong, 2)),
-                  written.substr(*wrong, 2), "a text can contain \\n \\t \\\" \\\\");
+                  written.substr(*wrong, 2), hint_of_escape(written.substr(*wrong)));
     if (!quoted.closed)
       return fail(ErrorCode::syntax, "this text is not closed on the same line", {start, 1},
                   "end it with \", or begin and end it with \"\"\" if it has several lines");
+    if (quoted.at < end && (std::isalnum(static_cast<unsigned char>(*quoted.at)) || *quoted.at == '%'))
+      return fail(ErrorCode::syntax, "the text ends at this quote", {quoted.at - 1, 1},
+                  "write \\\" for a quote inside a text; code may use '…' instead");
   }
   at = quoted.at;
   return true;

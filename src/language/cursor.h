@@ -77,6 +77,8 @@ class Cursor {
   bool clock(Time& out, const char* start, bool negative);
 };
 
+// Returns the hint for a backslash that a text cannot have, or that means something else; the text begins with it.
+std::string hint_of_escape(std::string_view);
 // Returns whether the text contains the word, not as a part of another word.
 bool stands_in(std::string_view text, std::string_view word);
 

@@ -121,6 +121,7 @@ struct TypedReader {
       s = write_number(number);
     } else if (spec.words.empty() || c.peek() == '"') {  // a word may also be in quotes
       if (!c.text(s)) return false;
+      if (spec.name == "tex" && !is_formula(c.since(start))) return false;
     } else {
       s = c.word();
     }
@@ -134,6 +135,21 @@ struct TypedReader {
     if (values.file && !values.file(function, s, c.since(start))) return false;
     MemoryBudget::charge(s.size());
     out = Text(std::move(s));
+    return true;
+  }
+  // Fails for a formula that has a tab or a new line because of a single backslash, as in "\times".
+  bool is_formula(std::string_view written) {
+    if (written.starts_with("\"\"\"")) return true;
+    for (std::size_t i = 0; i + 2 < written.size(); ++i) {
+      if (written[i] != '\\') continue;
+      const bool word = std::isalpha(static_cast<unsigned char>(written[i + 2]));
+      if ((written[i + 1] == 't' || written[i + 1] == 'n') && word) {
+        const std::string_view from = written.substr(i);
+        return c.fail(ErrorCode::syntax, "a single backslash makes a tab or a new line here", from.substr(0, 2),
+                      hint_of_escape(from));
+      }
+      ++i;  // what follows the backslash
+    }
     return true;
   }
   bool attachment(Value& out) {

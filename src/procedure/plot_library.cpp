@@ -115,16 +115,59 @@ int riemann_of(lua_State* l, Machine& m) {
   return push_points(l, out), 1;
 }
 
+// Returns the integral of a formula over its base, by Gauss' rule with three points in each of many equal pieces.
+double integral(Plotting& p, Formula& base) {
+  constexpr int pieces = 400;
+  constexpr std::pair<double, double> rule[] = {
+      {-0.7745966692414834, 5.0 / 18}, {0, 8.0 / 18}, {0.7745966692414834, 5.0 / 18}};
+  p.within_axis();
+  const double step = (p.to - p.from) / pieces;
+  double sum = 0;
+  for (int i = 0; i < pieces; ++i)
+    for (const auto& [at, weight] : rule) {
+      const double x = p.from + (i + 0.5 + at / 2) * step, height = p.of(x).x - base(x).x;
+      if (std::isfinite(height)) sum += weight * step * height;
+    }
+  return sum;
+}
+
+// plot.sum(NAME): the area of a Riemann sum, or the integral that an area shows.
 int sum_of(lua_State* l, Machine& m) {
-  if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "plot.sum: write the name of a Riemann sum, in quotes");
+  if (lua_type(l, 1) != LUA_TSTRING)
+    return fail_with(l, "plot.sum: write the name of an area or a Riemann sum, in quotes");
   const std::string name = lua_tostring(l, 1);
+  const bool area = value_now(m, name + ".base").has_value();
+  if (!area && !value_now(m, name + ".touch"))
+    return fail_with(l, "plot.sum: '" + name + "' is neither an area nor a Riemann sum");
   Plotting p;
   if (auto why = p.open(l, m, name); !why.empty()) return fail_with(l, why);
-  const Rectangles all = rectangles(m, p, name);
-  if (!p.of.problem().empty()) return fail_with(l, p.of.problem());
   double sum = 0;
-  for (const auto& [x, y] : all.all) sum += y * all.step;
+  if (area) {
+    Formula base;
+    if (auto why = base.open(l, m, text_now(m, name + ".base")); !why.empty()) return fail_with(l, why);
+    base.step = p.of.step;
+    sum = integral(p, base);
+    if (!base.problem().empty()) return fail_with(l, base.problem());
+  } else {
+    const Rectangles all = rectangles(m, p, name);
+    for (const auto& [x, y] : all.all) sum += y * all.step;
+  }
+  if (!p.of.problem().empty()) return fail_with(l, p.of.problem());
   return lua_pushnumber(l, sum), 1;
+}
+
+// plot.at(NAME, X): what the formula of a plot gives there, a number or a vector.
+int at_of(lua_State* l, Machine& m) {
+  if (lua_type(l, 1) != LUA_TSTRING || !lua_isnumber(l, 2))
+    return fail_with(l, "plot.at: write the name of a plot in quotes, and a number: plot.at('f', 2)");
+  const std::string name = lua_tostring(l, 1);
+  if (!value_now(m, name + ".of")) return fail_with(l, "plot.at: '" + name + "' has no formula");
+  Plotting p;
+  if (auto why = p.open(l, m, name); !why.empty()) return fail_with(l, why);
+  const Vec3 v = p.of(lua_tonumber(l, 2));
+  if (!p.of.problem().empty()) return fail_with(l, p.of.problem());
+  if (std::isfinite(v.y)) return push_place(l, v), 1;
+  return lua_pushnumber(l, v.x), 1;
 }
 
 int tangent_of(lua_State* l, Machine& m) {
@@ -147,14 +190,10 @@ int tangent_of(lua_State* l, Machine& m) {
 
 }  // namespace
 
-const luaL_Reg plot_functions[] = {{"curve", plotted<curve_of>},
-                                   {"area", plotted<area_of>},
-                                   {"riemann", plotted<riemann_of>},
-                                   {"sum", plotted<sum_of>},
-                                   {"tangent", plotted<tangent_of>},
-                                   {"field", plotted<field_of>},
-                                   {"streamlines", plotted<streamlines_of>},
-                                   {"surface", plotted<surface_of>},
-                                   {nullptr, nullptr}};
+const luaL_Reg plot_functions[] = {{"curve", plotted<curve_of>},     {"area", plotted<area_of>},
+                                   {"riemann", plotted<riemann_of>}, {"at", plotted<at_of>},
+                                   {"sum", plotted<sum_of>},         {"tangent", plotted<tangent_of>},
+                                   {"field", plotted<field_of>},     {"streamlines", plotted<streamlines_of>},
+                                   {"surface", plotted<surface_of>}, {nullptr, nullptr}};
 
 }  // namespace betwixt::lua

@@ -27,6 +27,11 @@ std::vector<std::string> shown(const Diagnostic& d) {
   return out;
 }
 
+TEST(ShownDiagnostic, ErrorsHaveNoLine) {
+  EXPECT_EQ(to_string(fail(ErrorCode::file, "there is no file 'a.bx'", "did you mean 'b.bx'?")),
+            "error: there is no file 'a.bx'\n  did you mean 'b.bx'?\n");
+}
+
 TEST(ShownDiagnostic, NothingIsObeyedByATerminal) {
   Diagnostic d = marked("say '\x1b]0;x\x07\u202e' \x80", 0, 3);
   d.what.message = "no '\x1b[2J'\nthe next line";

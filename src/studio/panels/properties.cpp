@@ -230,10 +230,12 @@ void Properties::rebuild() {
     }
   }
   column->addStretch(1);
-  // An editor of the old rows may have caused this, so it lives on until it has finished. It says nothing more.
-  if (QWidget* old = area_->takeWidget()) {
+  // An editor of the old rows may have caused this, so it lives on until it has finished. It says nothing more, not
+  // even if it loses the focus because it is hidden.
+  if (QWidget* old = area_->widget()) {
     for (QWidget* w : old->findChildren<QWidget*>()) w->disconnect(this);
     for (PartsView* parts : old->findChildren<PartsView*>()) parts->retire();
+    area_->takeWidget();
     old->hide(), old->deleteLater();
   }
   area_->setWidget(inside);
