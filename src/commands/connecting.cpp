@@ -99,8 +99,13 @@ std::optional<LinkEnd> end_of_link(const Scene& s, const Measured& m) {
                  is_round ? 0 : 0.5 * m.size().y / high};
 }
 
+double half_of_label(const std::string& text) {
+  const auto letters = static_cast<double>(std::count_if(text.begin(), text.end(), begins_character));
+  return std::round(0.3 * 24 * letters) / 100;
+}
+
 std::string lines_of_link(const Link& l) {
-  const double tip = l.arrow ? 5 * l.width : 0;
+  const double tip = l.tip();
   std::string out = fmt::format("create {} polyline width={} color={}\n", l.name, write_number(l.width), l.color);
   out += fmt::format("set {}.points = \"link.points({}, {}, '{}', {}, {})\"\n", l.name, end_in_code(l.from),
                      end_in_code(l.to), l.route, write_number(l.gap), write_number(tip));
@@ -112,9 +117,12 @@ std::string lines_of_link(const Link& l) {
   }
   if (!l.label.empty()) {
     out += fmt::format("create {}/label text text={} size=0.24 color={}\n", l.name, write_text(l.label), l.label_color);
-    const auto letters = static_cast<double>(std::count_if(l.label.begin(), l.label.end(), begins_character));
-    out += fmt::format("set {0}/label.position = \"link.middle('{0}', {1}) - vec(0, 0.086)\"\n", l.name,
-                       write_number(std::round(0.3 * 24 * letters) / 100));
+    const bool usual = l.beside.at == 0.5 && l.beside.side == LinkSide::above;
+    out += fmt::format("set {0}/label.position = \"link.middle('{0}', {1}{2}) - vec(0, 0.086)\"\n", l.name,
+                       write_number(half_of_label(l.label)),
+                       usual ? ""
+                             : fmt::format(", {}, '{}'", write_number(l.beside.at),
+                                           link_sides[static_cast<std::size_t>(l.beside.side)]));
   }
   return out;
 }

@@ -4,6 +4,7 @@
 // The pieces of a diagram: nodes with their texts, and edges that follow them.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/utf8.h"
@@ -22,7 +23,7 @@ constexpr Vec3 usual_picture{14.5, 7.4, 0};  // what the usual camera sees, less
 
 // What an author says of a diagram.
 struct SaidDiagram {
-  std::string of, layout = "layered";
+  std::string of, layout = "layered", direction = "down";
   bool circles = false;
   Vec3 apart;
   std::string fill;  // the color of nodes
@@ -55,6 +56,49 @@ GraphLayout layout_of(std::string_view word) {
                             : GraphLayout::layered;
 }
 
+// Gives the labels of edges places where they cover no nodes, as far as there are such places.
+void place_labels(PlacedDiagram& d) {
+  std::map<std::string, LinkBorder> borders;
+  LabelSurroundings all;
+  for (const PlacedNode& n : d.nodes) {
+    borders[n.name] = {n.at, d.width / 2, d.circles ? 0 : d.height / 2};
+    all.nodes.push_back({n.at, d.width / 2, d.height / 2});
+  }
+  for (const Link& e : d.edges)
+    all.lines.push_back(link_way(borders[e.from.name], borders[e.to.name], e.route, e.gap, e.tip()));
+  for (std::size_t i = 0; i < d.edges.size(); ++i) {
+    Link& e = d.edges[i];
+    if (e.label.empty()) continue;
+    const double half = half_of_label(e.label);
+    e.beside = free_label(all, all.lines[i], half);
+    all.labels.push_back({place_of_label(all.lines[i], half, e.beside), half, half_label_height});
+  }
+}
+
+GraphWay way_of(std::string_view word) {
+  return word == "right"  ? GraphWay::right
+         : word == "left" ? GraphWay::left
+         : word == "up"   ? GraphWay::up
+                          : GraphWay::down;
+}
+
+// Returns half of the width of the widest label of an edge; 0: there is none.
+double widest_label(const Graph& g) {
+  double most = 0;
+  for (const Graph::Edge& e : g.edges)
+    if (!e.label.empty()) most = std::max(most, half_of_label(e.label));
+  return most;
+}
+
+// Returns the usual distance of neighbours. Labels have room between nodes that stand side by side.
+Vec3 usual_apart(const PlacedDiagram& d, const Graph& g, GraphLayout layout, GraphWay way) {
+  const double label = 2 * widest_label(g), beside = label > 0 ? label + 0.6 : 0;
+  if (layout == GraphLayout::circle || layout == GraphLayout::force)
+    return {d.width + std::max(1.2, beside), d.width + 1.2, 0};
+  if (goes_across(way)) return {d.width + std::max(1.0, beside), d.height + 0.5, 0};
+  return {d.width + 0.7, d.height + 0.8, 0};
+}
+
 Result<PlacedDiagram> placed_diagram(const Scene& s, const std::string& diagram, const SaidDiagram& said) {
   const auto graph = read_graph(said.of);
   if (!graph) return graph.error();
@@ -67,11 +111,11 @@ Result<PlacedDiagram> placed_diagram(const Scene& s, const std::string& diagram,
   out.width = 0.62 * node_em * letters + node_margin, out.height = node_height;
   if (out.circles) out.width = out.height = std::max(out.width, node_height);
   const GraphLayout layout = layout_of(said.layout);
-  const bool even = layout == GraphLayout::circle || layout == GraphLayout::force;
-  Vec3 apart{out.width + (even ? 1.2 : 0.7), even ? out.width + 1.2 : out.height + 0.8, 0};
+  const GraphWay way = way_of(said.direction);
+  Vec3 apart = usual_apart(out, *graph, layout, way);
   if (said.apart.x > 0) apart.x = said.apart.x;
   if (said.apart.y > 0) apart.y = said.apart.y;
-  const std::vector<Vec3> at = place_graph(*graph, layout, apart);
+  const std::vector<Vec3> at = place_graph(*graph, layout, apart, way);
   std::set<std::string> taken;
   for (std::size_t i = 0; i < at.size(); ++i) {
     const std::string& text = graph->nodes[i];
@@ -79,9 +123,6 @@ Result<PlacedDiagram> placed_diagram(const Scene& s, const std::string& diagram,
   }
   const auto word = [&](std::size_t i) { return out.nodes[i].name.substr(diagram.size() + 1); };
   for (const Graph::Edge& e : graph->edges) {
-    if (e.from == e.to)
-      return fail(ErrorCode::range, fmt::format("the edge from '{0}' to '{0}' leads nowhere", graph->nodes[e.from]),
-                  "draw a loop as a curve of your own");
     const bool both = std::any_of(graph->edges.begin(), graph->edges.end(),
                                   [&](const Graph::Edge& other) { return other.from == e.to && other.to == e.from; });
     const auto end = [&](std::size_t i) {
@@ -91,9 +132,11 @@ Result<PlacedDiagram> placed_diagram(const Scene& s, const std::string& diagram,
     link.name = diagram + "/" + free_word(taken, word(e.from) + "-" + word(e.to), "edge");
     link.from = end(e.from), link.to = end(e.to);
     link.color = theme_color(s, &Theme::muted), link.label_color = theme_color(s, &Theme::label);
-    link.route = both ? "curved" : "straight", link.arrow = e.arrow, link.label = e.label;
+    link.route = e.from == e.to ? "loop" : both ? "curved" : "straight";
+    link.arrow = e.arrow, link.label = e.label;
     out.edges.push_back(std::move(link));
   }
+  place_labels(out);
   return out;
 }
 
@@ -110,28 +153,33 @@ std::string lines_of_node(const PlacedDiagram& d, const PlacedNode& n) {
       write_number(-0.36 * node_em), d.ink);
 }
 
-// Returns how much smaller a diagram must be to fit into the usual picture.
+// Returns how much smaller a diagram must be to fit into the usual picture, with its loops.
 double shrink_of(const PlacedDiagram& d) {
   double most = 1;
-  for (const PlacedNode& n : d.nodes)
-    most = std::max({most, (2 * std::abs(n.at.x) + d.width) / usual_picture.x,
-                     (2 * std::abs(n.at.y) + d.height) / usual_picture.y});
+  for (const PlacedNode& n : d.nodes) {
+    const bool loops = std::any_of(d.edges.begin(), d.edges.end(),
+                                   [&](const Link& e) { return e.route == "loop" && e.from.name == n.name; });
+    const double room = loops ? 1 : 0;
+    most = std::max({most, (2 * std::abs(n.at.x) + d.width + room) / usual_picture.x,
+                     (2 * std::abs(n.at.y) + d.height + room) / usual_picture.y});
+  }
   return 1 / most;
 }
 
 SaidDiagram said_of(const Furnishing& f) {
   const std::string fill = f.colored() ? write_color(std::get<Color>(f.value("color"))) : f.panel();
-  return {f.text("of"), f.text("layout"), f.text("nodes") == "circle", f.vector("apart"), fill};
+  return {f.text("of"), f.text("layout"), f.text("direction"), f.text("nodes") == "circle", f.vector("apart"), fill};
 }
 
 // ---- rearrange
 
-// Reads of="…" and layout=WORD.
+// Reads of="…", layout=WORD and direction=WORD.
 bool said_again(Command& k, SaidDiagram& out, std::string_view& of_at) {
   Cursor& c = k.cursor;
   while (!c.at_line_end() && c.peek_word() != "for") {
     const std::string_view word = c.next_word();
-    if (word != "of" && word != "layout") return no_choice(c, word, "expected of=\"…\", layout=… or for L");
+    if (word != "of" && word != "layout" && word != "direction")
+      return no_choice(c, word, "expected of=\"…\", layout=…, direction=… or for L");
     if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, fmt::format("'=' is missing after {}", word));
     if (word == "of") {
       of_at = word;
@@ -139,6 +187,12 @@ bool said_again(Command& k, SaidDiagram& out, std::string_view& of_at) {
       continue;
     }
     const std::string_view said = c.next_word();
+    if (word == "direction") {
+      if (said != "down" && said != "right" && said != "left" && said != "up")
+        return no_choice(c, said, "direction is down, right, left or up");
+      out.direction = said;
+      continue;
+    }
     if (said != "layered" && said != "tree" && said != "force" && said != "circle")
       return no_choice(c, said, "layout is layered, tree, force or circle");
     out.layout = said;
@@ -205,15 +259,17 @@ bool rearrange(Command& k) {
       s, before ? *before : PlacedDiagram(), *after, write_time(time.value_or(Time{}), s.rate), write_seconds(length),
       {}};
   change.all();
-  change.lines += fmt::format("set {0}.of {1}\nset {0}.layout {2}\n", name, write_text(said.of), said.layout);
+  change.lines += fmt::format("set {0}.of {1}\nset {0}.layout {2}\nset {0}.direction {3}\n", name, write_text(said.of),
+                              said.layout, said.direction);
   return all_or_none(k, change.lines, word);
 }
 
 constexpr Verb diagrams_rows[] = {
-    {"rearrange", "at TIME rearrange DIAGRAM [of=\"…\"] [layout=tree|layered|force|circle] [for L]",
+    {"rearrange",
+     "at TIME rearrange DIAGRAM [of=\"…\"] [layout=tree|layered|force|circle] [direction=right|left|up|down] [for L]",
      "Turns a diagram into another: nodes that stay glide, others fade in or out.",
      "create d diagram of=\"a -> b -> c\"\nat 24f rearrange d of=\"a -> c; a -> d\" layout=tree", Verb::timed,
-     rearrange, "OBJECT; of layout for…"},
+     rearrange, "OBJECT; of layout direction for…"},
 };
 
 }  // namespace

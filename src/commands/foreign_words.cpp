@@ -263,7 +263,6 @@ constexpr ForeignWord all_foreign_words[] = {
     {"gravity", "fall makes an object fall: at 12f fall ball ground=0.5", "fall"},
     {"shake", "noise and wobble are filters: filter ball.position noise", "noise wobble"},
     {"turn", to_turn, "rotation rotate"},
-    {"angle", to_angle, "rotation"},
     {"euler", to_turn, "rotation"},
     {"axis", to_turn, "rotation"},
     {"quat", to_turn, "rotation"},

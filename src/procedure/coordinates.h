@@ -20,6 +20,10 @@ std::string find_axes(Machine&, std::string_view name, AxesSpace&);
 std::optional<Value> value_now(Machine&, const std::string& target);
 double number_now(Machine&, const std::string& target);  // on is 1
 std::string text_now(Machine&, const std::string& target);
+// Returns the transform of an object to the world; "": of the object whose value it is.
+std::optional<Mat4> world_of(Machine&, const std::string& name);
+// Moves points of the world into the space of an object, which may be below another one. Points that break a line stay.
+void into_space(Machine&, const std::string& name, std::vector<Vec3>& points);
 void push_place(lua_State*, Vec3);
 void push_points(lua_State*, const std::vector<Vec3>&);
 

@@ -291,6 +291,7 @@ void open_library(lua_State* l, Machine& m) {
   table("chart", chart_functions);
   table("block", code_functions);
   table("link", link_functions);
+  table("mark", mark_functions);
 
   // The order of lookup: the globals of this call, the library, the procedures.
   lua_createtable(l, 0, 1);

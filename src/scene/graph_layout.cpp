@@ -215,12 +215,23 @@ std::vector<Vec3> by_forces(const Graph& g, Vec3 apart) {
 
 }  // namespace
 
-std::vector<Vec3> place_graph(const Graph& g, GraphLayout layout, Vec3 apart) {
+std::vector<Vec3> place_graph(const Graph& g, GraphLayout layout, Vec3 apart, GraphWay way) {
   if (g.nodes.empty()) return {};
-  std::vector<Vec3> out = layout == GraphLayout::tree     ? as_tree(g, apart)
-                          : layout == GraphLayout::circle ? on_circle(g.nodes.size(), apart)
-                          : layout == GraphLayout::force  ? by_forces(g, apart)
-                                                          : in_layers(g, apart);
+  std::vector<Vec3> out;
+  if (layout == GraphLayout::circle) {
+    out = on_circle(g.nodes.size(), apart);
+  } else if (layout == GraphLayout::force) {
+    out = by_forces(g, apart);
+  } else {
+    const Vec3 as_down = goes_across(way) ? Vec3{apart.y, apart.x, 0} : apart;
+    out = layout == GraphLayout::tree ? as_tree(g, as_down) : in_layers(g, as_down);
+    // What is on the left is on top if the arrows go across.
+    for (Vec3& p : out)
+      p = way == GraphWay::right  ? Vec3{-p.y, -p.x, 0}
+          : way == GraphWay::left ? Vec3{p.y, -p.x, 0}
+          : way == GraphWay::up   ? Vec3{p.x, -p.y, 0}
+                                  : p;
+  }
   center(out);
   return out;
 }

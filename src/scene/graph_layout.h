@@ -34,12 +34,15 @@ Result<Graph> read_graph(std::string_view text);
 
 enum class GraphLayout : std::uint8_t { layered, tree, force, circle };
 inline constexpr std::string_view graph_layout_words = "layered|tree|force|circle";
+// Where the arrows of the layouts `layered` and `tree` go.
+enum class GraphWay : std::uint8_t { down, right, left, up };
+inline constexpr std::string_view graph_way_words = "down|right|left|up";
+inline bool goes_across(GraphWay way) { return way == GraphWay::right || way == GraphWay::left; }
 
 // Returns a place for each node, about the origin. `apart`: the distance of neighbours, along x and y.
-//   layered  each edge goes down, as far as there is no circle; edges cross as little as a few sweeps can do
-//   tree     children below their parent, which is the first node that leads to them
-//   force    edges pull and nodes push, from a circle on
-//   circle   in their order, clockwise, the first on top
-std::vector<Vec3> place_graph(const Graph&, GraphLayout, Vec3 apart);
+//   layered  each edge goes down, or the way that is said, as far as there is no circle; edges cross as little as a few
+//   sweeps can do tree     children below their parent, or on the side that is said, which is the first node that leads
+//   to them force    edges pull and nodes push, from a circle on circle   in their order, clockwise, the first on top
+std::vector<Vec3> place_graph(const Graph&, GraphLayout, Vec3 apart, GraphWay = GraphWay::down);
 
 }  // namespace betwixt

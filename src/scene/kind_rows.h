@@ -332,7 +332,7 @@ inline constexpr KindRow kind_rows[] = {
     {.kind = Kind::diagram,
      .name = "diagram",
      .sentence = "Nodes and edges, placed by a layout; edges follow their nodes.",
-     .written = "of=\"a -> b; b -- c: label\" layout=layered nodes=box apart=(0 0)",
+     .written = "of=\"a -> b; b -- c: label\" layout=layered direction=down nodes=box apart=(0 0)",
      .example = "create d diagram of=\"a -> b -> c; a -> d\" layout=tree"},
     {.kind = Kind::light,
      .name = "light",

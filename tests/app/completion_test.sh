@@ -54,6 +54,8 @@ completes 'betwixt render ball.bx -o b' ball.bx ball.txt bash
 completes 'betwixt render f' folder
 completes 'betwixt eval ball.bx --at 2'
 completes 'betwixt help gro' ground group grow
+completes 'betwixt help dim' dimension
+completes 'betwixt help ang' angle
 completes 'betwixt help re' reach reach-chain reach-pole reach-share readings rearrange record rectangle redo regular release remove rename render replace reverse revert rewrite
 completes 'betwixt help -' --color --help --json --load --read-anywhere --tex
 for what in zsh fish; do is "$what completes words of the language" "$(grep -cw quantise $what)" 1; done

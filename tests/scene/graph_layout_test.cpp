@@ -108,5 +108,19 @@ TEST(Graphs, TheLargestArePlaced) {
     EXPECT_EQ(place_graph(g, layout, {2, 1.5, 0}).size(), most_graph_nodes);
 }
 
+// Layers and siblings, along x and y: the distance to the next layer and to the next sibling.
+TEST(Layouts, GoTheWayThatIsSaid) {
+  const Graph g = graph("a -> b; a -> c");  // b is the first child
+  const std::tuple<GraphWay, Vec3, Vec3, Vec3> wanted[] = {{GraphWay::down, {0, 1, 0}, {-1.5, -1, 0}, {1.5, -1, 0}},
+                                                           {GraphWay::up, {0, -1, 0}, {-1.5, 1, 0}, {1.5, 1, 0}},
+                                                           {GraphWay::right, {-1.5, 0, 0}, {1.5, 1, 0}, {1.5, -1, 0}},
+                                                           {GraphWay::left, {1.5, 0, 0}, {-1.5, 1, 0}, {-1.5, -1, 0}}};
+  for (const GraphLayout layout : {GraphLayout::layered, GraphLayout::tree})
+    for (const auto& [way, a, b, c] : wanted) {
+      const auto at = place_graph(g, layout, {3, 2, 0}, way);
+      EXPECT_NEAR(length(at[0] - a) + length(at[1] - b) + length(at[2] - c), 0, 1e-9) << static_cast<int>(way);
+    }
+}
+
 }  // namespace
 }  // namespace betwixt

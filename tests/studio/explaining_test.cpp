@@ -27,6 +27,7 @@ std::span<const Verb> entrances_verbs();
 std::span<const Verb> annotations_verbs();
 std::span<const Verb> connecting_verbs();
 std::span<const Verb> callouts_verbs();
+std::span<const Verb> dimensioning_verbs();
 }  // namespace betwixt
 
 namespace betwixt::studio {
@@ -155,7 +156,8 @@ class ExplainingTest : public QObject {
   // ---- Entrances, annotations, connections
 
   void each_word_of_the_language_has_an_action() {
-    for (const auto verbs : {entrances_verbs(), annotations_verbs(), connecting_verbs(), callouts_verbs()})
+    for (const auto verbs :
+         {entrances_verbs(), annotations_verbs(), connecting_verbs(), callouts_verbs(), dimensioning_verbs()})
       for (const Verb& verb : verbs) {
         const auto has = [&](const StagingRow& row) { return row.verb == verb.word; };
         QVERIFY2(std::ranges::any_of(staging_rows(), has), std::string(verb.word).c_str());
@@ -180,7 +182,7 @@ class ExplainingTest : public QObject {
     film.workspace.go_to(film.at_time("24f"));
     const QString before = film.text();
     for (const StagingRow& row : staging_rows()) {
-      if (row.sort == StagingSort::text || row.sort == StagingSort::unmark) continue;
+      if (row.sort == StagingSort::text || row.sort == StagingSort::unmark || row.sort == StagingSort::angle) continue;
       stage(film.workspace, row);
       const QString wrote = film.text().mid(before.size()),
                     word = QString::fromUtf8(row.verb.data(), qsizetype(row.verb.size()));
@@ -204,6 +206,27 @@ class ExplainingTest : public QObject {
     film.workspace.go_to(film.at_time("1f"));  // from the beginning on
     stage(film.workspace, staging("Connect straight"));
     QCOMPARE(film.text(), before + "connect b to a\n");
+    film.workspace.undo();
+    stage(film.workspace, staging("Dimension"));
+    QCOMPARE(film.text(), before + "dimension b to a\n");
+  }
+
+  void an_angle_needs_three_objects() {
+    Film film(
+        "film flat\nrange 1f 96f\ncreate a circle\ncreate b circle position=(4 0)\ncreate c circle position=(4 3)\n");
+    film.workspace.go_to(film.at_time("24f"));
+    const QString before = film.text();
+    film.workspace.select({film.id("c"), film.id("b")});
+    stage(film.workspace, staging("Angle"));
+    QCOMPARE(film.text(), before);
+    QMenu two, three;
+    ObjectActions::of(film.workspace).fill(two);
+    QVERIFY(!found_in(two, "Angle")->isEnabled() && found_in(two, "Dimension")->isEnabled());
+    film.workspace.select({film.id("c"), film.id("b"), film.id("a")});
+    ObjectActions::of(film.workspace).fill(three);
+    QVERIFY(found_in(three, "Angle")->isEnabled() && !found_in(three, "Dimension")->isEnabled());
+    stage(film.workspace, staging("Angle"));
+    QCOMPARE(film.text(), before + "at 24f angle c b a\n");
   }
 
   void the_menu_carries_an_entrance_out() {

@@ -66,9 +66,15 @@ constexpr StagingRow all_staging[] = {
     {StagingSort::connect, QT_TR_NOOP("Connect at right angles"), "connect",
      QT_TR_NOOP("Draws an angled arrow from the first selected object to the second: `connect a to b angled`."),
      "arrow line link edge elbow", "angled"},
+    {StagingSort::connect, QT_TR_NOOP("Dimension"), "dimension",
+     QT_TR_NOOP("Draws the distance of the two selected objects beside them: `dimension a to b`."),
+     "measure length distance size geometry mark"},
     {StagingSort::morph, QT_TR_NOOP("Morph into the second"), "morph",
      QT_TR_NOOP("Turns the first selected object into the second: `at 24f morph a into b`."),
      "transform shape become replace match"},
+    {StagingSort::angle, QT_TR_NOOP("Angle"), "angle",
+     QT_TR_NOOP("Marks the angle at the second of three selected objects: `angle a b c`."),
+     "arc corner degrees theta right geometry mark"},
 };
 
 // Returns the words of the marks that an object shows at a time.
@@ -94,6 +100,8 @@ std::vector<std::string_view> marks_of(const Program& program, ObjectId id, Time
 QString what_is_missing(const StagingRow& row, std::size_t selected) {
   if (selected == 0) return QObject::tr("select an object first");
   if (row.sort == StagingSort::unmark) return QObject::tr("the selection has no marks");
+  if (row.sort == StagingSort::angle)
+    return QObject::tr("select three objects with Shift; the angle is at the second one");
   return QObject::tr("select two objects: the first one, then with Shift the second");
 }
 
@@ -111,6 +119,10 @@ QString asked_text(const Workspace& workspace, const StagingRow& row) {
 
 std::span<const StagingRow> staging_rows() { return all_staging; }
 
+std::size_t objects_needed(const StagingRow& row) {
+  return row.sort == StagingSort::angle ? 3 : row.sort >= StagingSort::connect ? 2 : 0;
+}
+
 Lines staging_lines(const StagingRow& row, const Program& program, const std::vector<ObjectId>& objects, Time t,
                     const std::string& text) {
   const Document& d = program.document();
@@ -118,11 +130,12 @@ Lines staging_lines(const StagingRow& row, const Program& program, const std::ve
   // What is there from the beginning of the film needs no time.
   const std::string from = t > d.range().first ? at : "";
   Lines lines;
-  if (row.sort == StagingSort::connect || row.sort == StagingSort::morph) {
-    if (objects.size() != 2) return lines;
+  if (const std::size_t needed = objects_needed(row)) {
+    if (objects.size() != needed) return lines;
     const std::string one = d.name(objects[0]), two = d.name(objects[1]);
+    if (row.sort == StagingSort::angle) return {fmt::format("{}angle {} {} {}", from, one, two, d.name(objects[2]))};
     if (row.sort == StagingSort::morph) return {fmt::format("{}morph {} into {}", at, one, two)};
-    return {fmt::format("{}connect {} to {}{}{}", from, one, two, row.detail.empty() ? "" : " ", row.detail)};
+    return {fmt::format("{}{} {} to {}{}{}", from, row.verb, one, two, row.detail.empty() ? "" : " ", row.detail)};
   }
   for (const ObjectId id : objects) {
     const std::string name = d.name(id);
@@ -155,15 +168,18 @@ void fill_staging(QMenu& menu, Workspace& workspace) {
   const Part parts[] = {{QObject::tr("Bring on"), StagingSort::enter, StagingSort::enter},
                         {QObject::tr("Take off"), StagingSort::leave, StagingSort::leave},
                         {QObject::tr("Point at it"), StagingSort::mark, StagingSort::text},
-                        {QObject::tr("Connect and morph"), StagingSort::connect, StagingSort::morph}};
+                        {QObject::tr("Connect and morph"), StagingSort::connect, StagingSort::angle}};
   for (const Part& part : parts) {
     QMenu* const sub = menu.addMenu(part.title);
     sub->setToolTipsVisible(true);
-    sub->setEnabled(part.first >= StagingSort::connect ? selected == 2 : selected > 0);
+    sub->setEnabled(part.first >= StagingSort::connect ? selected == 2 || selected == 3 : selected > 0);
     for (const StagingRow& row : all_staging)
-      if (row.sort >= part.first && row.sort <= part.last)
-        sub->addAction(word_of(row.name), &workspace, [&workspace, &row] { stage(workspace, row); })
-            ->setToolTip(word_of(row.sentence));
+      if (row.sort >= part.first && row.sort <= part.last) {
+        QAction* const action =
+            sub->addAction(word_of(row.name), &workspace, [&workspace, &row] { stage(workspace, row); });
+        action->setToolTip(word_of(row.sentence));
+        action->setEnabled(objects_needed(row) == 0 || objects_needed(row) == selected);
+      }
   }
 }
 

@@ -21,7 +21,8 @@ enum class StagingSort : std::uint8_t {
   unmark,   // `at 24f underline ball off`, for the marks that it has
   text,     // `at 24f label ball "…"`
   connect,  // `connect a to b curved`, for two objects
-  morph     // `at 24f morph a into b`
+  morph,    // `at 24f morph a into b`
+  angle     // `angle a b c`, for three objects
 };
 
 struct StagingRow {
@@ -34,6 +35,8 @@ struct StagingRow {
       {};  // the route of a connection; what a mark is called below its object, if not by its verb
 };
 std::span<const StagingRow> staging_rows();
+// Returns how many objects an action needs; 0: any number, but at least one.
+std::size_t objects_needed(const StagingRow&);
 
 // Returns the lines of an action for objects, in the order in which they were selected. `text`: of a label. No lines:
 // the action needs other objects.

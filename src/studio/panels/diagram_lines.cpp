@@ -41,7 +41,7 @@ std::optional<std::string> line_that_recreates(const std::string& text, const st
 std::optional<std::string> diagram_line(const Workspace& workspace, ObjectId id, std::string_view function,
                                         const std::string& value) {
   const Document& d = workspace.session().document();
-  const bool content = function == "of" || function == "layout";
+  const bool content = function == "of" || function == "layout" || function == "direction";
   if (kind(d, id) != Kind::diagram || (!content && function != "nodes" && function != "apart")) return std::nullopt;
   const Time t = workspace.time();
   if (content && t > d.range().first)
