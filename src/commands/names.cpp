@@ -30,7 +30,7 @@ bool alias(Command& k) {
     const std::string_view e = c.word();
     if (e.empty() || (!is_pattern(e) && !is_name(e)))
       return c.fail_here(ErrorCode::syntax, "expected names or patterns here");
-    if (const auto braces = expand_braces(e); !braces) return c.fail(braces.error().code, braces.error().message, e);
+    if (const auto braces = expand_braces(e); !braces) return c.fail(braces.error(), e);
     elements.emplace_back(e);
   }
   s.aliases.edit()[std::string(name)] = std::move(elements);

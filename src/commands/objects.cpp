@@ -94,7 +94,7 @@ bool create(Command& k) {
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "a name is missing here");
   const bool one = script.only && !std::exchange(script.only->met, true);
   auto names = one ? Result<std::vector<std::string>>(std::vector{script.only->name}) : expand_braces(word);
-  if (!names) return c.fail(names.error().code, names.error().message, word);
+  if (!names) return c.fail(names.error(), word);
   if (!script.only && names->size() > 1) script.touched = names->size();
   for (const auto& name : *names)
     if (Cancellation::check(); !made_with_formula(s, name) && !free_name(k, name, word)) return false;
@@ -345,8 +345,7 @@ bool objects(Command& k, std::string_view& word, std::vector<ObjectId>& out) {
   std::erase_if(out, [&](ObjectId id) { return k.scene.objects[id.index].derived; });
   if (any) return true;
   if (is_pattern(word) || s.aliases->contains(std::string(word))) {
-    if (const auto braces = expand_braces(word); !braces)
-      return c.fail(braces.error().code, braces.error().message, word);
+    if (const auto braces = expand_braces(word); !braces) return c.fail(braces.error(), word);
     script.names_nothing(word);
     return true;
   }

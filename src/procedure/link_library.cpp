@@ -96,12 +96,12 @@ int middle_of_link(lua_State* l, Machine& m) {
 // and UP in the world from the point (X Y Z) of A.
 int beside_of_link(lua_State* l, Machine& m) {
   if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "link.beside: the name of an object is missing");
-  const auto world = world_now(m, lua_tostring(l, 1));
+  const auto world = world_of(m, lua_tostring(l, 1));
   if (!world) return fail_with(l, "link.beside: there is no object '" + std::string(lua_tostring(l, 1)) + "'");
   const Vec3 at = transform_point(*world, {lua_tonumber(l, 2), lua_tonumber(l, 3), lua_tonumber(l, 4)}) +
                   Vec3{lua_tonumber(l, 5), lua_tonumber(l, 6), 0.02};
   const std::string above = lua_type(l, 7) == LUA_TSTRING ? lua_tostring(l, 7) : "";
-  const auto outer = above.empty() ? std::nullopt : world_now(m, above);
+  const auto outer = above.empty() ? std::nullopt : world_of(m, above);
   const auto inward = outer ? inverse(*outer) : std::nullopt;
   return push_place(l, inward ? transform_point(*inward, at) : at), 1;
 }

@@ -47,6 +47,21 @@ echo 'at 1f ball.position' >films/below/b.expect
 check 'a line that is wrong' 1 'films/below/b.expect:1: at needs a time, a target and a value' test films
 echo 'at 1f bal.position (0 0 0)' >films/below/b.expect
 check 'a name that is wrong' 1 "b.expect:1: " test films
+has 'its correction' "$said" "did you mean 'ball'?"
+cat >films/below/b.expect <<'EXPECT'
+at 1f ball.rotation.z 45deg within 0.1deg
+at 1f ball.rotation.z 0.7 within 0.1
+at 1f ball.position.x 4 with 0.1
+EXPECT
+check 'angles that are wrong' 1 'b.expect:1: ball.rotation.z at 1f: expected 45deg within 0.0017' test films
+has 'an angle without a unit' "$said" 'b.expect:2: ball.rotation.z at 1f: expected 0.7: an angle needs a unit'
+has 'a word that is wrong' "$said" "'with 0.1' is not expected: did you mean 'within'?"
+echo 'set ball.rotation.z 45.05deg' >>films/below/b.bx
+echo 'at 1f ball.rotation.z 45deg within 0.1deg' >films/below/b.expect
+check 'an angle that is near' 0 '0 failed' test films
+echo 'at 1f ball.rotation.z 45deg within' >films/below/b.expect
+check 'no number' 1 'within needs a number or an angle' test films
+echo 'at 1f bal.position (0 0 0)' >films/below/b.expect
 echo 'create ball spere' >films/below/b.bx
 check 'a film that is wrong' 1 'films/below/b.bx:1: ' test films
 check 'no such folder' 2 'no file .expect' test nowhere

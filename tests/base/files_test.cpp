@@ -33,7 +33,7 @@ TEST(Files, AreReadWhole) {
 TEST(Files, WhatCannotBeReadIsSaid) {
   const Folder folder;
   const auto why = [](const std::string& path) { return read_whole(path).error().message; };
-  EXPECT_EQ(why(folder / "none"), "there is no file " + folder / "none");
+  EXPECT_EQ(why(folder / "none"), "there is no file '" + folder / "none'");
   folder.put("f", "");
   EXPECT_EQ(why(folder / "f/x"), "cannot read " + (folder / "f/x") + ": not a directory");
   EXPECT_EQ(why(folder.path()), folder.path().string() + " is a folder, not a file");

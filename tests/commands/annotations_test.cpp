@@ -216,6 +216,28 @@ TEST(Dimensions, BelowAMovedThingTheyAreWhereTheyWere) {
   EXPECT_NEAR(length(line_of(s, "g/w", "1f")[0] - Vec3{-0.25, -0.5, 0}), 0, 1e-9);  // (1.5 0) in the space of g
 }
 
+Vec3 as_point(const std::vector<double>& n) { return {n[0], n[1], n[2]}; }
+
+// Below the same piece, wherever the object above it is.
+TEST(Labels, OfPiecesFollowTheObjectAbove) {
+  for (const char* verb : {"label", "callout"}) {
+    std::vector<Vec3> away;
+    for (const char* place : {"(0 0)", "(4 1)", "(-3 2) scale=(2 2 2)"}) {
+      const LoadedFilm s(
+          fmt::format("film flat\ncreate g group position={}\ncreate g/c circle radius=0.5\nat 3f {} g/c \"c\" below\n",
+                      place, verb));
+      ASSERT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+      for (const Item& item : s.frame("24f").items)
+        if (item.shape->kind == Kind::text)
+          away.push_back(translation_of(item.world) - as_point(s.numbers("g.position", "24f")));
+    }
+    ASSERT_EQ(away.size(), 3u);
+    EXPECT_NEAR(length(away[1] - away[0]), 0, 1e-6) << verb;
+    EXPECT_LT(away[2].y, -1) << verb;  // outside the larger circle
+    EXPECT_NEAR(away[2].x, 0, 0.2) << verb;
+  }
+}
+
 TEST(Diagrams, TurnIntoOthers) {
   const LoadedFilm s(
       "film flat\ncreate d diagram of=\"a -> b -> c\" apart=(3 2)\nat 25f rearrange d of=\"a -> c; x -> a\" for 1s\n");
@@ -264,8 +286,7 @@ TEST(Diagrams, HaveLoops) {
 // By the pictures: no letter of a label of an edge is on a node, where there is room for it.
 TEST(Diagrams, LabelsKeepClearOfNodes) {
   const char* const diagrams[] = {
-      "direction=right of=\"idle -> busy: a job; busy -> busy: next; busy -> idle: done; busy -> broken: a long "
-      "error\"",
+      "direction=right of=\"idle -> busy: a job; busy -> busy: next; busy -> idle: done; busy -> broken: fail\"",
       "of=\"start -> left part: a very long label; start -> right part: another long label; left part -> end: x\"",
       "layout=tree direction=left of=\"a -> b: one long word; a -> c: two; b -> d: and three; b -> e: four\"",
       "layout=circle nodes=circle of=\"q0 -> q1: a; q1 -> q2: b; q2 -> q0: reset now; q1 -> q1: c; q0 -> q2: jump\"",

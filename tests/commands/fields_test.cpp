@@ -191,6 +191,23 @@ TEST(Plots, KnowNamesOfValues) {
   for (const Vec3 p : points_of(s, "g")) EXPECT_NEAR(p.y, 0.5, 1e-9);  // the plot, not the value
 }
 
+TEST(Plots, GiveTheirValuesAndAreasToCode) {
+  const LoadedFilm s(plane +
+                     "create f plot on=ax of=\"x^2 / 4\"\ncreate a area on=ax of=f from=0 to=1\n"
+                     "create b area on=ax of=\"sin(x)\" base=f from=-1 to=0.5\ncreate p circle\n"
+                     "set p.position = \"vec(plot.at('f', 1.5), plot.sum('a'), plot.sum('b'))\"\n");
+  ASSERT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+  const auto p = s.numbers("p.position", "1f");
+  EXPECT_NEAR(p[0], 1.5 * 1.5 / 4, 1e-12);
+  EXPECT_NEAR(p[1], 1.0 / 12, 1e-9);
+  EXPECT_NEAR(p[2], (std::cos(-1) - std::cos(0.5)) - (0.125 + 1) / 12, 1e-9);
+  const LoadedFilm wrong(plane + "create p circle\nset p.position.x = \"plot.sum('p')\"\n");
+  std::vector<std::string> problems;
+  wrong.program.read(*find_targets("p.position.x", wrong.loaded.document), Time{}, &problems);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].find("neither an area nor a Riemann sum"), std::string::npos) << problems[0];
+}
+
 // Formulas of a pattern know their places in it, in commands and in rows.
 TEST(Plots, KnowTheirPlacesInAPattern) {
   const LoadedFilm s(plane +

@@ -85,6 +85,12 @@ class Pictures(unittest.TestCase):
                 self.assertEqual(there.read(), picture.png())
             with self.assertRaises(betwixt.Error):
                 picture.write(path, overwrite=False)
+            jpeg = os.path.join(folder, "a.JPG")
+            picture.write(jpeg)
+            with open(jpeg, "rb") as there:
+                self.assertEqual(there.read(3), b"\xff\xd8\xff")
+            with self.assertRaisesRegex(betwixt.Error, "written as .png or .jpg"):
+                picture.write(os.path.join(folder, "a.bmp"))
 
     def test_what_is_clear_is_clear(self):
         picture = betwixt.loads(FLAT.replace("#0000ff", "transparent") + "at 5f hide r").picture(5)
