@@ -110,7 +110,28 @@ class Regions {
       return;
     }
     const bool conflict = mine != base && theirs != base && mine != theirs;
+    if (conflict && (cut(base, mine, theirs, false) || cut(base, theirs, mine, true))) return;
     all_.push_back({std::move(base), std::move(mine), std::move(theirs), conflict});
+  }
+
+  // Cuts a region in two if the changes of `first` end before those of `second` begin.
+  bool cut(const Lines& base, const Lines& first, const Lines& second, bool swapped) {
+    const auto front = std::mismatch(base.begin(), base.end(), second.begin(), second.end());
+    const auto back = std::mismatch(base.rbegin(), base.rend(), first.rbegin(), first.rend());
+    const auto begin = static_cast<std::size_t>(front.first - base.begin());
+    const auto same = static_cast<std::size_t>(back.first - base.rbegin());
+    const std::size_t end = base.size() - same;
+    const bool both_add = end == begin && first.size() > base.size() && second.size() > base.size();
+    if (end > begin || both_add) return false;
+    const Lines left = part(base, 0, end), right = part(base, end, base.size());
+    const Lines changed = part(first, 0, first.size() - same), kept = part(first, first.size() - same, first.size());
+    const Lines before = part(second, 0, end), after = part(second, end, second.size());
+    if (swapped) {
+      apart(left, before, changed), apart(right, after, kept);
+    } else {
+      apart(left, changed, before), apart(right, kept, after);
+    }
+    return true;
   }
 
   Lines base_, mine_, theirs_;

@@ -46,6 +46,20 @@ TEST(MergedTexts, NeighbouringRows) {
                changed({{"(1 0 0)", "(1 1 0)"}, {"(2 0 0)", "(2 2 0)"}, {"1f  (0", "2f  (0"}}));
 }
 
+// Lines of theirs next to lines of mine: no command repeats what a line says.
+TEST(MergedTexts, NeighbouringLines) {
+  const std::string
+      base = "film flat\ncreate ball circle\nat 13f note \"start\"\nat 20f fade-out ball\n",
+      mine = "film flat\ncreate ball circle\ncreate x circle\nat 13f note \"start\"\nat 20f fade-out ball\n",
+      theirs = "film flat\ncreate ball circle\nat 13f note \"end\"\nat 20f fade-out ball for 12f\n",
+      both = "film flat\ncreate ball circle\ncreate x circle\nat 13f note \"end\"\nat 20f fade-out ball for 12f\n";
+  for (const bool swapped : {false, true}) {
+    const MergedFilm m = merge_films(base, swapped ? theirs : mine, swapped ? mine : theirs, "test.bx");
+    EXPECT_TRUE(m.clean());
+    EXPECT_EQ(m.text, both);
+  }
+}
+
 TEST(MergedTexts, PartsOfOneLine) {
   expect_clean(changed({{"color=red", "color=gold"}}), changed({{"sphere", "sphere radius=2"}}),
                changed({{"color=red", "color=gold"}}) + "set ball.radius 2\n");
