@@ -97,7 +97,7 @@ int points_of_angle(lua_State* l, Machine& m) {
   return push_own_points(l, m, std::move(points));
 }
 // mark.angle_label(MARK, A, B, C, TURNING, RADIUS, W, H): the middle of a label, half as large, behind the arc. In a
-// narrow angle it is further away, where it fits between the legs, up to five times the radius.
+// narrow angle it is further away, where it fits between the legs, up to three times the radius.
 int label_of_angle(lua_State* l, Machine& m) {
   Corner c;
   if (const auto why = read_corner(l, m, 2, c); !why.empty()) return fail_with(l, "mark.angle_label: " + why);
@@ -105,7 +105,7 @@ int label_of_angle(lua_State* l, Machine& m) {
   const double radius = lua_tonumber(l, 6), across = std::abs(way.y) * half.x + std::abs(way.x) * half.y;
   double away = radius + mark_gap;
   if (c.sweep < pi)
-    away = std::max(away, std::min((across + mark_gap) / std::tan(std::max(c.sweep / 2, 1e-6)), 5 * radius));
+    away = std::max(away, std::min((across + mark_gap) / std::tan(std::max(c.sweep / 2, 1e-6)), 3 * radius));
   return push_beside(l, m, c.at + away * way, way, half);
 }
 // mark.degrees(A, B, C, TURNING, DECIMALS): the angle as a text.

@@ -32,12 +32,16 @@ TEST(CodeNames, ValuesStandForNamesInFormulas) {
     return Let(q);
   };
   const Lets lets{{"a", number(-2)}, {"x", number(7)}, {"sin", number(7)}, {"word", Text(std::string("b'c"))}};
-  EXPECT_EQ(with_values("a*sin(x)^a + b.a", lets), "(-2)*sin(x)^(-2) + b.a");
-  EXPECT_EQ(with_values("(function() local a = 3 return a * x end)()", lets),
+  EXPECT_EQ(with_values("a*sin(x)^a + b.a", &lets, {}), "(-2)*sin(x)^(-2) + b.a");
+  EXPECT_EQ(with_values("(function() local a = 3 return a * x end)()", &lets, {}),
             "(function() local a = 3 return a * x end)()");
-  EXPECT_EQ(with_values("value('a') + aa", lets), "value('a') + aa");
-  EXPECT_EQ(with_values("a", lets), "(-2)");
-  EXPECT_EQ(with_values("", lets), "");
+  EXPECT_EQ(with_values("value('a') + aa", &lets, {}), "value('a') + aa");
+  EXPECT_EQ(with_values("a", &lets, {}), "(-2)");
+  EXPECT_EQ(with_values("", &lets, {}), "");
+  PatternPlace third;
+  third.i = 3, third.n = 5;
+  EXPECT_EQ(with_values("i * x / n + a.i", nullptr, third), "3 * x / 5 + a.i");
+  EXPECT_EQ(with_values("i * a", &lets, third), "3 * (-2)");
 }
 
 TEST(CodeNames, TellALineThatSpeaksOfPlaces) {
