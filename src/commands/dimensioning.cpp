@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/names.h"
 #include "commands/command.h"
 #include "commands/furnishing.h"
 #include "commands/furniture_rows.h"
