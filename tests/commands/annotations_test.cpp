@@ -134,6 +134,7 @@ TEST(Angles, FollowAndBecomeSquares) {
                      "at 1f c.position (2 1) linear\nat 25f c.position (1 2) hold\nat 49f c.position (1 -3) hold\n"
                      "at 73f c.position (-5 0) hold\nat 97f c.position (1 0) hold\n");
   EXPECT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+  EXPECT_EQ(load_text(write(s.loaded.document), "w.bx").document, s.loaded.document);
   EXPECT_EQ(s.text("b-angle/label.text", "1f"), "45.0°");
   EXPECT_EQ(s.text("b-angle/label.text", "25f"), "90.0°");
   EXPECT_EQ(s.text("b-angle/label.text", "49f"), "90.0°");
@@ -183,6 +184,7 @@ TEST(Dimensions, AreBesideTheirThingsAndFollow) {
                      "dimension (0 0) to (0 2) decimals=3\n"
                      "at 1f a.position (3 0) linear\nat 25f a.position (1 4) hold\n");
   EXPECT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+  EXPECT_EQ(load_text(write(s.loaded.document), "w.bx").document, s.loaded.document);
   EXPECT_EQ(s.text("a-b-dimension/label.text", "1f"), "2.0");
   EXPECT_EQ(s.text("a-b-dimension/label.text", "25f"), "4.0");
   EXPECT_EQ(s.text("a-b-dimension/label.text", "13f"), "2.2");  // from (2 2) to (1 0)
@@ -256,6 +258,7 @@ TEST(Diagrams, GoToTheRight) {
       "film flat\ncreate d diagram of=\"a -> b\" direction=right apart=(3 2)\n"
       "at 25f rearrange d direction=up for 1s\n");
   EXPECT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+  EXPECT_EQ(load_text(write(s.loaded.document), "w.bx").document, s.loaded.document);
   EXPECT_NEAR(length(pair_of(s, "d/a.position", "1f") - Vec3{-1.5, 0, 0}), 0, 1e-9);
   EXPECT_NEAR(length(pair_of(s, "d/b.position", "1f") - Vec3{1.5, 0, 0}), 0, 1e-9);
   EXPECT_NEAR(length(pair_of(s, "d/a.position", "49f") - Vec3{0, -1, 0}), 0, 1e-9);
