@@ -122,6 +122,8 @@ constexpr ForeignWord all_foreign_words[] = {
     {"c2p", to_points_of_axes, "axes"},
     {"dot", "a dot is a small circle: create p circle radius=0.06", "circle"},
     {"gsap", to_event, "at"},
+    {"to", "a change is two rows, or one with a length: at 24f ball.color blue for 1s", "at"},
+    {"along", "a motion along a path needs a segment: at 1f..48f ball.position along road", "motion"},
     {"image", to_picture, "rectangle texture"},
     {"picture", to_picture, "rectangle texture"},
     {"photo", to_picture, "rectangle texture"},

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Formulas of plots as functions of Lua.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/names.h"
@@ -16,7 +18,10 @@ Result<lua::CompiledFormula> compiled_formula(const std::string& formula) {
 }
 
 // Words Lua's message for people who write formulas.
-std::string plain_problem(const Error& error) {
+std::string plain_problem(const Error& error, const std::string& formula) {
+  for (const std::string_view power : {"**", "²", "³"})
+    if (formula.find(power) != std::string::npos)
+      return fmt::format("'{}' is no sign of a formula; write x^2 for a power", power);
   std::string why = error.message;
   if (why.starts_with("line ")) why.erase(0, std::min(why.size(), why.find(": ") + 2));  // of the code around it
   constexpr std::string_view only_line = " at line 1";
@@ -34,14 +39,14 @@ std::string formula_problem(const std::string& formula) {
   if (name == std::string::npos) return "it is empty";
   if (const std::string_view word = std::string_view(formula).substr(0, name + 1); is_name(word)) return "";
   const auto made = compiled_formula(lua::as_difference(formula));
-  return made ? "" : plain_problem(made.error());
+  return made ? "" : plain_problem(made.error(), formula);
 }
 
 namespace lua {
 
 std::string push_formula(lua_State* l, Machine& m, const std::string& formula) {
   const auto made = compiled_formula(formula);
-  if (!made) return plain_problem(made.error());
+  if (!made) return plain_problem(made.error(), formula);
   const std::size_t longest = m.longest;
   const std::size_t in_code = m.push_code(made->serial, made->code);
   m.longest = std::max(longest, in_code);

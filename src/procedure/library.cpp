@@ -81,6 +81,7 @@ constexpr luaL_Reg steady[] = {{"sin", of_one<[](double x) { return std::sin(x);
                                {"asin", of_one<[](double x) { return std::asin(x); }>},
                                {"acos", of_one<[](double x) { return std::acos(x); }>},
                                {"exp", of_one<[](double x) { return std::exp(x); }>},
+                               {"ln", of_one<[](double x) { return std::log(x); }>},
                                {"atan", arc_tangent},
                                {"log", logarithm},
                                {nullptr, nullptr}};

@@ -80,7 +80,9 @@ class GraphReader {
     if (name.empty()) return wrong("a node is missing here", start);
     if (text_[start] != '\'')
       if (const std::size_t odd = name.find_first_of(",<>=|[]{}\""); odd != name.npos)
-        return wrong("a text with such a sign must stand in single quotes", start + odd);
+        return wrong(name.compare(odd, 2, "=>") == 0 ? "an arrow is written ->"
+                                                     : "a text with such a sign must stand in single quotes",
+                     start + odd);
     const auto [it, fresh] = known_.try_emplace(name, graph_.nodes.size());
     if (fresh) graph_.nodes.push_back(name);
     if (graph_.nodes.size() > most_graph_nodes)
