@@ -127,6 +127,13 @@ std::string_view meant_at_create(Kind kind, std::string_view key) {
   return kind == Kind::scatter && key == "of" ? "points" : key;
 }
 
+static std::string hint_of_axes(const Scene& s) {
+  std::string_view name;
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (const Object& o = s.objects[i]; !o.removed && has_coordinates(o.kind)) name = o.name;
+  return name.empty() ? "create axes first, then write on=NAME, as in on=ax" : fmt::format("write on={}", name);
+}
+
 bool furnish(Command& k, ObjectId id, const Furniture& said, std::string_view about) {
   const Object& o = k.scene.objects[id.index];
   const FurnitureRow* row = furniture_of(o.kind);
@@ -135,8 +142,7 @@ bool furnish(Command& k, ObjectId id, const Furniture& said, std::string_view ab
   for (const std::string_view formula : {"of", "base"})
     if (row->needs_axes && !formula_is_good(k, o, formula, about)) return false;
   if (row->needs_axes && !axes_of(k.scene, o))
-    return k.cursor.fail(ErrorCode::syntax, fmt::format("{} needs axes", a_kind(o.kind)), about,
-                         "create axes first, then write on=NAME, as in on=ax");
+    return k.cursor.fail(ErrorCode::syntax, fmt::format("{} needs axes", a_kind(o.kind)), about, hint_of_axes(k.scene));
   if (row->takes != Takes::nothing && said.rows.empty())
     return k.cursor.fail(ErrorCode::syntax, fmt::format("{} needs its values", a_kind(o.kind)), about,
                          row->takes == Takes::cells ? "as in of=((1 2) (3 4))" : "as in of=(3 1 4)");
