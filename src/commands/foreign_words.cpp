@@ -103,13 +103,11 @@ constexpr std::string_view to_points_of_axes =
 
 constexpr ForeignWord all_foreign_words[] = {
     {"import", to_script, "create use"},
-    {"from", to_script, "create use"},
     {"class", to_script, "define create"},
     {"def", to_script, "procedure"},
     {"self", to_script, "at create"},
     {"mathtex", to_formula, "text tex"},
     {"latex", to_formula, "text tex"},
-    {"transform", to_morph, "morph match"},
     {"replacement-transform", to_morph, "morph match"},
     {"indicate", to_point_out, "highlight circle-around spotlight"},
     {"circumscribe", to_point_out, "circle-around"},
@@ -120,9 +118,7 @@ constexpr ForeignWord all_foreign_words[] = {
     {"decimal-number", to_count, "text define"},
     {"value-tracker", to_count, "define text"},
     {"c2p", to_points_of_axes, "axes"},
-    {"dot", "a dot is a small circle: create p circle radius=0.06", "circle"},
     {"gsap", to_event, "at"},
-    {"to", "a change is two rows, or one with a length: at 24f ball.color blue for 1s", "at"},
     {"along", "a motion along a path needs a segment: at 1f..48f ball.position along road", "motion"},
     {"image", to_picture, "rectangle texture"},
     {"picture", to_picture, "rectangle texture"},

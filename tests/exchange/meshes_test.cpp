@@ -142,7 +142,7 @@ TEST_F(Files, PlyInAllForms) {
 }
 
 TEST_F(Files, EveryBrokenFileHasItsMessage) {
-  expect_error(at("none.obj"), "there is no file " + at("none.obj"));
+  expect_error(at("none.obj"), "there is no file '" + at("none.obj") + "'");
   fs::create_directory(at("folder.obj"));
   expect_error(at("folder.obj"), at("folder.obj") + " is a folder, not a file");
   expect_error(put("x.doc", "words"), "the format of the mesh " + at("x.doc") + " is not supported");

@@ -57,7 +57,7 @@ TEST_F(OwnFonts, AreRefusedInWords) {
   };
   const std::string path = put("bad.ttf", "no font");
   EXPECT_EQ(why(path), path + ": the font is not a font with outlines");
-  EXPECT_EQ(why(at("none.ttf")), "there is no file " + at("none.ttf"));
+  EXPECT_EQ(why(at("none.ttf")), "there is no file '" + at("none.ttf") + "'");
   EXPECT_EQ(why(put("large.ttf", std::string((32 << 20) + 1, 'x'))), at("large.ttf") + " has more than 32 MiB");
 }
 

@@ -84,7 +84,7 @@ TEST_F(Files, BrokenPicturesHaveAMessage) {
     const auto p = read_picture(path);
     return p ? std::string() : p.error().message;
   };
-  EXPECT_EQ(told(read_picture(at("none.png"))), "file");
+  EXPECT_EQ(told(read_picture(at("none.png"))), "file " + at("none.png"));
   EXPECT_TRUE(mentions(read_picture(at("none.png")), at("none.png")));
   EXPECT_EQ(message(put("e.png", "")), at("e.png") + " is empty");
   EXPECT_EQ(message(put("w.png", "words")), "the picture format of " + at("w.png") + " is not supported");

@@ -204,7 +204,7 @@ TEST_F(Files, ScenesComeThroughTheJail) {
   EXPECT_TRUE((*bones)->meshes.empty());
   const auto missing = load_scene(at("none.glb"), all);
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().message, "there is no file " + at("none.glb"));
+  EXPECT_EQ(missing.error().message, "there is no file '" + at("none.glb") + "'");
 }
 
 // Names that collide, that cannot be, that are none.

@@ -96,7 +96,7 @@ TEST_F(Sounds, OneChannelOrSixAtAnyRateAreHeard) {
 }
 
 TEST_F(Sounds, WhatIsNoneIsRefusedInWords) {
-  EXPECT_EQ(fails(path("none.wav")), "there is no file " + path("none.wav"));
+  EXPECT_EQ(fails(path("none.wav")), "there is no file '" + path("none.wav") + "'");
   EXPECT_EQ(fails(folder_.path().string()), folder_.path().string() + " is a folder, not a file");
   std::ofstream(path("noise.wav")) << "RIFFxxxxWAVEnothing at all";
   EXPECT_TRUE(fails(path("noise.wav")).starts_with(path("noise.wav") + " is broken or not a sound: "))

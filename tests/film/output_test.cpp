@@ -74,7 +74,7 @@ TEST_F(Film, EndingsNobodyKnows) {
     const auto made = make_film(options(name), gray_steps());
     ASSERT_FALSE(made) << name;
     EXPECT_EQ(made.error().message, "the name of numbered pictures needs one number, unlike \"" + name + "\"");
-    EXPECT_EQ(made.error().hint, "as in frame-%04d.png");
+    EXPECT_EQ(made.error().hint, "as in frame-%04d.png; one picture: betwixt frame FILE --at 24f -o NAME.png");
   }
   EXPECT_TRUE(files().empty());
 }

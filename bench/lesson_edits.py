@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
-"""Measures the time from an edit to its picture (1280x720, in the middle of the film) for the films of this folder.
+"""Measures the time from an edit to its picture (1280x720, in the middle of the film) for the films of bench/teaching.
 
-    bench/teaching/edits.py [--rounds N] [FOLDER-OF-THE-PYTHON-MODULE]
+    bench/lesson_edits.py [--rounds N] [FOLDER-OF-THE-PYTHON-MODULE]
 
 "One line" moves an object by hand. "The whole text" reads the script again, as after typing. The time is processor time
 of all threads. The first rounds are not measured. The last picture of each film is compared with that of a new film with
@@ -15,7 +15,7 @@ import statistics
 import sys
 import time
 
-here = pathlib.Path(__file__).resolve().parent
+root = pathlib.Path(__file__).resolve().parent.parent
 SIZE = (1280, 720)
 
 
@@ -65,14 +65,14 @@ def measure(betwixt, path, rounds):
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("--rounds", type=int, default=9)
-    options.add_argument("module", nargs="?", default=str(here.parent.parent / "build/release/python"))
+    options.add_argument("module", nargs="?", default=str(root / "build/release/python"))
     chosen = options.parse_args()
     sys.path.insert(0, chosen.module)
     import betwixt
     print("| film | one line: minimum, median (ms) | the whole text: minimum, median (ms) | same picture |\n|---|---|---|---|")
     lines, wholes = [], []
-    for script in sorted(here.glob("*.py")):
-        path = here.parent.parent / "examples" / (script.stem + ".bx")
+    for script in sorted((root / "bench/teaching").glob("*.py")):
+        path = root / "examples" / (script.stem + ".bx")
         if not path.exists():
             continue
         line, whole, right = measure(betwixt, path, chosen.rounds)
