@@ -49,7 +49,11 @@ class Film {
   }
   // Replaces all events of a track. `times` are seconds, in order. `values` has a number for each, or two or three, row
   // after row: metres, radians, or sRGB from 0 to 1. `twerper` is the interpolation, such as "linear".
-  setTrack(target, times, values, { twerper = "" } = {}) {
+  setTrack(target, times, values, { twerper = "", ...others } = {}) {
+    for (const name in others) throw new Error(`setTrack has no option '${name}'; it has 'twerper'`);
+    const lists = [times, values].every((column) => column && typeof column === "object");
+    if (!lists || [values].flat(2).some((value) => typeof value === "string"))
+      throw new Error("setTrack needs a list of seconds and a list of numbers; a colour is three numbers from 0 to 1");
     const columns = [times, values].map((column) => Float64Array.from(Array.isArray(column) ? column.flat() : column));
     this.#edit(() => this.#engine.with_numbers(columns, (...places) =>
       this.#engine.call("betwixt_set_track", this.#handle, target, twerper, ...places)));

@@ -260,19 +260,40 @@ const std::vector<Tool>& tools() {
 Json listed(const Tool& t) {
   return {{"name", t.name},
           {"description", t.sentence},
-          {"inputSchema", {{"type", "object"}, {"properties", t.takes}, {"required", t.required}}}};
+          {"inputSchema",
+           {{"type", "object"}, {"properties", t.takes}, {"required", t.required}, {"additionalProperties", false}}}};
+}
+
+// Returns what is wrong with the arguments of a tool, or "".
+std::string wrong_arguments(const Tool& t, const Json& given) {
+  if (!given.is_object()) return fmt::format("The arguments of '{}' must be an object.\n", t.name);
+  std::vector<std::string> known;
+  for (const auto& [name, schema] : t.takes.items()) known.push_back(name);
+  const std::string all = known.empty() ? "it has none" : fmt::format("it has {}", fmt::join(known, ", "));
+  for (const auto& [name, value] : given.items()) {
+    const auto schema = t.takes.find(name);
+    if (schema == t.takes.end()) return fmt::format("'{}' has no argument '{}'; {}.\n", t.name, name, all);
+    const std::string type = (*schema)["type"];
+    const bool fits = type == "string" ? value.is_string()
+                      : type == "integer"
+                          ? value.is_number_integer()
+                          : value.is_array() && std::ranges::all_of(value, [](const Json& v) { return v.is_string(); });
+    const char* const wanted = type == "string" ? "a text" : type == "integer" ? "a whole number" : "a list of texts";
+    if (!fits) return fmt::format("'{}' of '{}' must be {}.\n", name, t.name, wanted);
+  }
+  for (const std::string& name : t.required)
+    if (!given.contains(name)) return fmt::format("'{}' needs the argument '{}'.\n", t.name, name);
+  return "";
 }
 
 Json call_tool(Film& film, const Json& params) {
   const std::string name = params.value("name", "");
   const auto tool = std::ranges::find(tools(), name, &Tool::name);
   if (tool == tools().end()) throw Refused{-32602, "there is no tool '" + name + "'"};
-  Outcome made;
-  try {
-    made = tool->run(film, params.value("arguments", Json::object()));
-  } catch (const Json::exception&) {
-    made = {.text = "The arguments of '" + name + "' are not as its schema says.\n", .wrong = true};
-  }
+  const auto said = params.find("arguments");
+  const Json arguments = said == params.end() || said->is_null() ? Json::object() : *said;
+  const std::string why = wrong_arguments(*tool, arguments);
+  const Outcome made = why.empty() ? tool->run(film, arguments) : Outcome{.text = why, .wrong = true};
   Json content = Json::array();
   if (!made.png.empty()) content.push_back({{"type", "image"}, {"data", base64(made.png)}, {"mimeType", "image/png"}});
   if (!made.text.empty() || made.png.empty()) content.push_back({{"type", "text"}, {"text", made.text}});

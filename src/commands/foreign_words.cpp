@@ -101,7 +101,19 @@ constexpr std::string_view to_count =
 constexpr std::string_view to_points_of_axes =
     "on=ax places a thing by the numbers of axes: create p circle radius=0.06 on=ax position=(2 1)";
 
+constexpr std::string_view to_place_of_css =
+    "position is where a thing is, in metres from the middle of the picture, up is plus: at 1f box.position.x 2 for 1s";
+
 constexpr ForeignWord all_foreign_words[] = {
+    {"rect", "a rectangle: create card rectangle size=(3 2) corner=0.2", "rectangle"},
+    {"div", "a rectangle: create card rectangle size=(3 2) corner=0.2", "rectangle"},
+    {"translate-x", to_place_of_css, "position"},
+    {"translate-y", to_place_of_css, "position"},
+    {"left", to_place_of_css, "position"},
+    {"border-radius", "corner rounds a rectangle: set card.corner 0.2", "corner"},
+    {"background-color", "color is the colour of a thing, background that of the film: set card.color red",
+     "color background"},
+    {"z-index", "in a flat film, what is created later, or has a larger position.z, is in front", "position"},
     {"import", to_script, "create use"},
     {"class", to_script, "define create"},
     {"def", to_script, "procedure"},

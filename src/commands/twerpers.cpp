@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "base/names.h"
 #include "commands/command.h"
@@ -141,6 +144,28 @@ bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, TwerperArgum
 
 }  // namespace
 
+// Returns our word for an easing of GSAP or CSS, such as power2.out, easeInOutQuad or cubic-bezier, or "".
+static std::string own_easing(std::string_view theirs) {
+  std::string word;
+  for (const char c : theirs)
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (word == "cubicbezier") return "bezier";
+  if (word.starts_with("ease")) word.erase(0, 4);
+  constexpr std::pair<std::string_view, std::string_view> families[] = {
+      {"power1", "quad"}, {"power2", "cubic"}, {"power3", "quart"},    {"power4", "quint"}, {"quad", "quad"},
+      {"cubic", "cubic"}, {"quart", "quart"},  {"quint", "quint"},     {"sine", "sine"},    {"expo", "expo"},
+      {"circ", "circ"},   {"back", "back"},    {"elastic", "elastic"}, {"bounce", "bounce"}};
+  constexpr std::pair<std::string_view, std::string_view> ways[] = {{"inout", "in-out"}, {"in", "in"}, {"out", "out"}};
+  for (const auto& [family, ours] : families)
+    for (const auto& [way, own_way] : ways)
+      if (word == std::string(family) + std::string(way) || word == std::string(way) + std::string(family))
+        return fmt::format("{}-{}", ours, own_way);
+  for (const auto& [family, ours] : families)
+    if (word == family && family.starts_with("power")) return fmt::format("{}-out", ours);
+  return "";
+}
+
 // Reads a twerper's word and the arguments in brackets that follow it.
 bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arguments) {
   auto& [s, c, time, layer, script] = k;
@@ -156,8 +181,13 @@ bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arg
   }
   if (!found) {
     if (w.empty()) return c.fail_here(ErrorCode::name, "a twerper is missing here");
+    if (w == "duration" || w == "over" || w == "during" || w == "in")
+      return c.fail(unknown_name("twerper", w, "for says how long a row takes: at 1f ball.position.x 1 for 1s"), w);
     const std::string_view leads = foreign_word_hint(w);
-    const Hint near = leads.empty() ? did_you_mean(w, twerper_words(s)) : Hint(std::string(leads));
+    const std::string easing = own_easing(w);
+    const Hint near = !easing.empty() ? correction(easing)
+                      : leads.empty() ? did_you_mean(w, twerper_words(s))
+                                      : Hint(std::string(leads));
     return c.fail(unknown_name("twerper", w, near.empty() && is_name(w) ? "if a plug-in has it: --load PLUGIN" : near),
                   w);
   }

@@ -74,7 +74,17 @@ Result<std::size_t> Surfaces::material(const Seen& s, const MeshPart& part, cons
   const bool tinted = part.tinted;
   const Channel color = colors(s, tint, tinted);
   const bool flat = flat_film();
-  Json pbr{{"baseColorFactor", numbers(within_one(color.pieces.front().begin), 4)},
+  std::array<double, 4> still = within_one(color.pieces.front().begin);
+  if (!color.constant()) {
+    // Most programs do not play this, so they show the object as it is when it is most opaque.
+    for (const KeyPiece& p : color.pieces)
+      for (const auto& at : {p.begin, p.end})
+        if (at[3] > still[3] + 1e-6) still = within_one(at);
+    leave_out(film_.made,
+              "colors and opacity that change need KHR_animation_pointer, which three.js reads with an add-on and "
+              "Blender ignores");
+  }
+  Json pbr{{"baseColorFactor", numbers(still, 4)},
            {"metallicFactor", s.material == Material::metal ? 1 : 0},
            {"roughnessFactor",
             s.material == Material::matte ? 1 : static_cast<float>(1 - std::clamp(s.shininess, 0.0, 1.0))}};

@@ -65,7 +65,10 @@ bool ValueReader::scalar(double& out, Unit unit) {
     return c.fail(ErrorCode::type,
                   unit == Unit::none ? fmt::format("expected a plain number here, without '{}'", u)
                                      : fmt::format("'{}' is not a unit of length", u),
-                  since(start, c), unit == Unit::none ? "" : "units are m, cm and mm");
+                  since(start, c),
+                  unit == Unit::none ? ""
+                  : u == "px"        ? "a film is measured in metres: a flat film is 16 wide and 9 high"
+                                     : "units are m, cm and mm");
   // 35 mm are 35/1000 m: division, not multiplication by 0.001, gives the written number.
   if (unit == Unit::metres) out = u == "mm" ? out / 1000 : u == "cm" ? out / 100 : out;
   if (unit == Unit::millimetres) out = u == "m" ? out * 1000 : u == "cm" ? out * 10 : out;
@@ -207,7 +210,9 @@ bool ValueReader::color(Color& out) {
     if (n == 3) v = (v >> 8 & 15) * 0x110000 + (v >> 4 & 15) * 0x1100 + (v & 15) * 0x11;
     if ((n != 3 && n != 6) || !c.peek_word().empty())
       return c.fail(ErrorCode::syntax, "a hexadecimal colour must have 3 or 6 digits, as in #ffcc00", since(start, c),
-                    "a comment starts with # and a space");
+                    n == 4 || n == 8  ? "opacity is apart: transparency=0.5, or set NAME.transparency 0.5"
+                    : c.peek() == ';' ? "a line ends without a semicolon"
+                                      : "a comment starts with # and a space");
     out = from_bytes(v);
     return true;
   }

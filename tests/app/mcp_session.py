@@ -79,6 +79,13 @@ def makes_a_film(program, folder):
 
     wrong, text, _ = server.tool("edit", lines=["create a box", "create cube bx"])
     verdict("all lines or none", wrong and "did you mean 'box'" in text and "a: box" not in server.tool("list")[1], text)
+    for name, args, why in (("eval", {"at": "1s"}, "'eval' has no argument 'at'; it has targets, times"),
+                            ("open", {"path": "a.bx"}, "'open' has no argument 'path'; it has file"),
+                            ("open", {}, "'open' needs the argument 'file'"), ("frame", {"at": 1}, "'at' of 'frame' must be a text"),
+                            ("edit", {"lines": ["a", 2]}, "'lines' of 'edit' must be a list of texts"),
+                            ("frame", {"width": "9"}, "'width' of 'frame' must be a whole number")):
+        wrong, text, _ = server.tool(name, **args)
+        verdict(f"which argument is wrong: {name} {args}", wrong and text.strip() == why + ".", text)
     wrong, text, _ = server.tool("write", text="create ball spere\n")
     verdict("a wrong text changes nothing", wrong and "ball: sphere" in server.tool("list")[1], text)
     server.tool("edit", lines=["create cube box"])
