@@ -60,11 +60,13 @@ int help(const HelpCall& call) {
   if (call.json) return say(words_json());
   if (call.word.empty()) return say(overview());
   std::vector<std::string_view> known = words_with_help();
-  for (const Subcommand& s : subcommands())
-    if (s.name == call.word && s.name != "help") return say(help_of(s));
   Scene words;
   adopt_plugins(words);
-  if (const std::string text = help_text(call.word, words); !text.empty()) return say(text);
+  const std::string text = help_text(call.word, words);
+  for (const Subcommand& s : subcommands())
+    if (s.name == call.word && s.name != "help")
+      return say(help_of(s) + (text.empty() ? "" : "\n\nIn scripts:\n\n" + text));
+  if (!text.empty()) return say(text);
   for (const Subcommand& s : subcommands()) known.push_back(s.name);
   return complain(unknown_name("help for", call.word, did_you_mean(call.word, known)), wrong_call);
 }

@@ -178,6 +178,8 @@ check 'check ends soon' 1 'stopped: it took more than' check slow.bx
 verdict 'within seconds' "$([ $SECONDS -lt 8 ] && echo yes)" "$SECONDS s"
 rm torn.bx procs.bx slow.bx procs.gif procs.png
 check 'help of a subcommand' 0 'betwixt render examples/bounce.bx' help render
+check 'help of a word that is also a subcommand' 0 'plot, a kind of object' help plot
+has 'its subcommand' "$said" 'draws values against time'
 check 'help alone' 0 '  contacts ' help
 check 'help alone says where to go on' 0 'betwixt help WORD explains a word of the language' help
 check 'help of a word' 0 'usage: copy TARGET' help copy
