@@ -51,10 +51,10 @@ class Film {
   // after row: metres, radians, or sRGB from 0 to 1. `twerper` is the interpolation, such as "linear".
   setTrack(target, times, values, { twerper = "", ...others } = {}) {
     for (const name in others) throw new Error(`setTrack has no option '${name}'; it has 'twerper'`);
-    const lists = [times, values].every((column) => column && typeof column === "object");
-    if (!lists || [values].flat(2).some((value) => typeof value === "string"))
-      throw new Error("setTrack needs a list of seconds and a list of numbers; a colour is three numbers from 0 to 1");
-    const columns = [times, values].map((column) => Float64Array.from(Array.isArray(column) ? column.flat() : column));
+    const columns = [times, values].map((column) =>
+      Float64Array.from(Array.isArray(column) ? column.flat() : column ?? []));
+    if (columns.some((column) => column.some(Number.isNaN)))
+      throw new Error("setTrack needs lists of numbers: seconds, and values; a colour is three numbers from 0 to 1");
     this.#edit(() => this.#engine.with_numbers(columns, (...places) =>
       this.#engine.call("betwixt_set_track", this.#handle, target, twerper, ...places)));
   }
@@ -172,8 +172,8 @@ class Engine {
   }
 
   // Opens the film of a script. `files` has the bytes of its files by path, and fonts (.ttf, .otf) by any path.
-  open(text, { name: path = "film.bx", files = {} } = {}) {
-    const name = parts_of(path).join("/");  // absolute paths of Node too
+  open(text, { name: given = "film.bx", files = {} } = {}) {
+    const name = parts_of(given).join("/");  // absolute paths of Node too
     for (const [path, bytes] of Object.entries(files)) if (/\.(ttf|otf|ttc)$/i.test(path)) this.#add_font(path, bytes);
     return this.with_files({ ...files, [name]: text },
                            () => new Film(this, this.call("betwixt_open", name, false), { name, files }));

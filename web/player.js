@@ -205,7 +205,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
 
     // The film's text. Setting it shows the new film at the same time; if it has errors, the last good film stays.
     get script() { return this.#loader.text; }
-    set script(text) { this.#loader.text = text ?? ""; }
+    set script(text) { text == null ? this.load() : (this.#loader.text = text); }
 
     // The film's files by their names in the script: texts, Uint8Arrays or ArrayBuffers.
     get files() { return this.#loader.files; }

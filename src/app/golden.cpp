@@ -31,11 +31,10 @@ std::optional<double> number_in(std::string_view word) {
 }
 // Returns a number, or an angle in radians.
 std::optional<double> tolerance_in(std::string_view word) {
-  constexpr std::pair<std::string_view, double> units[] = {{"deg", pi / 180}, {"rad", 1}, {"turn", 2 * pi}, {"", 1}};
-  for (const auto& [unit, radians] : units)
-    if (word.ends_with(unit))
-      if (const auto n = number_in(word.substr(0, word.size() - unit.size()))) return *n * radians;
-  return std::nullopt;
+  Cursor c(word);
+  double n = 0;
+  bool is_angle = false;
+  return c.number_or_angle(n, is_angle) && c.at_line_end() ? std::optional(n) : std::nullopt;
 }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 // Returns an error's message and its hint.

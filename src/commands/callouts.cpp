@@ -140,14 +140,12 @@ bool put_beside(Command& k) {
                                   write_metres(how.size), theme_color(s, line ? &Theme::ink : &Theme::label));
   const double right = off.x - 0.5 * (letters.low.x + letters.high.x),
                up = off.y - 0.5 * (letters.low.y + letters.high.y);
-  const std::size_t slash = name.rfind('/');
-  const std::string at = fmt::format("{}, {}, {}", write_metres(inner.x), write_metres(inner.y), write_metres(inner.z));
   // A text of a piece lies below the same object as the piece.
-  lines += slash == std::string::npos
-               ? fmt::format("set {}.position = \"value('{}.world') * vec({}) + vec({}, {}, 0.02)\"\n", name, thing, at,
-                             write_metres(right), write_metres(up))
-               : fmt::format("set {}.position = \"link.beside('{}', {}, {}, {}, '{}')\"\n", name, thing, at,
-                             write_metres(right), write_metres(up), name.substr(0, slash));
+  const std::size_t slash = name.rfind('/');
+  const std::string above = slash == std::string::npos ? "" : fmt::format(", '{}'", name.substr(0, slash));
+  lines +=
+      fmt::format("set {}.position = \"link.beside('{}', {}, {}, {}, {}, {}{})\"\n", name, thing, write_metres(inner.x),
+                  write_metres(inner.y), write_metres(inner.z), write_metres(right), write_metres(up), above);
   if (line) {
     Link link;
     link.color = theme_color(s, &Theme::muted);

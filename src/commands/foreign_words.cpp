@@ -94,7 +94,8 @@ constexpr std::string_view to_morph =
 constexpr std::string_view to_point_out =
     "highlight, circle-around and spotlight point at a thing: at 24f circle-around ball for 1s";
 constexpr std::string_view to_range = "axes have their ranges and steps in brackets: create ax axes x=(-4 4 1) y=(0 2)";
-constexpr std::string_view to_last = "for says how long a row takes: at 24f fade-in ball for 1s";
+constexpr std::string_view to_last =
+    "for says how long a row takes: at 24f ball.radius 2 for 1s; range 1f 72f how long the film is";
 constexpr std::string_view to_count =
     "code writes numbers into a text: set t.text = \"string.format('%.2f', value('ball.position.x'))\"; define adds a "
     "number of your own";
@@ -228,7 +229,10 @@ constexpr ForeignWord all_foreign_words[] = {
     {"seconds", to_time, "at rate ticks"},
     {"segment", to_time, "range copy"},
     {"fps", "rate sets the frames per second: rate 25", "rate"},
-    {"duration", "range sets the first and the last frame of the film: range 1f 72f", "range"},
+    {"duration", to_last, "range at"},
+    {"over", to_last, "at"},
+    {"during", to_last, "at"},
+    {"cubic-bezier", "bezier is the same: at 12f ball.radius 2 bezier(0.4 0 0.2 1)", "bezier"},
     {"colour", to_color, "color"},
     {"colours", to_color, "color"},
     {"colors", to_color, "color"},

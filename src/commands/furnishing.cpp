@@ -82,6 +82,13 @@ std::string_view place_of_problem(Command& k, const Furnishing& f, std::string_v
   return line.substr(at + static_cast<std::size_t>(f.problem_at), 1);
 }
 
+std::string hint_of_axes(const Scene& s) {
+  std::string_view name;
+  for (std::size_t i = 0; i < s.objects.size(); ++i)
+    if (const Object& o = s.objects[i]; !o.removed && has_coordinates(o.kind)) name = o.name;
+  return name.empty() ? "create axes first, then write on=NAME, as in on=ax" : fmt::format("write on={}", name);
+}
+
 }  // namespace
 
 bool carry_out_lines(Command& k, const std::string& lines, std::string_view about) {
@@ -125,13 +132,6 @@ bool furniture(Command& k, Kind kind, std::string_view key, Furniture& out) {
 
 std::string_view meant_at_create(Kind kind, std::string_view key) {
   return kind == Kind::scatter && key == "of" ? "points" : key;
-}
-
-static std::string hint_of_axes(const Scene& s) {
-  std::string_view name;
-  for (std::size_t i = 0; i < s.objects.size(); ++i)
-    if (const Object& o = s.objects[i]; !o.removed && has_coordinates(o.kind)) name = o.name;
-  return name.empty() ? "create axes first, then write on=NAME, as in on=ax" : fmt::format("write on={}", name);
 }
 
 bool furnish(Command& k, ObjectId id, const Furniture& said, std::string_view about) {

@@ -142,29 +142,27 @@ bool twerper_arguments(Cursor& c, Twerper t, std::string_view name, TwerperArgum
   return c.close();
 }
 
-}  // namespace
-
-// Returns our word for an easing of GSAP or CSS, such as power2.out, easeInOutQuad or cubic-bezier, or "".
-static std::string own_easing(std::string_view theirs) {
-  std::string word;
-  for (const char c : theirs)
-    if (std::isalnum(static_cast<unsigned char>(c)))
-      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (word == "cubicbezier") return "bezier";
-  if (word.starts_with("ease")) word.erase(0, 4);
-  constexpr std::pair<std::string_view, std::string_view> families[] = {
-      {"power1", "quad"}, {"power2", "cubic"}, {"power3", "quart"},    {"power4", "quint"}, {"quad", "quad"},
-      {"cubic", "cubic"}, {"quart", "quart"},  {"quint", "quint"},     {"sine", "sine"},    {"expo", "expo"},
-      {"circ", "circ"},   {"back", "back"},    {"elastic", "elastic"}, {"bounce", "bounce"}};
-  constexpr std::pair<std::string_view, std::string_view> ways[] = {{"inout", "in-out"}, {"in", "in"}, {"out", "out"}};
-  for (const auto& [family, ours] : families)
-    for (const auto& [way, own_way] : ways)
-      if (word == std::string(family) + std::string(way) || word == std::string(way) + std::string(family))
-        return fmt::format("{}-{}", ours, own_way);
-  for (const auto& [family, ours] : families)
-    if (word == family && family.starts_with("power")) return fmt::format("{}-out", ours);
+// Returns our word for an easing of GSAP or CSS, such as power2.out or easeInOutQuad, or "".
+std::string own_easing(std::string_view theirs, const std::vector<std::string_view>& ours) {
+  constexpr std::pair<std::string_view, std::string_view> powers[] = {
+      {"power1", "quad"}, {"power2", "cubic"}, {"power3", "quart"}, {"power4", "quint"}};
+  std::string word(theirs.starts_with("ease") ? theirs.substr(4) : theirs);
+  std::replace(word.begin(), word.end(), '.', '-');
+  for (const auto& [power, family] : powers)
+    if (word.starts_with(power)) {
+      word.replace(0, power.size(), family);
+      if (word == family) word += "-out";  // the usual way there
+    }
+  for (const std::string_view one : ours) {
+    const std::size_t dash = one.find('-');
+    if (dash == one.npos) continue;
+    const std::string turned = std::string(one.substr(dash + 1)) + std::string(one.substr(0, dash));
+    if (same_letters(word, one) || same_letters(word, turned)) return std::string(one);
+  }
   return "";
 }
+
+}  // namespace
 
 // Reads a twerper's word and the arguments in brackets that follow it.
 bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arguments) {
@@ -181,12 +179,11 @@ bool twerper(Command& k, const Selected& to, Twerper& out, TwerperArguments& arg
   }
   if (!found) {
     if (w.empty()) return c.fail_here(ErrorCode::name, "a twerper is missing here");
-    if (w == "duration" || w == "over" || w == "during" || w == "in")
-      return c.fail(unknown_name("twerper", w, "for says how long a row takes: at 1f ball.position.x 1 for 1s"), w);
+    const std::vector<std::string_view> words = twerper_words(s);
     const std::string_view leads = foreign_word_hint(w);
-    const std::string easing = own_easing(w);
+    const std::string easing = own_easing(w, words);
     const Hint near = !easing.empty() ? correction(easing)
-                      : leads.empty() ? did_you_mean(w, twerper_words(s))
+                      : leads.empty() ? did_you_mean(w, words)
                                       : Hint(std::string(leads));
     return c.fail(unknown_name("twerper", w, near.empty() && is_name(w) ? "if a plug-in has it: --load PLUGIN" : near),
                   w);

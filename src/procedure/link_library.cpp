@@ -92,7 +92,7 @@ int middle_of_link(lua_State* l, Machine& m) {
   return push_place(l, place_of_label(points_now(l, m), lua_tonumber(l, 2), label)), 1;
 }
 
-// link.beside(A, X, Y, Z, RIGHT, UP, ABOVE): the place in the space of the object ABOVE ("": the world) that lies RIGHT
+// link.beside(A, X, Y, Z, RIGHT, UP[, ABOVE]): the place in the space of ABOVE, or else in the world, that lies RIGHT
 // and UP in the world from the point (X Y Z) of A.
 int beside_of_link(lua_State* l, Machine& m) {
   if (lua_type(l, 1) != LUA_TSTRING) return fail_with(l, "link.beside: the name of an object is missing");

@@ -286,6 +286,19 @@ TEST(Gltf, NoNodeThatGrowsRestsAtAScaleOfZero) {
   EXPECT_NEAR(world(file, 0, 1)(0, 0), std::cos(std::acos(-1) / 6), 1e-5);
 }
 
+// Programs that do not play colors show what fades in, in its own color.
+TEST(Gltf, WhatFadesInRestsOpaque) {
+  const Glb file = as_glb(
+      "range 1f 49f\ncreate b box color=red\nat 1f b.transparency 1 linear\nat 25f b.transparency 0\n"
+      "create still box color=blue transparency=0.25\n");
+  ASSERT_EQ(file.json["materials"].size(), 2u);
+  const auto factor = [&](std::size_t i) {
+    return file.json["materials"][i]["pbrMetallicRoughness"]["baseColorFactor"].get<std::vector<double>>();
+  };
+  EXPECT_EQ(factor(0), (std::vector<double>{1, 0, 0, 1}));
+  EXPECT_EQ(factor(1), (std::vector<double>{0, 0, 1, 0.75}));
+}
+
 // 6 plots with 4 million triangles each, if each frame had its own: fewer meshes are kept, evenly over the film.
 TEST(Gltf, AFilmWithTooManyShapesKeepsFewerOfThem) {
   const Glb file = as_glb(

@@ -20,7 +20,10 @@ const files = JSON.parse(process.argv[2]).map((path) => {
 const wrong = made.open("create b sphere\\nb.positon\\n  1f (0 0 0)\\n");
 const edited = made.open("create b sphere\\n");
 edited.setTrack("b.position", [0, 1], [[0, 0, 0], [2, 4, 6]], { twerper: "linear" });
-console.log(JSON.stringify({ files, wrong: wrong.message, edited: edited.eval("b.position", 0.5) }));
+const refused = [[{ ease: "linear" }, [0, 1], [1, 2]], [{}, [0, 1], ["red", "#fff"]], [{}, [0, NaN], [1, 2]]].map(([how, times, values]) => {
+  try { edited.setTrack("b.position.x", times, values, how); return "taken"; } catch (error) { return error.message; }
+});
+console.log(JSON.stringify({ refused, files, wrong: wrong.message, edited: edited.eval("b.position", 0.5) }));
 """
 
 
@@ -48,5 +51,7 @@ with tempfile.TemporaryDirectory() as folder:
             check(isinstance(answer, dict) and [t["values"] for t in answer["times"]] == values(film), f"{film}: {str(answer)[:400]}")
         check("positon" in got["wrong"] and "did you mean 'position'?" in got["wrong"], got["wrong"])
         check(got["edited"] == [1, 2, 3], got["edited"])
+        check("no option 'ease'" in got["refused"][0], got["refused"])
+        check(all("needs lists of numbers" in why for why in got["refused"][1:]), got["refused"])
 print(f"{passed} passed, {failed} failed")
 sys.exit(failed > 0)

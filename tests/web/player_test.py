@@ -322,6 +322,12 @@ def many(browser, served):
     page.do("""for (let i = 0; i < 100; ++i) { const p = document.createElement("betwixt-player"); p.loading = "eager";
         p.src = "three.bx"; document.body.append(p); await until(p, "loadeddata"); p.remove(); } await calm();""")
     same("a hundred times", page.ask("[Betwixt.counts.opened, Betwixt.counts.disposed]"), [120, 120])
+    same("without a script, it goes back to that of the page", page.do("""
+        const p = document.createElement("betwixt-player"); p.src = "three.bx"; document.body.append(p); await until(p, "loadeddata");
+        const of_page = p.script; p.script = "rate 12\\n"; await calm(); const own = p.script;
+        p.script = undefined; await until(p, "loadeddata"); await calm(); const q = document.createElement("betwixt-player");
+        q.script = null; document.body.append(q); await calm(); return [own, p.script === of_page, q.script, q.error];"""),
+         ["rate 12\n", True, "", None])
     same("moved, it keeps its film; taken out and put back, its time", page.do("""
         const p = document.createElement("betwixt-player"); p.src = "three.bx"; document.body.append(p); await until(p, "loadeddata");
         const film = p.film; p.currentTime = 1; document.body.append(document.createElement("div")); document.querySelector("div").append(p);
