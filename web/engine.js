@@ -51,11 +51,11 @@ class Film {
   // after row: metres, radians, or sRGB from 0 to 1. `twerper` is the interpolation, such as "linear".
   setTrack(target, times, values, { twerper = "", ...others } = {}) {
     for (const name in others) throw new Error(`setTrack has no option '${name}'; it has 'twerper'`);
-    const columns = [times, values].map((column) =>
-      Float64Array.from(Array.isArray(column) ? column.flat() : column ?? []));
-    if (columns.some((column) => column.some(Number.isNaN)))
+    const columns = [times, values].map((column) => Array.isArray(column) ? column.flat() : column ?? []);
+    if (columns.some((column) => Array.prototype.some.call(column, (value) => typeof value !== "number")))
       throw new Error("setTrack needs lists of numbers: seconds, and values; a colour is three numbers from 0 to 1");
-    this.#edit(() => this.#engine.with_numbers(columns, (...places) =>
+    const numbers = columns.map((column) => Float64Array.from(column));
+    this.#edit(() => this.#engine.with_numbers(numbers, (...places) =>
       this.#engine.call("betwixt_set_track", this.#handle, target, twerper, ...places)));
   }
   // Returns the events of a track as setTrack takes them: { times, values, width }, `width` numbers for each time.
