@@ -23,6 +23,7 @@ pkg_check_modules(TYPE REQUIRED QUIET IMPORTED_TARGET freetype2 harfbuzz fontcon
 pkg_check_modules(ASSIMP REQUIRED QUIET IMPORTED_TARGET assimp)
 pkg_check_modules(GLTF REQUIRED QUIET IMPORTED_TARGET tinygltf stb)
 pkg_check_modules(PUGIXML REQUIRED QUIET IMPORTED_TARGET pugixml)
+pkg_check_modules(SQLITE REQUIRED QUIET IMPORTED_TARGET sqlite3)
 pkg_check_modules(SPNG REQUIRED QUIET IMPORTED_TARGET spng)
 pkg_check_modules(EXR REQUIRED QUIET IMPORTED_TARGET OpenEXR)
 pkg_check_modules(LUA REQUIRED QUIET IMPORTED_TARGET lua5.4)

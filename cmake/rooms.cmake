@@ -48,7 +48,7 @@ function(add_rooms prefix)
   target_link_libraries(${prefix}_program PRIVATE PkgConfig::HWY PkgConfig::BULLET)
   target_link_libraries(${prefix}_procedure PRIVATE PkgConfig::LUA ${CMAKE_DL_LIBS})
   target_link_libraries(${prefix}_exchange PRIVATE PkgConfig::TYPE PkgConfig::ASSIMP PkgConfig::GLTF PkgConfig::PUGIXML
-                        PkgConfig::SPNG PkgConfig::EXR meshoptimizer::meshoptimizer)
+                        PkgConfig::SPNG PkgConfig::EXR PkgConfig::SQLITE meshoptimizer::meshoptimizer)
   target_link_libraries(${prefix}_render PRIVATE PkgConfig::EGL embree)
   target_link_libraries(${prefix}_film PRIVATE PkgConfig::SPNG)
 endfunction()

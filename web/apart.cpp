@@ -31,10 +31,11 @@ EM_JS(char*, betwixt_read_in_reader, (int task, const char* path), {
 namespace betwixt {
 
 std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read, bool,
-                                  std::optional<ParserCeilings>) {
+                                  std::optional<ParserCeilings>, std::string_view inside) {
   if (read_contents(path).problem != ReadProblem::none) return read_whole(path).error();
-  const std::unique_ptr<char, decltype(&std::free)> needed(betwixt_read_in_reader(static_cast<int>(task), path.c_str()),
-                                                           std::free);
+  const std::string asked = path + (inside.empty() ? "" : "\n" + std::string(inside));
+  const std::unique_ptr<char, decltype(&std::free)> needed(
+      betwixt_read_in_reader(static_cast<int>(task), asked.c_str()), std::free);
   if (!needed)
     return fail(ErrorCode::machine, "what reads files is not in this page yet", "await engine.prepare(files)");
   std::istringstream lines(needed.get());

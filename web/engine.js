@@ -148,7 +148,7 @@ class Engine {
   is_prepared(files, text) { return !this.#needs_reader(files) && !this.#needed_fonts(files, text).length; }
 
   #needs_reader(files) {
-    return !this.#reader && Object.keys(files).some((path) => !/\.(bx|ttf|otf|ttc)$/i.test(path));
+    return !this.#reader && Object.keys(files).some((path) => !/\.(bx|ttf|otf|ttc|csv|tsv|txt)$/i.test(path));
   }
   // The word may stand in a comment; then the font is loaded for nothing.
   #needed_fonts(files, text) {

@@ -223,7 +223,7 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
 
 // The same files and texts for which engine.js loads them.
 PlayerParts needed_parts(const PageFilm& film) {
-  static constexpr std::string_view without[] = {"bx", "ttf", "otf", "ttc"};
+  static constexpr std::string_view without[] = {"bx", "ttf", "otf", "ttc", "csv", "tsv", "txt"};
   PlayerParts parts;
   const auto look_at = [&](const std::string& script) {
     parts.formulas |= has_word(script, "tex"), parts.code |= has_word(script, "code");

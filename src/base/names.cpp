@@ -201,6 +201,29 @@ bool matches(std::string_view p, std::string_view s) {
   return i == p.size();
 }
 
+std::string key_word(std::string_view text) {
+  // The letters of U+00C0 to U+017F without their accents; * for what is no letter of this kind.
+  constexpr std::string_view plain =
+      "AAAAAAACEEEEIIIIDNOOOOO*OUUUUYTsaaaaaaaceeeeiiiidnooooo*ouuuuyty"
+      "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlLlLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUu"
+      "UuUuUuWwYyYZzZzZzs";
+  static_assert(plain.size() == 0x180 - 0xC0);
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (letter(c) || digit(c) || c == '_' || c == '-') {
+      out += c;
+    } else if (c == ' ' && !out.empty()) {
+      out += '-';
+    } else if (const auto byte = static_cast<unsigned char>(c); byte >= 0xC3 && byte <= 0xC5 && i + 1 < text.size()) {
+      const std::size_t at = (byte - 0xC3) * 64 + (static_cast<unsigned char>(text[++i]) & 0x3F);
+      if (plain[at] != '*') out += plain[at];
+    }
+  }
+  while (out.ends_with('-')) out.pop_back();
+  return out;
+}
+
 bool natural_less(std::string_view a, std::string_view b) {
   std::size_t i = 0, j = 0;
   while (i < a.size() && j < b.size()) {

@@ -25,6 +25,10 @@ std::vector<std::size_t> brace_ranges(std::string_view pattern);
 // Returns true if a pattern with * ? [a-c] matches; * and ? do not match '/' and '.'. The pattern has no braces left.
 bool matches(std::string_view pattern, std::string_view name);
 
+// Returns a text as a piece of a name: letters without accents, digits, - and _; a blank is -. Returns "" if no
+// character of the text can be in a name. "São Paulo" is Sao-Paulo.
+std::string key_word(std::string_view text);
+
 // Orders ball2 before ball10: runs of digits compare as numbers.
 bool natural_less(std::string_view a, std::string_view b);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/names.h"
 #include "base/utf8.h"
 #include "commands/furniture_rows.h"
 #include "language/formula.h"

@@ -22,6 +22,8 @@
 
 namespace betwixt {
 
+class ContentBytes;  // scene/memory.h
+
 inline constexpr std::size_t most_objects = 1'000'000;  // a few words with braces can make many objects
 
 struct Command {
@@ -141,6 +143,8 @@ ValueReader values(Command&);
 // Reads the pictures or meshes that code names in quotes, if `f` shows such files; "walk%03d.png" names all numbers.
 bool files_in_code(Command&, FunctionId f, const std::string& source, std::string_view about);
 bool may_use(Command&, std::string& path, std::string_view about, std::filesystem::path& where);
+// Fails if the document would exceed the limit of MemoryBudget with these contents of files.
+bool has_room(Command&, const ContentBytes&, std::string_view about);
 // Stores the meshes of a file under its path and their own names. Fails if there is no room for them (MemoryBudget).
 bool keep_meshes(Command&, const std::string& path, const SceneFile&, std::string_view about);
 // Reads a file of a scene that the script may use.

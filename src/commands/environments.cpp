@@ -76,7 +76,7 @@ bool animate(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "the name of an environment is missing here");
-  const auto names = expand_braces(word);
+  const auto names = expand_braces(with_keys(*s.tables, word));
   if (!names) return c.fail(names.error().code, names.error().message, word);
   if (!c.accept_word("every")) return c.fail_here(ErrorCode::syntax, "'every' and a length of time are missing here");
   EnvironmentEvent::Animate a;

@@ -96,6 +96,16 @@ void read_file(Scene& s, Script& script, const std::string& path) {
   script.open_files.pop_back();
 }
 
+bool has_room(Command& k, const ContentBytes& contents, std::string_view about) {
+  try {
+    MemoryBudget::charge_kept(contents.sum(), [&] { return bytes_of_values(k.scene); });
+    return true;
+  } catch (const OverBudget& limit) {
+    const Error e = too_many_bytes(limit.most);
+    return k.cursor.fail(e, about);
+  }
+}
+
 namespace {
 
 // Withdraws the diagnostics of a file that has no script's header, because their quotations could reveal its contents.
@@ -155,17 +165,6 @@ bool use(Command& k) {
   // Settings that the file may have changed apply to the rest of this line.
   c.rate = s.rate, c.ticks = s.ticks;
   return true;
-}
-
-// Fails if the document would exceed the limit of MemoryBudget with these contents of files.
-bool has_room(Command& k, const ContentBytes& contents, std::string_view about) {
-  try {
-    MemoryBudget::charge_kept(contents.sum(), [&] { return bytes_of_values(k.scene); });
-    return true;
-  } catch (const OverBudget& limit) {
-    const Error e = too_many_bytes(limit.most);
-    return k.cursor.fail(e, about);
-  }
 }
 
 // The contents of files in a scene, by path.

@@ -9,6 +9,7 @@
 
 #include "commands/furniture_rows.h"
 #include "language/formula.h"
+#include "language/table_formulas.h"
 #include "language/values.h"
 #include "procedure/lua.h"
 #include "program/on_axes.h"
@@ -19,11 +20,27 @@ namespace {
 
 constexpr std::size_t most_cells = 10'000;
 
+// Takes the name of a list, or of a column of a table.
+bool named_list(Cursor& c, LetList& out) {
+  if (column_list(c, out)) return true;
+  const std::string_view word = c.peek_word();
+  const auto let = c.lets ? c.lets->find(word) : Lets::const_iterator();
+  if (c.error || !c.lets || let == c.lets->end() || !std::holds_alternative<LetList>(let->second)) return false;
+  c.at += word.size();
+  return out = std::get<LetList>(let->second), true;
+}
+
 // Reads (item item …); with `nested` also ((item …) (item …)).
 bool items(Command& k, std::vector<LetList>& rows, bool nested, bool* was_nested = nullptr) {
   Cursor& c = k.cursor;
   c.space();
   const char* const start = c.at;
+  if (LetList list; named_list(c, list)) {
+    if (list.size() > most_cells)
+      return c.fail(ErrorCode::range, fmt::format("there can be at most {} values", most_cells), c.since(start));
+    return rows.push_back(std::move(list)), true;
+  }
+  if (c.error) return false;
   if (c.peek() != '(') return c.fail_here(ErrorCode::syntax, "a list in brackets is missing here", "as in of=(3 1 4)");
   Cursor ahead = c;
   const bool several = nested && ahead.open() && (ahead.space(), ahead.peek() == '(');

@@ -199,17 +199,6 @@ std::string palette(const Scene& s, std::size_t n) {
 }
 std::string theme_color(const Scene& s, Color Theme::*which) { return write_color(theme_of(s).*which); }
 
-std::string key_word(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-')
-      out += c;
-    else if (c == ' ' && !out.empty())
-      out += '-';
-  while (out.ends_with('-')) out.pop_back();
-  return out;
-}
-
 Value Furnishing::value(std::string_view function) const {
   const auto f = find_built_in(object().kind, function);
   const Slot* slot = object().find(*f);

@@ -70,6 +70,4 @@ void make_code(Furnishing&);
 // diagram_rows.cpp
 void make_diagram(Furnishing&);
 
-std::string key_word(const std::string& text);  // a name made of a text; "" if nothing of it can be in a name
-
 }  // namespace betwixt

@@ -13,6 +13,7 @@
 #include "commands/command.h"
 #include "commands/own_kinds.h"
 #include "language/formula.h"
+#include "language/table_formulas.h"
 #include "scene/colors.h"
 
 namespace betwixt {
@@ -53,6 +54,11 @@ bool let_value(Command& k, Let& out) {
                        "as in let beat = 12f");
   LetItem one;
   const char* const start = c.at;
+  if (LetList column; column_list(c, column)) {
+    if (column.size() <= most_in_list) return out = std::move(column), true;
+    return c.fail(ErrorCode::range, fmt::format("a list can have at most {} values", most_in_list), c.since(start));
+  }
+  if (c.error) return false;
   if (!begins_list(c)) {
     if (!let_item(k, one)) return false;
     std::visit([&](auto& value) { out = std::move(value); }, one);
@@ -92,6 +98,7 @@ bool let(Command& k) {
                   "a name is a letter, then letters, digits and '_'");
   if (is_formula_word(name) || named_color(name))
     return c.fail(ErrorCode::name, fmt::format("'{}' already has a meaning in formulas", name), name);
+  if (s.tables->contains(name)) return c.fail(ErrorCode::name, fmt::format("'data {}' already exists", name), name);
   const bool known = s.lets->contains(name);
   if (known && !again && !script.live)
     return c.fail(ErrorCode::name, fmt::format("'let {}' already exists", name), name,

@@ -88,13 +88,26 @@ bool same_part(const Object& made, const Object& there) {
   return part && *part == *shown_part(there);
 }
 
+// Returns the word in braces that can only be a table, if there is no such table.
+std::string_view missing_table(const Scene& s, std::string_view pattern) {
+  for (std::size_t open = pattern.find('{'); open != pattern.npos; open = pattern.find('{', open + 1)) {
+    const std::string_view word = pattern.substr(open + 1, pattern.find_first_of("{}", open + 1) - open - 1);
+    if (is_name(word) && !s.tables->contains(word)) return word;
+  }
+  return {};
+}
+
 bool create(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const std::string_view word = c.next_word();
   if (word.empty()) return c.fail_here(ErrorCode::syntax, "a name is missing here");
   const bool one = script.only && !std::exchange(script.only->met, true);
-  auto names = one ? Result<std::vector<std::string>>(std::vector{script.only->name}) : expand_braces(word);
+  auto names = one ? Result<std::vector<std::string>>(std::vector{script.only->name})
+                   : expand_braces(with_keys(*s.tables, word));
   if (!names) return c.fail(names.error(), word);
+  if (const std::string_view missing = missing_table(s, word); !missing.empty())
+    return c.fail(unknown_name("table", missing, "data " + std::string(missing) + " from \"FILE.csv\" reads one"),
+                  missing);
   if (!script.only && names->size() > 1) script.touched = names->size();
   for (const auto& name : *names)
     if (Cancellation::check(); !made_with_formula(s, name) && !free_name(k, name, word)) return false;

@@ -211,7 +211,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
       c.at = p + 1;
       continue;
     }
-    c.rate = s.rate, c.ticks = s.ticks, c.lets = &*s.lets;
+    c.rate = s.rate, c.ticks = s.ticks, c.lets = &*s.lets, c.tables = &*s.tables;
     c.frames_read = script.frames_read, c.ticks_read = script.ticks_read;
     c.depth = 0;
     Command k{s, c, {}, {}, script};
@@ -305,8 +305,8 @@ bool carry_out(Command& k) {
 std::vector<std::string> names_missed(const Scene& s, std::string_view line) {
   auto names = names_made(line);
   std::erase_if(names, [&](const std::string& name) {
-    return s.names.find(name) || s.aliases->contains(name) || s.lets->contains(name) || s.lists->contains(name) ||
-           s.defined->find(name) || find_procedure(s, name) || s.kinds->find(name);
+    return s.names.find(name) || s.aliases->contains(name) || s.lets->contains(name) || s.tables->contains(name) ||
+           s.lists->contains(name) || s.defined->find(name) || find_procedure(s, name) || s.kinds->find(name);
   });
   return names;
 }

@@ -74,7 +74,7 @@ bool no_object(const Search& q) {
   const Scene& s = q.scene();
   const std::string_view object = q.words.object;
   if (is_pattern(object))
-    if (const auto braces = expand_braces(object); !braces)
+    if (const auto braces = expand_braces(with_keys(*s.tables, object)); !braces)
       return q.fail(braces.error().code, braces.error().message, object, braces.error().hint);
   if (is_pattern(object) || s.aliases->contains(std::string(object))) return q.names_nothing(object);
   return q.k.cursor.fail(unknown_name("object", object, near_object(s, object)), object);

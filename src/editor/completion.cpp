@@ -108,8 +108,14 @@ void objects_of(const Scene& s, Kind kind, Words& all) {
     if (!s.objects[i].removed && s.objects[i].kind == kind) all.push_back(s.objects[i].name);
 }
 
+void columns_of_tables(const Scene& s, Words& all) {
+  for (const auto& [name, table] : *s.tables)
+    for (const std::string_view column : table->column_names()) all.push_back(name + "." + std::string(column));
+}
+
 // The names defined by `let`: those of colours, or all others.
 void let_names(const Scene& s, bool colors, Words& all) {
+  if (!colors) columns_of_tables(s, all);
   for (const auto& [name, value] : *s.lets)
     if (std::holds_alternative<Color>(value) == colors) all.push_back(name);
 }
@@ -273,6 +279,7 @@ constexpr ArgumentKind argument_kinds[] = {
     {"WAY", [](const Offer& o) { event_words(o.d, o.b.words[1], false, o.all); }},
     {"FILE", [](const Offer& o) { files(o.around.folder, o.all); }},
     {"STYLE", [](const Offer& o) { o.all.insert(o.all.end(), o.around.styles.begin(), o.around.styles.end()); }},
+    {"COLUMN", [](const Offer& o) { columns_of_tables(o.d.scene(), o.all); }},
     {"WORD", [](const Offer& o) { words_of_help(o.all); }},
 };
 

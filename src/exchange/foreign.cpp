@@ -10,18 +10,19 @@
 #include "exchange/parser_process.h"
 #include "exchange/pictures.h"
 #include "exchange/scene_file.h"
+#include "exchange/table_file.h"
 
 namespace betwixt {
 namespace {
 
 template <class T>
 Result<std::shared_ptr<const T>> parsed(ParserTask task, const std::string& path, const MayRead& may_read,
-                                        bool any_size) {
+                                        bool any_size, std::string_view inside = {}) {
   using Wanted = std::shared_ptr<const T>;
-  auto read = parse_apart(task, path, may_read, any_size);
+  auto read = parse_apart(task, path, may_read, any_size, {}, inside);
   if (!read) {
     LocalFiles files(may_read);
-    read = parse_here(task, path, files, any_size);
+    read = parse_here(task, path, files, any_size, inside);
   }
   if (auto* wanted = std::get_if<Wanted>(&*read)) return std::move(*wanted);
   if (auto* error = std::get_if<Error>(&*read)) return std::move(*error);
@@ -44,6 +45,11 @@ Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path,
                                                         bool any_size) {
   if (!may_read(path)) return fail(ErrorCode::file, fmt::format("reading {} is not allowed", path));
   return parsed<DrawingFile>(ParserTask::drawing, path, may_read, any_size);
+}
+
+Result<std::shared_ptr<const TableText>> parsed_table(const std::string& path, const std::string& inside) {
+  const MayRead nothing_else = [&](const std::string& p) { return p == path; };
+  return parsed<TableText>(ParserTask::table, path, nothing_else, true, inside);
 }
 
 Result<std::shared_ptr<const Picture>> load_picture(const std::string& path, bool any_size) {

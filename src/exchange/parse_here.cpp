@@ -33,6 +33,8 @@ Parsed parse_here(ParserTask task, const std::string& path, FileSource& files, b
         return parsed(parse_linear_picture(path, counted));
       case ParserTask::drawing:
         return parsed(parse_drawing(path, counted));
+      case ParserTask::table:
+        return parsed(parse_table_text(path, counted, line));
       case ParserTask::letters: {
         auto bytes = counted.read(path);
         return bytes ? parsed(parse_letters(*std::move(bytes), path, line)) : Parsed(bytes.error());

@@ -188,7 +188,7 @@ std::optional<Parsed> converse(const ParserRequest& request, const std::string& 
   if (talk.ends[0] < 0) return machine_error(path, errno);
   std::string text(reinterpret_cast<const char*>(&request), sizeof request);
   text += path;
-  if (request.task == ParserTask::letters) (text += '\0') += line;
+  if (!line.empty()) (text += '\0') += line;
   if (text.size() > longest_message) return machine_error(path, ENAMETOOLONG);
   const std::array files{talk.ends[1], memory.fd(), file};
   const int reason = waiting().send(text, files);
@@ -207,13 +207,13 @@ std::optional<Parsed> converse(const ParserRequest& request, const std::string& 
 }  // namespace
 
 std::optional<Parsed> parse_apart(ParserTask task, const std::string& path, const MayRead& may_read, bool any_size,
-                                  std::optional<ParserCeilings> most) {
+                                  std::optional<ParserCeilings> most, std::string_view inside) {
   const auto file = open_whole(path);
   if (!file) return file.error();
   struct stat about {};
   if (::fstat(file->fd(), &about) != 0) return machine_error(path, errno);
   const auto size = static_cast<std::uint64_t>(about.st_size);
-  return converse({task, any_size, most.value_or(parser_ceilings(path, size, any_size))}, path, {}, file->fd(),
+  return converse({task, any_size, most.value_or(parser_ceilings(path, size, any_size))}, path, inside, file->fd(),
                   may_read);
 }
 

@@ -21,14 +21,14 @@ namespace betwixt {
 // (unpacking.h), unless any size is allowed, and a gigabyte for the parser.
 ParserCeilings parser_ceilings(const std::string& path, std::uint64_t size, bool any_size);
 // Returns nullopt if this machine has no such program. Errors: those of the kind of file; machine. Tests pass limits of
-// their own.
+// their own. `inside`: of a table.
 std::optional<Parsed> parse_apart(ParserTask, const std::string& path, const MayRead&, bool any_size = false,
-                                  std::optional<ParserCeilings> = {});
+                                  std::optional<ParserCeilings> = {}, std::string_view inside = {});
 
 // Shapes a line with the font in an open file, whose position it changes. `name`: for errors.
 std::optional<Parsed> shape_apart(const std::string& name, int file, std::string_view line, const ParserCeilings&);
 
-// Reads it in this process, without protection. `line`: for letters.
+// Reads it in this process, without protection. `line`: for letters, and what is inside for a table.
 Parsed parse_here(ParserTask, const std::string& path, FileSource&, bool any_size = false, std::string_view line = {});
 
 // Returns the program's path: $BETWIXT_PARSER; beside the running program; in libexec/betwixt beside its folder or the

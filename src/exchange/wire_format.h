@@ -14,12 +14,14 @@
 #include "exchange/drawing.h"
 #include "exchange/font_face.h"
 #include "exchange/scene_file.h"
+#include "exchange/table_text.h"
 
 namespace betwixt {
 
-using Parsed = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error,
-                            std::shared_ptr<const SceneFile>, std::shared_ptr<const DrawingFile>,
-                            std::shared_ptr<const LinearPicture>, std::shared_ptr<const ShapedLine>>;
+using Parsed =
+    std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Picture>, Error, std::shared_ptr<const SceneFile>,
+                 std::shared_ptr<const DrawingFile>, std::shared_ptr<const LinearPicture>,
+                 std::shared_ptr<const ShapedLine>, std::shared_ptr<const TableText>>;
 
 // Both return 0 or the system's error number. EBADMSG: the memory holds no valid result.
 int write_parsed(const Parsed&, int memory);

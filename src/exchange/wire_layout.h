@@ -19,7 +19,8 @@ enum class Holds : std::uint32_t {
   scene = 4,
   drawing = 5,
   linear_picture = 6,
-  letters = 7
+  letters = 7,
+  table = 8
 };
 struct Head {
   std::uint32_t holds = 0;

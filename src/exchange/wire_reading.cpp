@@ -101,6 +101,12 @@ std::shared_ptr<const P> take_picture(Taker& from) {
   return from.block(picture->rgba) && picture->rgba.size() == channels ? picture : nullptr;
 }
 
+// parse_table() checks the text itself.
+std::shared_ptr<const TableText> take_table(Taker& from) {
+  auto table = std::make_shared<TableText>();
+  return from.block(table->text) ? table : nullptr;
+}
+
 // Accepts only text that is safe to print on a terminal.
 bool take_words(Taker& from, std::string& words) {
   if (!from.block(words) || words.size() > longest_words) return false;
@@ -325,6 +331,8 @@ bool take(Taker& from, Parsed& out) {
       return keep(take_picture<LinearPicture>(from), out);
     case Holds::letters:
       return keep(take_letters(from), out);
+    case Holds::table:
+      return keep(take_table(from), out);
   }
   return false;
 }

@@ -142,6 +142,9 @@ int write_parsed(const Parsed& parsed, int memory) {
     to.drawing(**drawing);
   } else if (const auto* letters = std::get_if<std::shared_ptr<const ShapedLine>>(&parsed)) {
     to.letters(**letters);
+  } else if (const auto* table = std::get_if<std::shared_ptr<const TableText>>(&parsed)) {
+    to.one(Head{static_cast<std::uint32_t>(Holds::table), 0});
+    to.block((*table)->text);
   } else {
     to.error(std::get<Error>(parsed));
   }

@@ -13,6 +13,7 @@
 #include "betwixt/result.h"
 #include "betwixt/time.h"
 #include "scene/quantity.h"
+#include "scene/table.h"
 #include "syntax/characters.h"
 
 namespace betwixt {
@@ -29,7 +30,9 @@ class Cursor {
   bool frames_read = false;               // a time has been given in frames
   bool ticks_read = false;
   const Lets* lets = nullptr;  // the values of names in formulas
+  const Tables* tables = nullptr;
   PatternPlace place;
+  bool cell_missing = false;  // a formula has read an empty cell of the place's row
 
   // The first failure since the last clear. `where`: the text that it is about.
   std::optional<Error> error;

@@ -10,6 +10,7 @@
 
 #include "base/names.h"
 #include "language/formula_functions.h"
+#include "language/table_formulas.h"
 #include "language/values.h"
 #include "syntax/tokens.h"
 #include "syntax/words.h"
@@ -19,17 +20,6 @@ namespace {
 
 using namespace formulas;
 constexpr int deepest = 100;
-
-bool number_begins(const char* at, const char* end) {
-  const auto digit = [&](const char* p) { return p < end && *p >= '0' && *p <= '9'; };
-  return digit(at) || (at < end && *at == '.' && digit(at + 1));
-}
-std::string_view name_at(const char* at, const char* end) {
-  const char* p = at;
-  if (p < end && is_letter(*p))
-    while (p < end && name_goes_on(*p)) ++p;
-  return {at, static_cast<std::size_t>(p - at)};
-}
 
 class Reader {
  public:
@@ -139,7 +129,12 @@ class Reader {
     if (number_begins(c_.at, c_.end)) return literal(out);
     const std::string_view name = name_at(c_.at, c_.end);
     if (name.empty()) return c_.fail_here(ErrorCode::syntax, "a number or a name is missing in this formula");
+    if (cell_begins(c_)) {
+      LetItem item;
+      return cell(c_, item) && is_number_cell(c_, item, c_.since(name.data())) && quantity(item, {}, out);
+    }
     c_.at += name.size();
+    if (column_function_begins(c_, name)) return column_function(c_, name, out);
     if (c_.peek() == '(') return call(name, out);
     return named(name, out);
   }
@@ -200,6 +195,10 @@ class Reader {
       if (of) return out = number((*of)[static_cast<int>(at)]), true;
       item = (*list)[at];
     }
+    return quantity(item, name, out);
+  }
+  // Takes a number, or the component of a vector that follows.
+  bool quantity(const LetItem& item, std::string_view name, Quantity& out) {
     if (const auto* q = std::get_if<Quantity>(&item)) {
       if (q->counts_frames) c_.frames_read = true;
       return out = *q, true;
@@ -341,15 +340,18 @@ class Reader {
 
 }  // namespace
 
-bool single(const Let& let, LetItem& out) {
-  if (const auto* q = std::get_if<Quantity>(&let)) return out = *q, true;
-  if (const auto* v = std::get_if<Vec3>(&let)) return out = *v, true;
-  if (const auto* c = std::get_if<Color>(&let)) return out = *c, true;
-  if (const auto* t = std::get_if<Text>(&let)) return out = *t, true;
-  return false;
+// Takes a cell of a table unless a formula continues.
+static std::optional<LetItem> cell_here(Cursor& c) {
+  Cursor ahead = c;
+  LetItem item;
+  if (!cell(ahead, item)) return c.error = ahead.error, c.where = ahead.where, std::nullopt;
+  if (formula_goes_on(ahead.at, ahead.end)) return std::nullopt;
+  c.at = ahead.at, c.cell_missing |= ahead.cell_missing;
+  return item;
 }
 
 std::optional<LetItem> let_here(Cursor& c) {
+  if (cell_begins(c)) return cell_here(c);
   if (!c.lets || c.lets->empty()) return std::nullopt;
   const std::string_view name = name_at(c.at, c.end);
   const auto known = name.empty() ? c.lets->end() : c.lets->find(name);
@@ -373,24 +375,6 @@ std::optional<LetItem> let_here(Cursor& c) {
     return std::nullopt;
   c.at = ahead.at;
   return item;
-}
-
-bool formula_goes_on(const char* at, const char* end) {
-  if (at >= end || std::string_view("+-*/%^").find(*at) == std::string_view::npos) return false;
-  if (++at < end && at[-1] == '/' && *at == '/') ++at;
-  while (at < end && (*at == '-' || *at == '+')) ++at;
-  return at < end && (*at == '(' || is_letter(*at) || number_begins(at, end));
-}
-
-bool formula_begins(const Cursor& c) {
-  const char* at = c.at;
-  while (at < c.end && (*at == '-' || *at == '+')) ++at;
-  if (at < c.end && *at == '(') return true;
-  const std::string_view name = name_at(at, c.end);
-  if (name.empty()) return false;
-  const char* const behind = name.data() + name.size();
-  return is_formula_word(name) || (c.lets && c.lets->contains(name)) || (behind < c.end && *behind == '(') ||
-         formula_goes_on(behind, c.end);
 }
 
 bool formula(Cursor& c, Quantity& out) { return Reader(c).whole(out); }

@@ -23,6 +23,16 @@ inline constexpr std::pair<std::string_view, double> constants[] = {
     {"pi", pi}, {"tau", 2 * pi}, {"e", 2.718281828459045235360287}};
 
 inline bool name_goes_on(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+inline bool number_begins(const char* at, const char* end) {
+  const auto digit = [&](const char* p) { return p < end && *p >= '0' && *p <= '9'; };
+  return digit(at) || (at < end && *at == '.' && digit(at + 1));
+}
+inline std::string_view name_at(const char* at, const char* end) {
+  const char* p = at;
+  if (p < end && is_letter(*p))
+    while (p < end && name_goes_on(*p)) ++p;
+  return {at, static_cast<std::size_t>(p - at)};
+}
 inline double radians(const Quantity& q) { return q.of == Of::angle ? q.value * (pi / 180) : q.value; }
 inline Quantity number(double v) { return {Of::number, v, 0, false}; }
 inline Quantity degrees(double radians) { return {Of::angle, radians * (180 / pi), 0, false}; }

@@ -11,6 +11,7 @@
 #include "base/names.h"
 #include "language/formula.h"
 #include "language/formula_functions.h"
+#include "language/table_formulas.h"
 #include "language/values.h"
 #include "syntax/tokens.h"
 #include "syntax/words.h"
@@ -19,7 +20,9 @@ namespace betwixt {
 
 namespace {
 
+using formulas::name_at;
 using formulas::name_goes_on;
+using formulas::number_begins;
 
 // Returns whether the body of braces is one formula, such as {i} or {n-i+1}, and not a list.
 bool formula_in_braces(std::string_view body) {
@@ -34,9 +37,10 @@ bool word_speaks_of_place(std::string_view word, const char* at, const char* end
     const char* const name = part;
     while (part + 1 < stop && name_goes_on(part[1])) ++part;
     const std::ptrdiff_t length = part + 1 - name;
+    const char before = name > at ? name[-1] : ' ', behind = part + 1 < end ? part[1] : ' ';
+    if (length == 3 && std::string_view(name, 3) == "row" && behind == '.' && before != '.') return true;
     if (length > 2 || (*name != 'i' && *name != 'n')) continue;
     if (length == 2 && (*name != 'i' || name[1] < '1' || name[1] > '4')) continue;
-    const char before = name > at ? name[-1] : ' ', behind = part + 1 < end ? part[1] : ' ';
     // Two dots belong to a segment; a single one separates an object from its function.
     const bool one_before = before == '.' && !(name - at > 1 && name[-2] == '.');
     const bool one_behind = behind == '.' && !(end - part > 2 && part[2] == '.');
@@ -75,7 +79,7 @@ bool one_name(Cursor& c, std::string_view word, std::string& out) {
     out.replace(open, close - open + 1, write_number(q.value));
   }
   if (out.find('{') == out.npos) return true;
-  const auto names = expand_braces(out);
+  const auto names = expand_braces(c.tables ? with_keys(*c.tables, out) : out);
   if (!names) return c.fail(names.error(), word);
   if (names->size() != c.place.n)
     return c.fail(ErrorCode::range,
@@ -101,8 +105,36 @@ bool writes_out_names(std::string_view text) {
 bool speaks_of_place(const char* at, const char* end) {
   return any_word(at, end, [&](std::string_view word) {
     const auto place = [](char c) { return c == 'i' || c == 'n'; };
-    return std::any_of(word.begin(), word.end(), place) && word_speaks_of_place(word, at, end);
+    const bool may = std::any_of(word.begin(), word.end(), place) || word.find("row.") != word.npos;
+    return may && word_speaks_of_place(word, at, end);
   });
+}
+
+bool single(const Let& let, LetItem& out) {
+  if (const auto* q = std::get_if<Quantity>(&let)) return out = *q, true;
+  if (const auto* v = std::get_if<Vec3>(&let)) return out = *v, true;
+  if (const auto* c = std::get_if<Color>(&let)) return out = *c, true;
+  if (const auto* t = std::get_if<Text>(&let)) return out = *t, true;
+  return false;
+}
+
+bool formula_goes_on(const char* at, const char* end) {
+  if (at >= end || std::string_view("+-*/%^").find(*at) == std::string_view::npos) return false;
+  if (++at < end && at[-1] == '/' && *at == '/') ++at;
+  while (at < end && (*at == '-' || *at == '+')) ++at;
+  return at < end && (*at == '(' || is_letter(*at) || number_begins(at, end));
+}
+
+bool formula_begins(const Cursor& c) {
+  const char* at = c.at;
+  while (at < c.end && (*at == '-' || *at == '+')) ++at;
+  if (at < c.end && *at == '(') return true;
+  const std::string_view name = name_at(at, c.end);
+  if (name.empty()) return false;
+  if (cell_begins(c, at)) return true;
+  const char* const behind = name.data() + name.size();
+  return is_formula_word(name) || (c.lets && c.lets->contains(name)) || (behind < c.end && *behind == '(') ||
+         formula_goes_on(behind, c.end);
 }
 
 Hint near_name(const Cursor& c, std::string_view word) {

@@ -92,7 +92,7 @@ void add_matching(const Scene& s, std::string_view word, const Each& each_object
 
 // Returns the objects of a word that is not an alias.
 void select_plain(const Scene& s, std::string_view word, std::vector<ObjectId>& out) {
-  const auto words = expand_braces(word);
+  const auto words = expand_braces(with_keys(*s.tables, word));
   if (!words) return;
   const auto all = [&](const auto& f) {
     for (std::uint32_t i = 0; i < s.objects.size(); ++i) f(ObjectId{i});
@@ -151,7 +151,7 @@ std::vector<ObjectId> select(const Scene& s, std::string_view word) {
 }
 
 std::vector<ObjectId> select(const Scene& s, std::string_view pattern, const std::vector<ObjectId>& some) {
-  const auto words = expand_braces(pattern);
+  const auto words = expand_braces(with_keys(*s.tables, pattern));
   if (!words) return {};
   const auto these = [&](const auto& f) { std::for_each(some.begin(), some.end(), f); };
   std::vector<ObjectId> out;

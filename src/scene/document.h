@@ -21,6 +21,7 @@
 #include "scene/outline.h"
 #include "scene/own_functions.h"
 #include "scene/quantity.h"
+#include "scene/table.h"
 #include "track/filter.h"
 #include "track/track.h"
 #include "track/twerpers.h"
@@ -167,6 +168,8 @@ struct Scene {
   Objects kinds_saw;          // the objects when the instances of kinds were last updated; empty without kinds
   Cow<Aliases> aliases;
   Cow<Lets> lets;                               // the names in formulas
+  Cow<Tables> tables;                           // the data of the film, by name
+  Cow<Tables> tables_read;                      // all that were read, by what follows `data NAME`
   Cow<std::multimap<Time, Note>> notes;         // those of one time in the order in which they came
   Cow<std::vector<NamedProcedure>> procedures;  // events refer to own twerpers by their index here
   Cow<std::vector<Dial>> dials;

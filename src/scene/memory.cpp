@@ -192,6 +192,7 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
     if (was && !was.same(is)) lost.sum.bytes += shared_bytes<Whole> + sum_held(*was);
   };
   whole(before.notes, after.notes), whole(before.aliases, after.aliases), whole(before.lets, after.lets);
+  whole(before.tables, after.tables), whole(before.tables_read, after.tables_read);
   whole(before.defined, after.defined), whole(before.procedures, after.procedures), whole(before.dials, after.dials);
   whole(before.expansion, after.expansion), whole(before.spare, after.spare);
   whole(before.views, after.views), whole(before.cuts, after.cuts);
@@ -287,6 +288,10 @@ void ContentBytes::add(const std::shared_ptr<const Outline>& outline) {
   for (const Contour& contour : outline->contours) sum_ += bytes_in(contour);
 }
 
+void ContentBytes::add(const std::shared_ptr<const Table>& table) {
+  if (first(table.get())) sum_ += table->bytes();
+}
+
 std::size_t bytes_of_values(const Scene& scene) {
   ValueBytes values;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -301,6 +306,7 @@ std::size_t bytes_of_values(const Scene& scene) {
     for (const auto& [path, content] : *files) contents.add(content);
   };
   add(scene.meshes), add(scene.pictures), add(scene.sounds), add(scene.fonts), add(scene.formulas);
+  add(scene.tables_read);
   return values.sum() + contents.sum();
 }
 

@@ -15,6 +15,8 @@
 
 namespace betwixt {
 
+struct Table;
+
 struct SceneSize {
   std::size_t bytes = 0;   // of objects, their names, values, tracks and events, without meshes and pictures
   std::size_t events = 0;  // of tracks
@@ -33,6 +35,7 @@ class ContentBytes {
   void add(const std::shared_ptr<const Sound>&);
   void add(const std::shared_ptr<const OwnFont>&);
   void add(const std::shared_ptr<const Outline>&);
+  void add(const std::shared_ptr<const Table>&);
   std::size_t sum() const { return sum_; }
 
  private:

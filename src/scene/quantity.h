@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,10 +34,15 @@ using LetList = std::vector<LetItem>;
 using Let = std::variant<Quantity, Vec3, Color, Text, LetList>;
 using Lets = std::map<std::string, Let, std::less<>>;
 
-// The place among the names of a pattern: the values of i, n, i1, i2 …
+struct Table;  // scene/table.h
+
+// The place among the names of a pattern: the values of i, n, i1, i2 … and the row of a table.
 struct PatternPlace {
   std::size_t i = 1, n = 1;
   std::array<std::size_t, 4> ranges{};  // 0 if there is none
+  const Table* table = nullptr;         // of the row; nullptr if there is none
+  std::size_t row = 0;
+  std::optional<std::size_t> over = {};  // the column of its times
 };
 
 }  // namespace betwixt

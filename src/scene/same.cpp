@@ -112,8 +112,8 @@ struct Compare {
     if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range &&
           a.background == b.background && a.appearance == b.appearance && a.notes_shown == b.notes_shown &&
           a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases && a.lets == b.lets &&
-          a.notes == b.notes && a.procedures == b.procedures && a.recording == b.recording && a.lists == b.lists &&
-          a.later_lists == b.later_lists && a.main == b.main))
+          same_tables(*a.tables, *b.tables) && a.notes == b.notes && a.procedures == b.procedures &&
+          a.recording == b.recording && a.lists == b.lists && a.later_lists == b.later_lists && a.main == b.main))
       return false;
     if (!same_kinds()) return false;
     const auto same_dial = [&](const Dial& x, const Dial& y) {

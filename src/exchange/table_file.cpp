@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/table_file.h"
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+
+#include "base/cancellation.h"
+#include "base/files.h"
+#include "base/names.h"
+#include "base/utf8.h"
+#include "exchange/table_text.h"
+
+namespace betwixt {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::string shown_name(const std::string& name) { return name.empty() ? "the table" : fmt::format("'{}'", name); }
+Error bad_file(const std::string& name, std::size_t line, std::string what, Hint hint = {}) {
+  return fail(ErrorCode::file, fmt::format("line {} of {} {}", line, shown_name(name), what), std::move(hint));
+}
+
+bool digits(std::string_view s, std::size_t least, std::size_t most, int& out) {
+  if (s.size() < least || s.size() > most) return false;
+  out = 0;
+  for (const char c : s) {
+    if (c < '0' || c > '9') return false;
+    out = 10 * out + (c - '0');
+  }
+  return true;
+}
+
+// Days since 1970 of a day of the Gregorian calendar; the algorithm counts years from March.
+double days_since_1970(int year, int month, int day) {
+  year -= month <= 2;
+  const int era = (year >= 0 ? year : year - 399) / 400;
+  const int of_era = year - era * 400;
+  const int of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
+  return era * 146097.0 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
+}
+
+std::string_view without_blanks(std::string_view s) {
+  while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) s.remove_prefix(1);
+  while (!s.empty() && (s.back() == ' ' || s.back() == '\t')) s.remove_suffix(1);
+  return s;
+}
+
+bool means_nothing(std::string_view s) {
+  constexpr std::array<std::string_view, 9> words{"", "NA", "N/A", "n/a", "NaN", "nan", "null", "NULL", "-"};
+  return std::find(words.begin(), words.end(), s) != words.end();
+}
+
+// Cuts a text into cells, row by row.
+class CellReader {
+ public:
+  CellReader(Table& t, const std::string& name) : t_(t), name_(name), at_(t.text.data()), end_(at_ + t.text.size()) {
+    separator_ = most_frequent();
+  }
+  char separator() const { return separator_; }
+  std::size_t line() const { return line_; }
+  bool more() const { return at_ < end_; }
+
+  // Reads the next row. A line without anything has none.
+  Status row(std::vector<std::string_view>& cells) {
+    cells.clear();
+    first_line_ = line_;
+    for (;;) {
+      if (cells.size() > most_columns)
+        return bad_file(name_, line_, fmt::format("has more than {} cells", most_columns));
+      std::string_view cell;
+      if (const Status read = this->cell(cell); !read) return read;
+      cells.push_back(cell);
+      if (at_ == end_) return Nothing{};
+      const char c = *at_++;
+      if (c == separator_) continue;
+      if (c == '\r' && at_ < end_ && *at_ == '\n') ++at_;
+      ++line_;
+      return Nothing{};
+    }
+  }
+  std::size_t first_line() const { return first_line_; }
+
+ private:
+  char most_frequent() const {
+    const auto line = std::string_view(at_, static_cast<std::size_t>(end_ - at_));
+    const auto first = line.substr(0, line.find_first_of("\r\n"));
+    char best = ',';
+    for (const char c : {';', '\t'})
+      if (std::count(first.begin(), first.end(), c) > std::count(first.begin(), first.end(), best)) best = c;
+    return best;
+  }
+  Status cell(std::string_view& out) {
+    if (at_ < end_ && *at_ == '"') return quoted(out);
+    const char* const start = at_;
+    while (at_ < end_ && *at_ != separator_ && *at_ != '\n' && *at_ != '\r') ++at_;
+    out = without_blanks({start, static_cast<std::size_t>(at_ - start)});
+    return Nothing{};
+  }
+  // "He said ""no"""
+  Status quoted(std::string_view& out) {
+    const std::size_t opened = line_;
+    const char* const start = ++at_;
+    std::string* piece = nullptr;
+    const char* copied = start;
+    for (;; ++at_) {
+      if (at_ == end_) return bad_file(name_, opened, "has a quotation mark that is never closed");
+      if (*at_ == '\n') ++line_;
+      if (*at_ != '"') continue;
+      if (at_ + 1 == end_ || at_[1] != '"') break;
+      if (!piece) piece = &t_.pieces.emplace_back();
+      piece->append(copied, ++at_), copied = at_ + 1, *piece += '"';
+    }
+    out = {start, static_cast<std::size_t>(at_ - start)};
+    if (piece) out = piece->append(copied, at_);
+    ++at_;
+    while (at_ < end_ && *at_ == ' ') ++at_;
+    if (at_ < end_ && *at_ != separator_ && *at_ != '\n' && *at_ != '\r')
+      return bad_file(name_, line_, "has more text after a closing quotation mark",
+                      "inside quotation marks, write \"\" for one \"");
+    return Nothing{};
+  }
+
+  Table& t_;
+  const std::string& name_;
+  const char* at_;
+  const char* const end_;
+  char separator_ = ',';
+  std::size_t line_ = 1, first_line_ = 1;
+};
+
+Status sound_text(std::string& text, const std::string& name) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    return fail(ErrorCode::file, fmt::format("'{}' is UTF-16, not UTF-8", name), "save it as UTF-8");
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    if (static_cast<unsigned char>(text[i]) < 0x80) {
+      if (text[i] == '\0') return bad_file(name, line, "has a zero byte: this is no table");
+      line += text[i++] == '\n';
+    } else if (const std::size_t n = character_length(text, i); n > 0) {
+      i += n;
+    } else {
+      return bad_file(name, line, "is not UTF-8", "save it as UTF-8; it may be in Latin-1 or Windows-1252 now");
+    }
+  }
+  return Nothing{};
+}
+
+// Finds the type of a column by all its cells, and reads them.
+void settle(TableColumn& column, bool comma) {
+  auto& [name, of, numbers, cells] = column;
+  const auto all = [&](const auto& read) {
+    numbers.assign(cells.size(), none);
+    bool any = false;
+    for (std::size_t r = 0; r < cells.size(); ++r) {
+      if (means_nothing(cells[r])) continue;
+      if (!read(cells[r], numbers[r])) return false;
+      any = true;
+    }
+    return any;
+  };
+  Cancellation::check();
+  if (all([&](std::string_view s, double& out) { return read_cell_number(s, comma, out); })) {
+    of = TableColumn::Of::number;
+    cells = {};
+  } else if (all(read_date)) {
+    of = TableColumn::Of::date;
+  } else {
+    of = TableColumn::Of::text;
+    numbers = {};
+  }
+}
+
+Status name_columns(Table& t, const std::vector<std::string_view>& titles, const std::string& name) {
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    TableColumn column;
+    column.name = column_word(titles[i], i + 1);
+    if (!taken.insert(column.name).second)
+      return bad_file(name, 1, fmt::format("has two columns '{}'", column.name), "give each column a name of its own");
+    t.columns.push_back(std::move(column));
+  }
+  return Nothing{};
+}
+
+}  // namespace
+
+std::string column_word(std::string_view title, std::size_t place) {
+  std::string out, apart(title);
+  const auto sign = [](char c) { return static_cast<unsigned char>(c) < 128 && !std::isalnum(c) && c != '_'; };
+  std::replace_if(apart.begin(), apart.end(), sign, ' ');
+  for (const char c : key_word(apart)) {
+    const bool fits = std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+    if (fits || (!out.empty() && out.back() != '_')) out += fits ? c : '_';
+  }
+  while (out.ends_with('_')) out.pop_back();
+  if (out.size() > 60) out.resize(60);
+  if (out.empty()) return fmt::format("column{}", place);
+  return std::isalpha(static_cast<unsigned char>(out[0])) ? out : "c" + out;
+}
+
+bool read_date(std::string_view s, double& days) {
+  int year = 0, month = 0, day = 1, hour = 0, minute = 0, second = 0;
+  if (s.size() < 7 || s[4] != '-' || !digits(s.substr(0, 4), 4, 4, year) || !digits(s.substr(5, 2), 2, 2, month))
+    return false;
+  if (s.size() > 7 && (s.size() < 10 || s[7] != '-' || !digits(s.substr(8, 2), 2, 2, day))) return false;
+  if (s.size() > 10) {
+    if (s.ends_with('Z')) s.remove_suffix(1);
+    const std::string_view clock = s.substr(11);
+    if ((s[10] != 'T' && s[10] != ' ') || clock.size() < 5 || clock[2] != ':' ||
+        !digits(clock.substr(0, 2), 2, 2, hour) || !digits(clock.substr(3, 2), 2, 2, minute))
+      return false;
+    if (clock.size() > 5 && (clock[5] != ':' || !digits(clock.substr(6, 2), 2, 2, second))) return false;
+    if (clock.size() > 8 && clock[8] != '.') return false;
+  }
+  if (month < 1 || month > 12 || day < 1 || day > 31 || hour > 24 || minute > 59 || second > 60) return false;
+  return days = days_since_1970(year, month, day) + (hour * 3600 + minute * 60 + second) / 86400.0, true;
+}
+
+bool read_cell_number(std::string_view s, bool comma, double& out) {
+  if (s.empty()) return false;
+  if (s[0] == '+') s.remove_prefix(1);
+  const auto whole = [&](std::string_view text) {
+    const auto r = fast_float::from_chars(text.data(), text.data() + text.size(), out);
+    return r.ec == std::errc{} && r.ptr == text.data() + text.size() && std::isfinite(out);
+  };
+  if (whole(s)) return true;
+  if (s.find(',') == s.npos || s.size() > 60) return false;
+  std::string plain(s);
+  if (comma) {
+    std::erase(plain, '.');
+    if (std::count(plain.begin(), plain.end(), ',') != 1) return false;
+    std::replace(plain.begin(), plain.end(), ',', '.');
+    return whole(plain);
+  }
+  const std::size_t point = std::min(s.find('.'), s.size()), first = s[0] == '-';
+  for (std::size_t i = first; i < s.size(); ++i) {  // groups of three digits
+    const bool place = i < point && (point - i) % 4 == 0 && i > first;
+    if ((s[i] == ',') != place) return false;
+  }
+  std::erase(plain, ',');
+  return whole(plain);
+}
+
+Result<std::shared_ptr<Table>> parse_table(std::string text, const std::string& name) {
+  if (const Status sound = sound_text(text, name); !sound) return sound.error();
+  const auto out = std::make_shared<Table>();
+  Table& t = *out;
+  t.file = name, t.text = std::move(text);
+  if (without_blanks(t.text).find_first_not_of("\r\n") == std::string_view::npos)
+    return fail(ErrorCode::file, fmt::format("{} is empty", shown_name(name)),
+                "its first line has the names of the columns");
+  CellReader reader(t, name);
+  std::vector<std::string_view> cells;
+  if (const Status read = reader.row(cells); !read) return read.error();
+  if (const Status named = name_columns(t, cells, name); !named) return named.error();
+  const auto rows = static_cast<std::size_t>(std::count(t.text.begin(), t.text.end(), '\n')) + 1;
+  if (rows > most_table_rows)
+    return fail(ErrorCode::range, fmt::format("'{}' has more than {} rows", name, most_table_rows));
+  if (rows * t.columns.size() > 4 * most_table_rows)
+    return fail(ErrorCode::range, fmt::format("'{}' has more than {} cells", name, 4 * most_table_rows));
+  for (TableColumn& c : t.columns) c.cells.reserve(rows);
+  t.lines.reserve(rows);
+  while (reader.more()) {
+    if (t.lines.size() % 4096 == 0) Cancellation::check();
+    if (const Status read = reader.row(cells); !read) return read.error();
+    if (cells.size() == 1 && cells[0].empty()) continue;  // an empty line
+    if (cells.size() != t.columns.size())
+      return bad_file(name, reader.first_line(),
+                      fmt::format("has {} cell{}, but there are {} columns", cells.size(), cells.size() == 1 ? "" : "s",
+                                  t.columns.size()),
+                      "a cell with a comma in it needs quotation marks");
+    for (std::size_t i = 0; i < cells.size(); ++i) t.columns[i].cells.push_back(cells[i]);
+    t.lines.push_back(static_cast<std::uint32_t>(reader.first_line()));
+  }
+  if (t.lines.empty())
+    return fail(ErrorCode::file, fmt::format("{} has no rows below its first line", shown_name(name)));
+  for (TableColumn& c : t.columns) settle(c, reader.separator() == ';');
+  return out;
+}
+
+Result<std::shared_ptr<const TableText>> parse_table_text(const std::string& path, FileSource& files,
+                                                          std::string_view inside) {
+  auto bytes = files.read(path);
+  if (!bytes) return bytes.error();
+  const std::string name = path.substr(path.rfind('/') + 1);
+  auto text =
+      ending(path) == "json" ? table_of_json(*bytes, name, inside) : table_of_database(*std::move(bytes), name, inside);
+  if (!text) return text.error();
+  return std::make_shared<const TableText>(TableText{*std::move(text)});
+}
+
+Result<std::shared_ptr<Table>> read_table(const std::string& path, const std::string& name, const std::string& inside) {
+  const std::string kind = ending(path);
+  if (kind == "json" || kind == "db" || kind == "sqlite" || kind == "sqlite3") {
+    auto text = parsed_table(path, inside);
+    if (!text) return text.error();
+    return parse_table((*text)->text, name);
+  }
+  if (!inside.empty()) return fail(ErrorCode::file, fmt::format("'{}' is one table, so it has none inside", name));
+  FileContents in = read_contents(path, {});
+  if (in.problem == ReadProblem::missing) return no_file(name);
+  if (in.problem == ReadProblem::folder) return fail(ErrorCode::file, fmt::format("'{}' is a folder", name));
+  if (in.problem != ReadProblem::none) return fail(ErrorCode::file, fmt::format("'{}' cannot be read", name));
+  return parse_table(std::move(in.text), name);
+}
+
+}  // namespace betwixt
