@@ -25,6 +25,7 @@
 #include "exchange/sounds.h"
 #include "exchange/tex.h"
 #include "exchange/typefaces.h"
+#include "exchange/words_file.h"
 #include "language/code_names.h"
 #include "scene/memory.h"
 
@@ -239,7 +240,8 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   }
   static const FunctionId tex = *find_built_in(Kind::text, "tex");
   if (f == tex) return path.empty() || tex_formula(k, path, about);
-  if ((f != fn::file && f != fn::texture && f != fn::sound_file && f != fn::font) || path.empty()) return true;
+  const bool named = f == fn::file || f == fn::texture || f == fn::sound_file || f == fn::sound_words || f == fn::font;
+  if (!named || path.empty()) return true;
   if (f == fn::file && path.find('#') != path.npos) return part_of_scene(k, path, about);
   fs::path where;
   if (!may_use(k, path, about, where)) return false;
@@ -251,6 +253,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   };
   if (f == fn::file) return add(s.meshes, "mesh", [&] { return load_mesh(where.string(), may_read, any_size); });
   if (f == fn::sound_file) return add(s.sounds, "sound", [&] { return read_sound(where.string(), any_size); });
+  if (f == fn::sound_words) return add(s.words, "words", [&] { return load_words(where.string()); });
   if (f == fn::font) return add(s.fonts, "font", [&] { return load_font(where.string()); });
   return add(s.pictures, "picture", [&] { return load_picture(where.string(), any_size); });
 }

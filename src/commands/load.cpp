@@ -41,7 +41,7 @@ Loaded load(const LoadOptions& options, Read&& read, Scene scene = {}) {
 Scene with_files_of(const Scene& was) {
   Scene scene;
   scene.meshes = was.meshes, scene.pictures = was.pictures, scene.sounds = was.sounds, scene.formulas = was.formulas;
-  scene.fonts = was.fonts, scene.tables_read = was.tables_read;
+  scene.fonts = was.fonts, scene.tables_read = was.tables_read, scene.words = was.words;
   return scene;
 }
 
@@ -65,7 +65,7 @@ Cursor cursor(std::string_view text, const Document& d) {
   Cursor c(text);
   c.rate = d.rate();
   c.ticks = d.scene().ticks;
-  c.lets = &*d.scene().lets, c.tables = &*d.scene().tables;
+  c.lets = &*d.scene().lets, c.tables = &*d.scene().tables, c.moments = &d.scene();
   return c;
 }
 

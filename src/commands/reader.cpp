@@ -20,6 +20,7 @@
 #include "commands/plain_rows.h"
 #include "commands/verbs.h"
 #include "language/formula.h"
+#include "language/moments.h"
 #include "syntax/tokens.h"
 
 namespace betwixt {
@@ -50,7 +51,7 @@ bool no_command(Command& k, std::string_view w, const char* start) {
     return k.cursor.fail(code, std::move(message), w, std::move(hint));
   };
   const std::string said(w.substr(0, 40));
-  if (starts_like_time(w[0]))
+  if (starts_like_time(w[0]) || moment_length(between(start, c.end)) > 0)
     return c.fail(ErrorCode::syntax, "this looks like a row, but no sheet is open", {start, w.size()},
                   "rows are indented below a line with only a target, as in ball.position");
   if (const auto why = not_of_a_script(w); !why.empty())
@@ -211,7 +212,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
       c.at = p + 1;
       continue;
     }
-    c.rate = s.rate, c.ticks = s.ticks, c.lets = &*s.lets, c.tables = &*s.tables;
+    c.rate = s.rate, c.ticks = s.ticks, c.lets = &*s.lets, c.tables = &*s.tables, c.moments = &s;
     c.frames_read = script.frames_read, c.ticks_read = script.ticks_read;
     c.depth = 0;
     Command k{s, c, {}, {}, script};

@@ -137,13 +137,26 @@ class Tidier {
       if (text == "#") return false;  // not a colour; with a space after it, a comment
       if (line.tokens.empty()) line.indented = indented;
       const bool touches = end == t.at;
+      fresh = fresh && brackets > 0;
+      if (touches && goes_on_moment(line, t)) {  // voice:"the square"#2 is one word
+        line.tokens.back().text += text[0] == '+' ? "+" + shortest(text.substr(1)) : text;
+        fresh = false, end = t.end();
+        continue;
+      }
       const bool adds = touches && text[0] == '+';  // as in abs(i)+2, where it is no sign of a number
-      line.tokens.push_back(
-          {(adds ? "+" + shortest(text.substr(1)) : shortest(text)), false, fresh && brackets > 0, touches});
+      line.tokens.push_back({(adds ? "+" + shortest(text.substr(1)) : shortest(text)), false, fresh, touches});
       open_ = brackets;
       fresh = false, end = t.end();
     }
     return open_ == 0;
+  }
+
+  // Returns whether a token that touches the last one belongs to the time of a word, which that one begins.
+  static bool goes_on_moment(const Line& line, const Token& t) {
+    if (line.tokens.empty() || (t.kind != TokenKind::text && t.kind != TokenKind::word)) return false;
+    const std::string& begun = line.tokens.back().text;
+    if (t.kind == TokenKind::text) return begun.ends_with(':');
+    return begun[0] != '"' && begun.find(":\"") != std::string::npos;
   }
 
   // Follows `rate` and `ticks`, which determine f and t, to sort the rows.

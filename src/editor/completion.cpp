@@ -14,6 +14,7 @@
 #include "editor/help.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
+#include "language/moments.h"
 #include "scene/colors.h"
 #include "scene/names.h"
 #include "scene/own_kinds.h"
@@ -33,8 +34,9 @@ struct Begun {
   std::string key;  // of key=, if the last word is its value
   bool timed = false, layered = false;
   bool row = false, in_list = false;
-  bool timed_next() const { return !words.empty() && words.back() == "at"; }
-  std::size_t place() const { return words.empty() ? 0 : words.size() - 1; }  // index after the verb
+  bool time_next() const { return (row && !in_list && words.empty()) || (!words.empty() && words.back() == "at"); }
+  bool in_moment() const { return last.find(":\"") != std::string_view::npos; }  // in voice:"the sq
+  std::size_t place() const { return words.empty() ? 0 : words.size() - 1; }     // index after the verb
 };
 
 void split(std::string_view words, char between, Words& all) {
@@ -305,7 +307,7 @@ void offered(const Document& d, const Begun& b, const LineAround& around, Words&
     return;
   }
   if (b.row && !b.in_list && !b.words.empty()) return event_words(d, around.sheet, b.words.size() == 1, all);
-  if ((b.row && !b.in_list) || b.timed_next()) return let_names(d.scene(), false, all);
+  if (b.time_next()) return let_names(d.scene(), false, all);
   if (b.words.empty()) first_words(b, around.in_shell, all);
   const bool target = first_dot(b.verb) != std::string_view::npos;
   if (b.timed && target) return event_words(d, b.verb, b.words.size() == 1, all);
@@ -351,6 +353,10 @@ std::size_t begun_word(std::string_view line) {
       last && last->end() == line.size() &&
       (last->kind == TokenKind::word || last->kind == TokenKind::text || last->kind == TokenKind::comment);
   if (!begun) return line.size();
+  if (last->kind == TokenKind::text && last->at > 0 && line[last->at - 1] == ':') {  // voice:"the sq is one word
+    const std::size_t name = token_before(line, last->at)->at, dots = line.rfind("..", last->at);
+    return dots != std::string_view::npos && dots >= name ? dots + 2 : name;
+  }
   const std::string_view word = line.substr(last->at);
   const std::size_t open = word.rfind('{'), close = word.rfind('}');
   const bool in_braces = open != std::string_view::npos && (close == std::string_view::npos || close < open);
@@ -375,7 +381,10 @@ std::optional<Kind> kind_at(std::string_view line, const Document& d) {
 std::vector<std::string> completions(std::string_view line, const Document& d, const LineAround& around) {
   const Begun b = begun(line, around);
   Words all;
-  if (first_dot(b.last) != std::string_view::npos)
+  if (b.time_next()) all = moment_names(d.scene());
+  if (b.in_moment())
+    all = moments_like(d.scene(), b.last);
+  else if (first_dot(b.last) != std::string_view::npos)
     parts_of_target(d, b.last, has_word(words_after(b.verb, b.place()), "QUERY"), all);
   else
     offered(d, b, around, all);

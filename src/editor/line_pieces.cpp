@@ -13,6 +13,7 @@
 #include "commands/list_rows.h"
 #include "commands/verbs.h"
 #include "editor/help.h"
+#include "language/moments.h"
 #include "scene/colors.h"
 #include "scene/own_kinds.h"
 #include "syntax/tokens.h"
@@ -22,14 +23,19 @@
 namespace betwixt {
 namespace {
 
-// Calls f(at, length) for each comment, string and word of a line; updates the state to that of the line's end.
+// Calls f(at, length) for each comment, string and word of a line; updates the state to that of the line's end. In
+// voice:"the square"#2 the string and what follows it are a time.
 template <class F>
 void each_part(std::string_view line, LineState& state, F&& f) {
   Lexer lexer(line, state);
+  std::size_t moment = 0;  // where it goes on
   while (const auto t = lexer.next()) {
+    const bool goes_on = moment == t->at && t->at > 0;
+    const bool begins = t->kind == TokenKind::word && line[t->end() - 1] == ':' && line.substr(t->end(), 1) == "\"";
+    if (begins || (goes_on && (t->kind == TokenKind::text || t->kind == TokenKind::word))) moment = t->end();
     if (t->kind == TokenKind::comment) f(t->at, t->size, Meaning::comment);
-    if (t->kind == TokenKind::text) f(t->at, t->size, Meaning::text);
-    if (t->kind == TokenKind::word) f(t->at, t->size, Meaning::name);
+    if (t->kind == TokenKind::text) f(t->at, t->size, goes_on ? Meaning::time : Meaning::text);
+    if (t->kind == TokenKind::word) f(t->at, t->size, goes_on && !begins ? Meaning::time : Meaning::name);
   }
   state = lexer.state();
 }
@@ -107,6 +113,12 @@ std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, cons
   each_part(line, state, [&](std::size_t at, std::size_t length, Meaning m) {
     const std::string_view w = line.substr(at, length);
     if (m != Meaning::name) return put(at, length, m);
+    if (w.back() == ':' && line.substr(at + length, 1) == "\"") {  // voice:"the square"
+      if (!std::exchange(r.time_due, false) && !(r.row && r.place == 0)) ++r.place;
+      const std::size_t dots = w.rfind(".."), name = dots == std::string_view::npos ? 0 : dots + 2;
+      put(at, name, Meaning::time), put(at + name, length - name - 1, Meaning::name);
+      return;
+    }
     const bool key = at + length < line.size() && line[at + length] == '=';
     if (std::exchange(r.time_due, false)) return put(at, length, Meaning::time);
     if (starts_like_time(w[0]) || w[0] == '#') {
@@ -175,8 +187,13 @@ std::optional<Time> time_at(std::string_view line, std::size_t place, const Docu
   std::optional<Time> found;
   LineState state;
   each_part(line, state, [&](std::size_t at, std::size_t length, Meaning m) {
-    if (m != Meaning::name || place < at || place > at + length) return;
+    if (m != Meaning::name || place < at) return;
     std::string_view w = line.substr(at, length);
+    if (const std::size_t moment = moment_length(line.substr(at)); moment > 0 && place <= at + moment) {
+      if (const Result<Time> t = parse_time(line.substr(at, moment), d)) found = *t;
+      return;
+    }
+    if (place > at + length) return;
     const std::size_t dots = w.find("..");
     if (dots != std::string_view::npos) w = place - at <= dots ? w.substr(0, dots) : w.substr(dots + 2);
     if (w.empty() || w[0] == '+' || !is_time(w)) return;

@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "betwixt/language.h"
 #include "betwixt/track.h"
 #include "editor/placing.h"
 #include "editor/text_rows.h"
+#include "language/moments.h"
 #include "language/values.h"
 #include "scene/document.h"
 
@@ -203,7 +205,18 @@ class Placing {
   }
 
   std::string written(Time t, std::string_view as) const {
+    if (const auto later = behind_moment(t, as)) return *later;
     return as.ends_with('s') ? write_seconds(t) : format_time(t, after_);
+  }
+  // Returns voice:"square"+5f if the row had such a time, and whole frames lead from the word to the new time.
+  std::optional<std::string> behind_moment(Time t, std::string_view as) const {
+    const std::string_view moment = as.substr(0, moment_length(as));
+    const auto word = moment.empty() ? Result<Time>(Time{}) : parse_time(moment, after_);
+    if (moment.empty() || !word) return std::nullopt;
+    const Rate rate = after_.rate();
+    const double frames = std::round((t - *word).seconds() * rate.per_second());
+    if (*word + rate.span(frames) != t) return std::nullopt;
+    return frames == 0 ? std::string(moment) : fmt::format("{}{:+}f", moment, static_cast<std::int64_t>(frames));
   }
   std::string part(Span s) const { return text_.substr(s.at, s.size); }
 

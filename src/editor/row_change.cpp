@@ -80,6 +80,8 @@ class Looking {
     const auto targets = find_targets(opener_, document_);
     if (!targets || targets->size() != 1) return false;
     target_ = (*targets)[0];
+    const auto f = target_.function;
+    if (f == fn::sound_at || f == fn::sound_from || f == fn::sound_until) return false;  // words' times depend on it
     const auto view = track(document_, target_);
     return !target_.velocity && !target_.query() && view && !target_.layer;
   }

@@ -11,6 +11,7 @@
 #include "commands/reader.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
+#include "language/moments.h"
 
 namespace betwixt {
 namespace {
@@ -260,7 +261,7 @@ Session::Answer Session::State::enter(std::string_view line) {
   if (ended) return refused("the session has ended");
   if (trimmed(line).empty()) return {};
   std::string shifted;  // at the prompt, a row need not be indented
-  if (sheet_open() && starts_like_time(line[0])) line = shifted = "  " + std::string(line);
+  if (sheet_open() && (starts_like_time(line[0]) || moment_length(line) > 0)) line = shifted = "  " + std::string(line);
   if (indented(line) && (sheet_open() || sheet_refused)) return command(line);
   if (is_rewriting(trimmed(line))) return rewrite(trimmed(line));
   const Words all = line_words(trimmed(line));

@@ -139,7 +139,8 @@ Completions completions_at(const ScriptText& lines, std::size_t place, const Doc
   const auto token = lines.token_at(number, in_line - (in_line > 0));  // of the byte before
   if (token && token->kind == TokenKind::comment) return out;
   const bool text = token && token->kind == TokenKind::text && in_line > token->at;
-  if (text && (in_line < token->end() || !token->closed)) return out;
+  const bool words = text && token->at > 0 && lines.line(number)[token->at - 1] == ':';  // voice:"the sq
+  if (text && !words && (in_line < token->end() || !token->closed)) return out;
   std::string line = lines.text().substr(start, place - start);
   std::ranges::replace(line, '\n', ' ');
   LineAround around{.folder = folder};
@@ -150,6 +151,8 @@ Completions completions_at(const ScriptText& lines, std::size_t place, const Doc
   }
   out.from = start + begun_word(line);
   out.words = completions(line, d, around);
+  if (words && token->closed && in_line < token->end())  // the quote is there already
+    for (std::string& word : out.words) word.pop_back();
   out.kind = kind_at(line, d);
   return out;
 }

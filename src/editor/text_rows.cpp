@@ -9,6 +9,7 @@
 #include "betwixt/language.h"
 #include "commands/line_head.h"
 #include "language/cursor.h"
+#include "scene/document.h"
 #include "syntax/tokens.h"
 
 namespace betwixt {
@@ -36,7 +37,7 @@ class Finder {
   std::size_t place(const char* at) const { return static_cast<std::size_t>(at - text_.data()); }
   Cursor cursor(std::string_view line) const {
     Cursor c(line);
-    c.rate = document_.rate(), c.ticks = document_.ticks();
+    c.rate = document_.rate(), c.ticks = document_.ticks(), c.moments = &document_.scene();
     return c;
   }
 

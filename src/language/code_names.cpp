@@ -167,7 +167,8 @@ static std::string write_code(const LetItem& let) {
   if (const auto* c = std::get_if<Color>(&let))
     return fmt::format("rgb({}, {}, {})", write_number(c->r), write_number(c->g), write_number(c->b));
   const auto& q = std::get<Quantity>(let);
-  if (q.counts_frames) return {};
+  const bool from_beginning = q.frames == 1 && q.value != 0;  // a time in seconds, such as that of a word
+  if (q.counts_frames && !from_beginning) return {};
   return write_number(q.of == Quantity::Of::angle ? q.value * (pi / 180) : q.value);
 }
 

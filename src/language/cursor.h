@@ -18,6 +18,8 @@
 
 namespace betwixt {
 
+struct Scene;
+
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : at(text.data()), end(text.data() + text.size()) {}
@@ -31,6 +33,7 @@ class Cursor {
   bool ticks_read = false;
   const Lets* lets = nullptr;  // the values of names in formulas
   const Tables* tables = nullptr;
+  const Scene* moments = nullptr;  // whose sounds have words that are times
   PatternPlace place;
   bool cell_missing = false;  // a formula has read an empty cell of the place's row
 

@@ -10,6 +10,7 @@
 
 #include "base/names.h"
 #include "language/formula_functions.h"
+#include "language/moments.h"
 #include "language/table_formulas.h"
 #include "language/values.h"
 #include "syntax/tokens.h"
@@ -127,6 +128,7 @@ class Reader {
       return read && c_.close();
     }
     if (number_begins(c_.at, c_.end)) return literal(out);
+    if (moment_begins(c_, c_.at)) return moment(c_, out);
     const std::string_view name = name_at(c_.at, c_.end);
     if (name.empty()) return c_.fail_here(ErrorCode::syntax, "a number or a name is missing in this formula");
     if (cell_begins(c_)) {

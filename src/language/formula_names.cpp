@@ -11,6 +11,7 @@
 #include "base/names.h"
 #include "language/formula.h"
 #include "language/formula_functions.h"
+#include "language/moments.h"
 #include "language/table_formulas.h"
 #include "language/values.h"
 #include "syntax/tokens.h"
@@ -134,7 +135,7 @@ bool formula_begins(const Cursor& c) {
   if (cell_begins(c, at)) return true;
   const char* const behind = name.data() + name.size();
   return is_formula_word(name) || (c.lets && c.lets->contains(name)) || (behind < c.end && *behind == '(') ||
-         formula_goes_on(behind, c.end);
+         formula_goes_on(behind, c.end) || moment_begins(c, at);
 }
 
 Hint near_name(const Cursor& c, std::string_view word) {

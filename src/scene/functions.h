@@ -115,6 +115,7 @@ enum : FunctionId {
   reach_pole,
   reach_chain,
   sound_file,
+  sound_words,
   sound_at,
   sound_from,
   sound_until,

@@ -197,7 +197,7 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
   whole(before.expansion, after.expansion), whole(before.spare, after.spare);
   whole(before.views, after.views), whole(before.cuts, after.cuts);
   whole(before.meshes, after.meshes), whole(before.pictures, after.pictures), whole(before.sounds, after.sounds);
-  whole(before.fonts, after.fonts), whole(before.formulas, after.formulas);
+  whole(before.words, after.words), whole(before.fonts, after.fonts), whole(before.formulas, after.formulas);
   if (before.kinds && !before.kinds.same(after.kinds)) lost.sum.bytes += apart(*before.kinds, *after.kinds);
   if (!before.lists.same(after.lists))
     lost.sum.bytes += shared_bytes<DisplayLists> + apart(*before.lists, *after.lists);
@@ -280,6 +280,11 @@ void ContentBytes::add(const std::shared_ptr<const Picture>& picture) {
 void ContentBytes::add(const std::shared_ptr<const Sound>& sound) {
   if (first(sound.get())) sum_ += bytes_in(sound->energy, sound->onsets);
 }
+void ContentBytes::add(const std::shared_ptr<const SpokenWords>& words) {
+  if (!first(words.get())) return;
+  sum_ += bytes_in(words->words, words->begins) + words->letters.size();
+  for (const SpokenWord& word : words->words) sum_ += word.text.size();
+}
 void ContentBytes::add(const std::shared_ptr<const OwnFont>& font) {
   if (first(font.get())) sum_ += font->bytes.size();
 }
@@ -305,7 +310,7 @@ std::size_t bytes_of_values(const Scene& scene) {
   const auto add = [&](const auto& files) {
     for (const auto& [path, content] : *files) contents.add(content);
   };
-  add(scene.meshes), add(scene.pictures), add(scene.sounds), add(scene.fonts), add(scene.formulas);
+  add(scene.meshes), add(scene.pictures), add(scene.sounds), add(scene.words), add(scene.fonts), add(scene.formulas);
   add(scene.tables_read);
   return values.sum() + contents.sum();
 }

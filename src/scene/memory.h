@@ -12,6 +12,7 @@
 #include "betwixt/mesh.h"
 #include "betwixt/sound.h"
 #include "scene/outline.h"
+#include "scene/spoken_words.h"
 
 namespace betwixt {
 
@@ -33,6 +34,7 @@ class ContentBytes {
   void add(const std::shared_ptr<const Mesh>&);  // with its pictures and its rig
   void add(const std::shared_ptr<const Picture>&);
   void add(const std::shared_ptr<const Sound>&);
+  void add(const std::shared_ptr<const SpokenWords>&);
   void add(const std::shared_ptr<const OwnFont>&);
   void add(const std::shared_ptr<const Outline>&);
   void add(const std::shared_ptr<const Table>&);

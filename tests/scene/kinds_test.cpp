@@ -122,7 +122,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::line, {"to", "width", "dash", "trim"}},
       {Kind::points, {"points", "size"}},
       {Kind::mesh, {"file", "joints"}},
-      {Kind::sound, {"file", "at", "from", "until", "gain", "fade-in", "fade-out"}},
+      {Kind::sound, {"file", "words", "at", "from", "until", "gain", "fade-in", "fade-out"}},
       {Kind::light, {"range", "intensity", "shines", "shadow"}},
       {Kind::camera, {"lens", "fov", "height", "roll", "shutter", "f-stop", "focus"}},
       {Kind::curve, {"points", "width", "smooth", "closed", "dash", "trim"}},
