@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "base/names.h"
@@ -19,6 +21,7 @@
 #include "betwixt/track.h"
 #include "errors.h"
 #include "says.h"
+#include "syntax/texts.h"
 #include "times.h"
 #include "values.h"
 
@@ -271,19 +274,46 @@ std::vector<double> breaks(const Film& film, py::handle after, py::handle until)
 
 }  // namespace
 
+namespace {
+
+// Returns a value for a `let` as a script would write it: 2.5, Ada, (1 2 3).
+std::string as_written(const py::handle& value) {
+  if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value)) return py::str(value);
+  std::string all;
+  for (const py::handle& one : py::reinterpret_borrow<py::sequence>(value)) {
+    const std::string text = as_written(one);
+    all += (all.empty() ? "" : " ") + (py::isinstance<py::str>(one) ? write_text(text) : text);
+  }
+  return "(" + all + ")";
+}
+
+LoadOptions options_of(bool read_anywhere, bool tex, const std::map<std::string, py::object>& lets,
+                       const std::optional<std::string>& language) {
+  LoadOptions options{.read_anywhere = read_anywhere, .tex = tex};
+  for (const auto& [name, value] : lets) options.lets.push_back({name, as_written(value)});
+  options.language = language;
+  return options;
+}
+
+}  // namespace
+
 py::class_<Film> bind_film(py::module_& m) {
   py::class_<Film> film(m, "Film",  // inspect.signature of a class reads this, not __init__.
-                        "Film(text, name='', *, read_anywhere=False, tex=False)\n--\n\n"
+                        "Film(text, name='', *, read_anywhere=False, tex=False, lets={}, language=None)\n--\n\n"
                         "The film of a script. You can read and change it from any thread.");
-  film.def(py::init([](std::string text, const std::string& name, bool read_anywhere, bool tex) {
-             const LoadOptions options{.read_anywhere = read_anywhere, .tex = tex};
+  film.def(py::init([](std::string text, const std::string& name, bool read_anywhere, bool tex,
+                       const std::map<std::string, py::object>& lets, const std::optional<std::string>& language) {
+             const LoadOptions options = options_of(read_anywhere, tex, lets, language);
              auto film = unlocked([&] { return std::make_unique<Film>(std::move(text), name, options); });
              if (const Diagnostics all = film->diagnostics(); has_errors(all)) raise(all);
              warn(film->diagnostics());
              return film;
            }),
            py::arg("text"), py::arg("name") = "", py::kw_only(), py::arg("read_anywhere") = false,
-           py::arg("tex") = false, says("Makes a film of the text of a script. `name` is the name of its file."))
+           py::arg("tex") = false, py::arg("lets") = std::map<std::string, py::object>(),
+           py::arg("language") = py::none(),
+           says("Makes a film of the text of a script. `name` is the name of its file. `lets` has other values for the "
+                "script's lets; `language` is a catalogue (.po) of its texts."))
       .def_property_readonly("name", &Film::name, "The name of the script file; empty if it has none.")
       .def_property_readonly(
           "text", [](const Film& f) { return unlocked([&] { return f.text(); }); }, "The script, as it is now.")

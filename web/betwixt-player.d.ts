@@ -66,6 +66,10 @@ export interface Film {
   readonly text: string;
   /** Called after each edit, for example to draw again. A player uses it for its own film. */
   changed: ((otherDuration: boolean) => void) | null;
+  /** Whether the film has sounds. */
+  readonly sounds: boolean;
+  /** Returns samples of the film's sound track, 48,000 a second, from a sample of the film on. */
+  sound(first: number, count: number): { left: Float32Array; right: Float32Array };
   /** Returns the errors of the script's code while pictures were drawn. */
   problems(): Diagnostic[];
   /** Frees the film's memory. */
@@ -75,10 +79,17 @@ export interface Film {
 export interface Engine {
   readonly version: string;
   /** Loads the reader of meshes, scenes, drawings and pictures if one of these files needs it, and the fonts of
-   * formulas and code if the text has any. */
+   * formulas and code if the text has any. Decodes sounds. */
   prepare(files: Record<string, Uint8Array>, text?: string): Promise<void>;
   /** Opens a film. Does not throw for errors in the script: see `Film.ok`. */
-  open(text: string, how?: { name?: string; files?: Record<string, Uint8Array> }): Film;
+  open(text: string, how?: {
+    name?: string;
+    files?: Record<string, Uint8Array>;
+    /** Other values for the script's lets. */
+    lets?: Record<string, string | number>;
+    /** The path of a catalogue of its texts (.po) among the files; "" shows them as they are written. */
+    language?: string | null;
+  }): Film;
   readonly algebra: Algebra;
 }
 
@@ -134,8 +145,12 @@ export class BetwixtPlayer extends HTMLElement {
   autoplay: boolean;
   loop: boolean;
   controls: boolean;
-  /** Has no effect, because films are silent in pages. Videos have it. */
+  /** Whether the film is silent. The attribute of this name sets it first. */
   muted: boolean;
+  /** The attribute `muted`. */
+  defaultMuted: boolean;
+  /** From 0 to 1. */
+  volume: number;
   /** Shows only the film's own frames, and none between them. */
   stepped: boolean;
   /** "none" loads nothing until the film plays. */
@@ -176,6 +191,9 @@ export class BetwixtPlayer extends HTMLElement {
   /** The film's files, by their names in the script. */
   get files(): Record<string, Uint8Array>;
   set files(all: Record<string, string | Uint8Array | ArrayBuffer>);
+  /** Other values for the script's lets. */
+  get lets(): Record<string, string | number>;
+  set lets(all: Record<string, string | number>);
   /** Returns a value at a time since the film's beginning, by default now. `eval<number[]>(…)` declares its type. */
   eval<T extends Value = Value>(target: string, time?: number | string): T;
 
@@ -206,6 +224,7 @@ export interface PlayerAttributes {
   loop?: boolean | "" | undefined;
   controls?: boolean | "" | undefined;
   muted?: boolean | "" | undefined;
+  volume?: number | string | undefined;
   stepped?: boolean | "" | undefined;
   preload?: string | undefined;
   loading?: "eager" | "lazy" | undefined;

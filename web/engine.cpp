@@ -16,13 +16,16 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/utf8.h"
+#include "betwixt/film.h"
 #include "betwixt/language.h"
 #include "betwixt/session.h"
+#include "betwixt/sound.h"
 #include "betwixt/track.h"
 #include "editor/plain_values.h"
 #include "graphics.h"
@@ -56,6 +59,7 @@ struct Film {
   std::optional<Program> program;  // compiled when it is needed
   FilmPlayer player{1, &spare_renderers};
   std::string text;                // as it was opened
+  LoadOptions load;                // its lets and its language
   std::set<std::string> problems;  // JSON: errors of procedures while pictures were drawn
   std::optional<Session> session;  // from the first edit on
 
@@ -83,7 +87,8 @@ struct Film {
   }
 };
 std::set<Film*> open_films;
-bool has_linear = true;  // whether the graphics can draw linear light
+LoadOptions of_next_film;  // until it is opened
+bool has_linear = true;    // whether the graphics can draw linear light
 
 // Returns a text that is valid until the next call.
 const char* returned(std::string text) {
@@ -126,10 +131,17 @@ extern "C" {
 
 EMSCRIPTEN_KEEPALIVE const char* betwixt_version() { return BETWIXT_VERSION; }
 
+// Gives a value for a `let` of the next film, and the catalogue of its texts.
+EMSCRIPTEN_KEEPALIVE void betwixt_let(const char* name, const char* value) {
+  of_next_film.lets.push_back({name, value});
+}
+EMSCRIPTEN_KEEPALIVE void betwixt_language(const char* path) { of_next_film.language = path; }
+
 // Opens the film of a script. Its files are in the current folder and below.
 EMSCRIPTEN_KEEPALIVE Film* betwixt_open(const char* path) {
   auto film = std::make_unique<Film>();
-  LoadOptions load;
+  film->load = std::exchange(of_next_film, {});
+  LoadOptions load = film->load;
   load.asked_for = [&](const std::string& file) {
     std::error_code ignored;
     if (!fs::exists(file, ignored))
@@ -161,13 +173,13 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_about(Film* film) {
     notes += fmt::format(R"({}{{"seconds":{},"text":{}}})", notes.empty() ? "" : ",", json_number(n.time.seconds()),
                          json_text(n.text));
   const auto [width, height] = d.size().value_or(std::pair{1280, 720});
-  return returned(fmt::format(R"({{"ok":{},"diagnostics":[{}],"message":{},"wants":[{}],"fps":{},"start":{},"end":{},)"
-                              R"("firstFrame":{},"lastFrame":{},"width":{},"height":{},"clear":{},"notes":[{}]}})",
-                              !has_errors(film->loaded.diagnostics), diagnostics, json_text(message), missing,
-                              json_number(d.rate().per_second()), json_number(first.seconds()),
-                              json_number((last + d.rate().span(1)).seconds()),
-                              json_number(d.rate().frame_number(first)), json_number(d.rate().frame_number(last)),
-                              width, height, d.transparent(), notes));
+  return returned(
+      fmt::format(R"({{"ok":{},"diagnostics":[{}],"message":{},"wants":[{}],"fps":{},"start":{},"end":{},)"
+                  R"("firstFrame":{},"lastFrame":{},"width":{},"height":{},"clear":{},"sounds":{},"notes":[{}]}})",
+                  !has_errors(film->loaded.diagnostics), diagnostics, json_text(message), missing,
+                  json_number(d.rate().per_second()), json_number(first.seconds()),
+                  json_number((last + d.rate().span(1)).seconds()), json_number(d.rate().frame_number(first)),
+                  json_number(d.rate().frame_number(last)), width, height, d.transparent(), has_sounds(d), notes));
 }
 
 // Draws to the hidden canvas, which has this size. Returns an error, or null.
@@ -193,6 +205,19 @@ EMSCRIPTEN_KEEPALIVE void betwixt_forget_graphics() {
   spare_renderers.clear();
   has_linear = true;
   forget_graphics();
+}
+
+// Mixes `pairs` samples of the film's sound from this sample of the film on: those of the sound track that `betwixt
+// render` writes. Returns left and right alternately, until the next call.
+EMSCRIPTEN_KEEPALIVE const float* betwixt_mix(Film* film, double first, int pairs) {
+  static std::vector<float> stereo;
+  stereo.assign(2 * static_cast<std::size_t>(std::max(pairs, 0)), 0.0f);
+  if (!(std::abs(first) <= longest_seconds * sound_rate)) return stereo.data();
+  film->compile();
+  const Time from =
+      film->document().range().first + Time{static_cast<std::int64_t>(first) * (flicks_per_second / sound_rate)};
+  (void)mix_sounds(*film->program, from, stereo);  // a sound that is not decoded is silent
+  return stereo.data();
 }
 
 // Returns the errors of procedures while pictures were drawn, as JSON in the form of betwixt_about's diagnostics.
@@ -236,7 +261,7 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_eval(Film* film, const char* patterns, 
 
 // Prepares a film for edits. Its files are in the current folder again, and `path` is the name of its script.
 EMSCRIPTEN_KEEPALIVE const char* betwixt_begin_edits(Film* film, const char* path) {
-  film->session.emplace();
+  film->session.emplace(Session::Callbacks{}, film->load);
   film->session->begin(film->text, path);
   return nullptr;
 }

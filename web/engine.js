@@ -73,6 +73,12 @@ class Film {
     this.#alive();
     return this.#engine.call("betwixt_text", this.#handle);
   }
+  // Returns `count` samples of the film's sound from sample `first` of the film on, 48,000 a second: those of the sound
+  // track that `betwixt render` writes, { left, right }.
+  sound(first, count) {
+    this.#alive();
+    return this.#engine.mixed(this.#handle, first, count);
+  }
   // Returns the errors of procedures while pictures were drawn, in the form of `diagnostics`.
   problems() {
     this.#alive();
@@ -126,6 +132,7 @@ class Engine {
   #loading_reader = null;
   #fonts = {};  // those of some_fonts that are loaded, or loading
   #files = {};  // of the film that is opening
+  #sounds = new DecodedSounds(this);
 
   constructor(module) {
     this.#module = module;
@@ -139,16 +146,19 @@ class Engine {
   }
 
   // Loads what only some films need: the reader of meshes, scenes, drawings and pictures, and the fonts of formulas and
-  // of code.
+  // of code. Decodes sounds.
   async prepare(files, text = "") {
-    await Promise.all([this.#needs_reader(files) && this.#load_reader(),
+    await Promise.all([this.#needs_reader(files) && this.#load_reader(), this.#sounds.decode(files),
                        ...this.#needed_fonts(files, text).map((name) => (this.#fonts[name] ??= this.#load_font(name)))]);
   }
   // Returns whether a film can be opened without loading anything.
-  is_prepared(files, text) { return !this.#needs_reader(files) && !this.#needed_fonts(files, text).length; }
+  is_prepared(files, text) {
+    return !this.#needs_reader(files) && !this.#sounds.lacks(files) && !this.#needed_fonts(files, text).length;
+  }
 
   #needs_reader(files) {
-    return !this.#reader && Object.keys(files).some((path) => !/\.(bx|ttf|otf|ttc|csv|tsv|txt)$/i.test(path));
+    const plain = /\.(bx|ttf|otf|ttc|po|csv|tsv|txt|words|vtt|srt)$/i;
+    return !this.#reader && Object.keys(files).some((path) => !plain.test(path) && !is_sound(path));
   }
   // The word may stand in a comment; then the font is loaded for nothing.
   #needed_fonts(files, text) {
@@ -171,10 +181,13 @@ class Engine {
     }
   }
 
-  // Opens the film of a script. `files` has the bytes of its files by path, and fonts (.ttf, .otf) by any path.
-  open(text, { name: given = "film.bx", files = {} } = {}) {
+  // Opens the film of a script. `files` has the bytes of its files by path, and fonts (.ttf, .otf) by any path. `lets`
+  // has other values for its lets, `language` the path of a catalogue of its texts ("": as they are written).
+  open(text, { name: given = "film.bx", files = {}, lets = {}, language = null } = {}) {
     const name = parts_of(given).join("/");  // absolute paths of Node too
     for (const [path, bytes] of Object.entries(files)) if (/\.(ttf|otf|ttc)$/i.test(path)) this.#add_font(path, bytes);
+    for (const [of, value] of Object.entries(lets)) this.call("betwixt_let", of, String(value));
+    if (language !== null) this.call("betwixt_language", language);
     return this.with_files({ ...files, [name]: text },
                            () => new Film(this, this.call("betwixt_open", name, false), { name, files }));
   }
@@ -196,12 +209,27 @@ class Engine {
     };
     for (const [path, content] of Object.entries(files)) put(path, content);
     this.#files = files;
+    this.#sounds.give(files);
     try {
       return run();
     } finally {
       for (const path of written) FS.unlink(path);
       this.#files = {};
+      this.#sounds.give_none();
     }
+  }
+  add_sound(number, trouble, stereo) {
+    const m = this.#module, at = m._malloc(stereo.byteLength + 8);
+    if (!at) throw new Error("there is no memory left");
+    m.HEAPF32.set(stereo, at / 4);
+    this.call("betwixt_add_sound", number, trouble, at, stereo.length / 2);
+    m._free(at);
+  }
+  mixed(film, first, count) {
+    const at = this.call("betwixt_mix", film, first, count, false) / 4, { HEAPF32 } = this.#module;
+    const left = new Float32Array(count), right = new Float32Array(count);
+    for (let i = 0; i < count; ++i) left[i] = HEAPF32[at + 2 * i], right[i] = HEAPF32[at + 2 * i + 1];
+    return { left, right };
   }
   // Calls a function with the address and the length of each of these columns in the engine's memory.
   with_numbers(columns, run) {

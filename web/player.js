@@ -11,7 +11,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
 
   class BetwixtPlayer extends player_attributes() {
     static observedAttributes = ["src", "controls", "poster", "autoplay", "playbackrate", "alt", "width", "height",
-                                 "editing", "stepped"];
+                                 "editing", "stepped", "muted", "volume"];
 
     // ---- State
 
@@ -33,6 +33,9 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     #poster_waits = true;       // the poster is shown until the film plays or seeks
     #picture;             // a FilmPicture
     #controls;            // a PlayerControls
+    #sound;               // a FilmSound
+    #muted = false;
+    #volume = 1;
 
     constructor() {
       super();
@@ -46,8 +49,10 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
         begin: () => this.#begin_loading(), stay_empty: () => this.#stay_empty(),
         take: (film) => this.#use_film(film), fail: (code, words) => this.#fail(code, words),
       });
+      this.#sound = new FilmSound(this, { now: () => this.#clock.now() });
       this.#clock = new FilmClock(this, {
         fire: (name, detail) => this.#fire(name, detail), update: () => this.#update(), in_sight: () => this.#visible,
+        sound: () => this.#sound,
       });
       this.#picture = new FilmPicture(this.#parts.canvas, {
         drawn: (film) => this.#report_code_errors(film), recovered: () => this.#show(),
@@ -56,6 +61,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#controls = new PlayerControls(this, this.#parts, {
         time: () => this.#clock.time, moving: () => this.#clock.moving(), stuck: () => this.#clock.stuck(),
         frames_at: (time) => this.#frames_at(time), hold: () => this.#clock.hold(),
+        silent: () => this.#muted || this.#volume === 0 || this.#sound.blocked, loud: () => this.#make_loud(),
       });
       page.add(this, {
         step: () => this.#step(), see: (visible) => this.#see(visible), comes_near: () => this.#comes_near(),
@@ -65,7 +71,8 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
 
     connectedCallback() {
       // Properties that were set before the element was defined hide the accessors, so set them again.
-      for (const name of ["files", "script", "currentTime", "playbackRate", "src", ...player_flags])
+      for (const name of ["files", "lets", "script", "currentTime", "playbackRate", "muted", "volume", "src",
+                          ...player_flags])
         if (Object.hasOwn(this, name)) {
           const value = this[name];
           delete this[name];
@@ -101,6 +108,11 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
         else if (this.isConnected) page.ask(this);
       } else if (name === "playbackrate") {
         if (now !== null && Number.isFinite(Number(now))) this.playbackRate = Number(now);
+      } else if (name === "volume") {
+        if (now !== null && Number(now) >= 0 && Number(now) <= 1) this.volume = Number(now);
+      } else if (name === "muted") {
+        if (this.isConnected) this.muted = now !== null;
+        else this.#muted = now !== null;  // the tag's own: no event
       } else if (name === "autoplay") {
         this.#autoplay();
       } else {
@@ -140,6 +152,30 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#clock.rate = rate;
       this.#fire("ratechange");
       this.#update();
+    }
+
+    get muted() { return this.#muted; }
+    set muted(on) {
+      if (this.#muted === Boolean(on)) return;
+      this.#muted = Boolean(on);
+      this.#fire("volumechange");
+      this.#update();
+    }
+    get volume() { return this.#volume; }
+    set volume(share) {
+      share = Number(share);
+      if (!Number.isFinite(share)) throw new TypeError("volume is a number");
+      if (share < 0 || share > 1) throw new DOMException(`volume is between 0 and 1, not ${share}`, "IndexSizeError");
+      if (share === this.#volume) return;
+      this.#volume = share;
+      this.#sound.set_volume(share);
+      this.#fire("volumechange");
+    }
+    // For the button: what was silent for any reason can be heard.
+    #make_loud() {
+      this.muted = false;
+      if (this.#volume === 0) this.volume = 1;
+      this.#show();
     }
 
     play() {
@@ -211,6 +247,10 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     get files() { return this.#loader.files; }
     set files(all) { this.#loader.files = all; }
 
+    // Other values for the script's lets, by their names.
+    get lets() { return this.#loader.lets; }
+    set lets(all) { this.#loader.lets = all; }
+
     // ---- The source
 
     #comes_near() {
@@ -263,6 +303,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#loader.text_changed(() => this.#film.text);
       this.#diagnostics = this.#film.diagnostics;
       this.#picture.outdate();
+      this.#sound.change();
       if (longer) this.#fire("durationchange");
       this.#fire("diagnostics", { diagnostics: this.#diagnostics });
       this.#update();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The attributes of a <betwixt-player> as properties, and the constants of <video>.
-const player_flags = ["autoplay", "loop", "controls", "muted", "stepped"];
+const player_flags = ["autoplay", "loop", "controls", "stepped"];
 
 const player_attributes = () => {
   class Attributes extends HTMLElement {
@@ -26,6 +26,8 @@ const player_attributes = () => {
     set preload(word) { this.setAttribute("preload", word); }
     get loading() { return this.getAttribute("loading") === "eager" ? "eager" : "lazy"; }
     set loading(word) { this.setAttribute("loading", word); }
+    get defaultMuted() { return this.hasAttribute("muted"); }
+    set defaultMuted(on) { this.toggleAttribute("muted", Boolean(on)); }
     get width() { return Number.parseInt(this.getAttribute("width"), 10) || 0; }
     set width(pixels) { this.setAttribute("width", pixels); }
     get height() { return Number.parseInt(this.getAttribute("height"), 10) || 0; }

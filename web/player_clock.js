@@ -10,7 +10,7 @@ class FilmClock {
   rate = 1;
   seeking = false;
   #player;
-  #inside;       // functions of the player that pages do not have: fire, update, in_sight
+  #inside;       // functions of the player that pages do not have: fire, update, in_sight, sound
   #wall = 0;     // the real time when the clock was last set
   #held = null;  // an AbortController: the slider is dragged, and the clock waits
   #pulse = 0;
@@ -28,22 +28,31 @@ class FilmClock {
     return !this.#player.loop && (this.rate > 0 ? this.time >= this.#player.duration : this.rate < 0 && this.time <= 0);
   }
   now() {
-    if (!this.moving() || this.seeking) return this.time;
-    return this.time + ((performance.now() - this.#wall) / 1000) * this.rate;
+    if (!this.#plays_now()) return this.time;
+    return this.#inside.sound().heard(this.time) ?? this.time + ((performance.now() - this.#wall) / 1000) * this.rate;
   }
+  // Jumps to a time.
   set(time) {
+    this.#inside.sound().jump();
+    this.#go_on(time);
+  }
+  #go_on(time) {
     this.time = time;
     this.#wall = performance.now();
   }
+  #plays_now() { return this.moving() && !this.seeking; }
 
   tick() {
-    if (!this.moving() || this.seeking) return;
+    if (!this.#plays_now()) return;
+    this.#inside.sound().follow(true);
     const before = this.time, now = this.now(), end = this.#player.duration;
     if (now >= 0 && now < end) {
-      this.set(now);
+      this.#go_on(now);
       this.#fire_notes(before, now);
     } else if (this.#player.loop) {
-      this.set(now - Math.floor(now / end) * end);
+      const laps = Math.floor(now / end) * end;
+      this.#inside.sound().lap(laps);
+      this.#go_on(now - laps);
       for (const name of ["seeking", "timeupdate", "seeked"]) this.#inside.fire(name);
     } else {
       this.set(now < 0 ? 0 : end);
@@ -106,9 +115,10 @@ class FilmClock {
     this.#inside.update();
   }
 
-  // Starts or stops the timer, after any change of state.
+  // Starts or stops the timer and the sound, after any change of state.
   update() {
     const moving = this.moving();
+    this.#inside.sound().follow(this.#plays_now());
     if (moving && !this.#pulse)
       this.#pulse = setInterval(() => {
         this.tick();

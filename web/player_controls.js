@@ -7,7 +7,8 @@ const player_speeds = [-2, -1, -0.5, 0.25, 0.5, 1, 1.5, 2, 4];
 class PlayerControls {
   #player;
   #parts;
-  #inside;  // functions of the player that pages do not have: time, moving, stuck, frames_at, hold
+  #inside;  // functions of the player that pages do not have: time, moving, stuck, frames_at, hold,
+            // silent, loud
   #quiet_timer = 0;
   #spoken = 0;
 
@@ -21,11 +22,14 @@ class PlayerControls {
 
   show() {
     if (!this.#player.controls) return;
-    const { controls, play, full, speed } = this.#parts;
+    const { controls, play, full, speed, mute } = this.#parts;
     controls.hidden = !!this.#player.error;
     const at_rest = this.#player.paused || this.#inside.stuck();
     const name = !at_rest ? "pause" : this.#player.ended ? "again" : "play";
     this.#set_button(play, name, { play: "Play", pause: "Pause", again: "Play again" }[name]);
+    mute.hidden = !this.#player.film?.sounds;
+    const silent = this.#inside.silent();
+    this.#set_button(mute, silent ? "silent" : "loud", silent ? "Sound on" : "Sound off");
     const large = document.fullscreenElement === this.#player;
     this.#set_button(full, large ? "small" : "full", large ? "Leave full screen" : "Full screen");
     const rates = [...new Set([...player_speeds, this.#player.playbackRate])].sort((a, b) => a - b);
@@ -60,13 +64,14 @@ class PlayerControls {
   #listen() {
     const player = this.#player, { stage, time, speed, canvas, poster } = this.#parts;
     const shown = () => this.show();
-    for (const name of ["play", "pause", "ended", "ratechange", "seeked", "timeupdate"])
+    for (const name of ["play", "pause", "ended", "ratechange", "seeked", "timeupdate", "volumechange"])
       player.addEventListener(name, shown);
     player.addEventListener("fullscreenchange", shown);
     player.addEventListener("keydown", (event) => player.controls && this.#key(event));
     stage.addEventListener("click", (event) => {
       const button = event.target.closest("[data-do]");
       if (button && button.dataset.do === "toggle") this.#toggle();
+      if (button && button.dataset.do === "mute") this.#mute();
       if (button && button.dataset.do === "fullscreen") this.#fullscreen();
     });
     for (const picture of [canvas, poster])
@@ -96,6 +101,11 @@ class PlayerControls {
     } else {
       player.pause();
     }
+  }
+  // What the reader sees counts: a click on "Sound on" in a page that was not touched before mutes nothing.
+  #mute() {
+    if (this.#parts.mute.dataset.icon === "loud") this.#player.muted = true;
+    else this.#inside.loud();
   }
   #fullscreen() {
     if (document.fullscreenElement === this.#player) document.exitFullscreen();
@@ -136,7 +146,7 @@ class PlayerControls {
       ".": () => this.#by_frames(1), ",": () => this.#by_frames(-1),
       Home: () => (player.currentTime = 0), End: () => (player.currentTime = player.duration || 0),
       j: () => this.#shuttle(-1), l: () => this.#shuttle(1),
-      f: () => this.#fullscreen(), "+": () => this.#speed(1), "-": () => this.#speed(-1),
+      f: () => this.#fullscreen(), m: () => this.#mute(), "+": () => this.#speed(1), "-": () => this.#speed(-1),
     };
     const act = keys[key.length === 1 ? key.toLowerCase() : key];
     if (!act) return;

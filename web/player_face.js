@@ -19,7 +19,8 @@ class PlayerFace {
     this.parts = {
       stage: part(".stage"), canvas: part("canvas"), poster: part("img"), wait: part(".wait"),
       controls: part(".controls"), play: part("[data-do=toggle]"), time: part("input"), clock: part(".clock"),
-      speed: part("select"), full: part("[data-do=fullscreen]"), banner: part(".banner"), message: part(".message"),
+      speed: part("select"), full: part("[data-do=fullscreen]"),
+      mute: part("[data-do=mute]"), banner: part(".banner"), message: part(".message"),
     };
   }
 

@@ -10,6 +10,7 @@ class FilmLoader {
   #given_text = null;  // set by the page; overrides its own text
   #edited = null;      // returns the text after edits by the page; the text of a million rows is made only when read
   #given_files = {};
+  #given_lets = {};
   #loading = null;     // an AbortController
 
   constructor(player, inside) {
@@ -58,6 +59,16 @@ class FilmLoader {
     }
   }
 
+  get lets() { return { ...(this.source ? this.source.lets : this.#given_lets) }; }
+  set lets(all) {
+    this.#write_edits();
+    this.#given_lets = { ...all };
+    if (this.source && this.#engine && !this.#loading) {
+      this.source.lets = this.#given_lets;
+      this.#open_again();
+    }
+  }
+
   stop() {
     if (this.#loading) this.#loading.abort();
     this.#loading = null;
@@ -77,7 +88,8 @@ class FilmLoader {
     try {
       const engine = Betwixt.engine({ draws: true });  // loads in parallel with the source
       engine.catch(() => {});
-      const source = await FilmSource.find(this.#player, this.#given_text, this.#given_files, signal);
+      const source = await FilmSource.find(this.#player, this.#given_text, this.#given_files, this.#given_lets,
+                                            signal);
       if (signal.aborted) return;
       if (!source) {
         this.#loading = null;

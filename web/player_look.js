@@ -6,6 +6,8 @@ const player_icons = {
   play: "M6 4l14 8-14 8z",
   pause: "M6 4h4v16H6zM14 4h4v16h-4z",
   again: "M12 5a7 7 0 1 1-6.7 5l2.9.9A4 4 0 1 0 12 8v4L6 6.5 12 1z",
+  loud: "M3 9v6h4l5 5V4L7 9zM15 8.2v7.6a4.2 4.2 0 0 0 0-7.6zM15 4v2.1a6.2 6.2 0 0 1 0 11.8V20a8.2 8.2 0 0 0 0-16z",
+  silent: "M3 9v6h4l5 5V4L7 9zM21.5 9.9l-1.4-1.4-2.1 2.1-2.1-2.1-1.4 1.4 2.1 2.1-2.1 2.1 1.4 1.4 2.1-2.1 2.1 2.1 1.4-1.4-2.1-2.1z",
   full: "M4 4h7v2H6v5H4zM13 18h5v-5h2v7h-7z",
   small: "M9 4h2v7H4V9h5zM13 13h7v2h-5v5h-2z",
 };
@@ -72,6 +74,7 @@ const player_insides = () => element("div", { class: "stage", part: "stage", tab
     element("input", { part: "time", type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" }),
     element("span", { class: "clock", part: "clock", "aria-hidden": "true" }),
     element("select", { part: "speed", "aria-label": "Speed" }),
+    element("button", { part: "button mute", type: "button", "data-do": "mute", hidden: "" }),
     element("button", { part: "button fullscreen", type: "button", "data-do": "fullscreen" })),
   element("div", { class: "banner", part: "banner", role: "status", hidden: "" }),
   element("div", { class: "message", part: "message", role: "alert", hidden: "" }));

@@ -60,10 +60,12 @@ class FilmSource {
   url = "";
   base = folder_of(document.baseURI);
   files = new Map();
+  lets = {};
+  language = null;
   failed = [];
 
   // Returns the source of a player, or null if it has none.
-  static async find(player, given_text, given_files, signal) {
+  static async find(player, given_text, given_files, given_lets, signal) {
     // The children exist once the page has been parsed.
     if (!player.hasAttribute("src") && given_text === null && document.readyState === "loading")
       await new Promise((done) => document.addEventListener("DOMContentLoaded", done, { once: true, signal }));
@@ -73,6 +75,8 @@ class FilmSource {
     const held = { ...(src === null ? inline_files_of(player) : {}), ...given_files };
     here.files = new Map(Object.entries(held));
     if (inline && inline.dataset.name) here.name = inline.dataset.name;
+    here.lets = { ...JSON.parse((src === null && inline?.dataset.lets) || "{}"), ...given_lets };
+    if (src === null) here.language = inline?.dataset.language ?? null;
     if (src !== null) {
       const url = new URL(src, document.baseURI);
       here.url = url.href;
@@ -111,7 +115,8 @@ class FilmSource {
   // Returns whether the engine can open the film at once.
   is_prepared(engine) { return engine.is_prepared(Object.fromEntries(this.files), this.text); }
   open_now(engine) {
-    return engine.open(this.text, { name: this.name, files: Object.fromEntries(this.files) });
+    return engine.open(this.text, { name: this.name, files: Object.fromEntries(this.files), lets: this.lets,
+                                    language: this.language });
   }
   missing(film) {
     return film.wants.filter((path) => !this.files.has(path) && !this.failed.some((f) => f.path === path));

@@ -8,7 +8,6 @@
 #include "editor/journal.h"
 #include "exchange/pictures.h"
 #include "exchange/scene_file.h"
-#include "exchange/sounds.h"
 #include "exchange/tex.h"
 #include "procedure/plugins.h"
 #include "render/plugin_renderer.h"
@@ -32,9 +31,6 @@ Result<LinearPicture> decode_exr(std::string_view, const std::string&) { return 
 Result<std::shared_ptr<const Outline>> set_by_tex(const std::string&, std::chrono::milliseconds) {
   return not_here("LaTeX does not set formulas");
 }
-
-Status decode_sound(const std::string&, const Listener&, double) { return not_here("sounds are not decoded"); }
-Result<std::shared_ptr<const Sound>> read_sound(const std::string&, bool) { return std::make_shared<const Sound>(); }
 
 std::string journal_path(const std::string&) { return {}; }  // a page keeps no journal
 

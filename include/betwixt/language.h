@@ -16,6 +16,14 @@
 
 namespace betwixt {
 
+// A value for a `let` of a script, instead of the script's own.
+struct GivenLet {
+  std::string name, value;  // the value as the script would write it; a text needs no quotes
+  // It is a cell of a table, at this place: no formula, and no error if the script has no such `let`.
+  bool data = false;
+  Place place = {};
+};
+
 struct LoadOptions {
   // Allows any file. Otherwise a script reads only files below its own folder. A packed file may then unpack to at most
   // 100 times its size plus 64 MiB, and to at most 1 GiB.
@@ -34,6 +42,12 @@ struct LoadOptions {
   bool counts = false;  // adds a notice if the pattern of a command names several objects: how many
   // Returns the current text of a used script (by its real path) while someone edits it, or nullopt to read the file.
   std::function<std::optional<std::string>(const std::string& path)> written = {};
+  std::vector<GivenLet> lets = {};
+  // The .po file with the translations of the film's texts, instead of that of the command `language`. "": none, and
+  // the texts stay as they are written. nullopt: the script decides.
+  std::optional<std::string> language = {};
+  // Called with each text that is shown and can be translated, as it is written, and its place.
+  std::function<void(const std::string& text, const Place&)> shows = {};
 };
 
 // Loads a plug-in (include/betwixt/plugin.h), which stays loaded until the program ends. From then on every script can

@@ -13,6 +13,7 @@ The page "From Python" explains the module: python.md in /usr/share/doc/betwixt,
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 
 try:
     from . import _core
@@ -53,18 +54,21 @@ __all__ = ["Camera", "Channel", "Diagnostic", "Error", "Event", "Film", "Frame",
            "send", "styles"]
 __version__ = _core.version
 
-def load(path: str | os.PathLike[str], *, read_anywhere: bool = False, tex: bool = False) -> Film:
+def load(path: str | os.PathLike[str], *, read_anywhere: bool = False, tex: bool = False,
+         lets: Mapping[str, object] = {}, language: str | None = None) -> Film:
     """Returns the film of a script file. The script reads only files below its own folder, unless `read_anywhere` is
-    true. With `tex`, the programs latex and dvisvgm set its TeX formulas."""
+    true. With `tex`, the programs latex and dvisvgm set its TeX formulas. `lets` has other values for lets of the
+    script: {"size": 2, "title": "The end"}. `language` is a gettext catalogue of its texts, a .po file."""
     with open(path, "rb") as script:
         text = script.read()
-    return Film(text, os.fspath(path), read_anywhere=read_anywhere, tex=tex)
+    return Film(text, os.fspath(path), read_anywhere=read_anywhere, tex=tex, lets=lets, language=language)
 
 
-def loads(text: str, name: str = "", *, read_anywhere: bool = False, tex: bool = False) -> Film:
+def loads(text: str, name: str = "", *, read_anywhere: bool = False, tex: bool = False,
+          lets: Mapping[str, object] = {}, language: str | None = None) -> Film:
     """Returns the film of a text. `name` is a file name for the text: errors show it, and paths in the script are
     relative to its folder."""
-    return Film(text, name, read_anywhere=read_anywhere, tex=tex)
+    return Film(text, name, read_anywhere=read_anywhere, tex=tex, lets=lets, language=language)
 
 
 for _ in [globals()[name] for name in __all__]:

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Betwixt authors
 # SPDX-License-Identifier: Apache-2.0
+from collections.abc import Mapping
 from datetime import timedelta
 from os import PathLike
 from typing import Any, Callable, Iterable, SupportsFloat, Union
@@ -325,7 +326,8 @@ class Film:
     """The film of a script. You can read and change it from any thread."""
 
     def __init__(
-        self, text: str | bytes, name: str = "", *, read_anywhere: bool = False, tex: bool = False
+        self, text: str | bytes, name: str = "", *, read_anywhere: bool = False, tex: bool = False,
+        lets: Mapping[str, object] = {}, language: str | None = None,
     ) -> None: ...
     @property
     def name(self) -> str: ...

@@ -6,6 +6,7 @@
 
 #include "app/code_errors.h"
 #include "app/command.h"
+#include "app/po_template.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
 #include "base/counted.h"
@@ -20,6 +21,7 @@ namespace {
 struct CheckCall {
   std::string file;
   bool counts = false, json = false;
+  std::string po;
 };
 
 // `code` is empty for a warning that only frames give: it is a text without a place.
@@ -46,7 +48,10 @@ void print_json(const Diagnostics& all, const std::vector<std::string>& warnings
 int check(const CheckCall& call) {
   const std::string &file = call.file, name = is_stream(file) ? "<stdin>" : file;
   load_options().counts = call.counts;
+  PoTemplate texts;
+  if (!call.po.empty()) load_options().shows = texts.listener();
   const Loaded loaded = load_script(file);
+  load_options().shows = {};
   std::size_t errors = 0, warnings = 0;
   for (const Diagnostic& d : loaded.diagnostics) {
     if (!call.json) tell_user(d);
@@ -67,6 +72,8 @@ int check(const CheckCall& call) {
     others = found.warnings;
     errors += found.errors.size(), warnings += found.warnings.size();
   }
+  if (!call.po.empty() && errors == 0)
+    if (const Status s = texts.write(call.po); !s) return complain(s.error(), wrong_call);
   if (call.json) {
     print_json(all, others, loaded.document, errors == 0);
     return errors ? wrong_input : all_done;
@@ -85,7 +92,9 @@ const Enlisted enlisted_check(check, [](CheckCall& call) -> Subcommand {
           .sentence = "prints all errors and warnings of a script, and those that appear only in its frames",
           .takes = {script_parameter(call.file),
                     flag("-v,--verbose", "prints for each command how many objects its pattern matched", call.counts),
-                    flag("--json", "prints one JSON object with all messages and their places", call.json)},
+                    flag("--json", "prints one JSON object with all messages and their places", call.json),
+                    file_option("--po", "OUT.pot", "writes all texts of the film as a gettext catalogue to translate",
+                                &call.po)},
           .example = "betwixt check examples/bounce.bx",
           .manual = "It checks up to 60 frames. The exit code is 1 if there is an error."};
 });

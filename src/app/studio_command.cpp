@@ -120,6 +120,9 @@ Status become_studio(std::vector<std::string> arguments, const std::vector<std::
   arguments.insert(arguments.begin(), path);
   if (load_options().read_anywhere) arguments.emplace_back("--read-anywhere");
   if (load_options().tex) arguments.emplace_back("--tex");
+  for (const GivenLet& let : load_options().lets)
+    arguments.insert(arguments.end(), {"--let", let.name + "=" + let.value});
+  if (load_options().language) arguments.insert(arguments.end(), {"--language", *load_options().language});
   for (const std::string& plugin : plugins_loaded()) arguments.insert(arguments.end(), {"--load", plugin});
   arguments.emplace_back("--");
   for (const std::string& file : files)

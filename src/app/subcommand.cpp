@@ -39,6 +39,17 @@ Status read_colours(const std::string& text) {
   return Nothing{};
 }
 
+Status read_let(const std::string& text) {
+  const std::size_t is = text.find('=');
+  if (is == text.npos || is == 0)
+    return fail(ErrorCode::syntax, fmt::format("\"{}\" is not NAME=VALUE, as in --let size=2", text));
+  const std::string name = text.substr(0, is);
+  for (const GivenLet& given : load_options().lets)
+    if (given.name == name) return fail(ErrorCode::name, fmt::format("'{}' is given twice", name));
+  load_options().lets.push_back({name, text.substr(is + 1)});
+  return Nothing{};
+}
+
 // Returns the sample counts of the styles, without duplicates: "1, 4, 9 or 16; traced: 1 to 4096".
 std::string sample_counts() {
   std::string said;
@@ -91,6 +102,16 @@ const std::vector<Parameter>& common_parameters() {
       {.name = "--tex",
        .sentence = "lets LaTeX typeset the script's formulas, by the programs latex and dvisvgm",
        .into = &load_options().tex},
+      {.name = "--let",
+       .value = "NAME=VALUE",
+       .sentence = "another value for a `let` of the script: --let size=2, --let title='The end'",
+       .into = ReadValue(read_let),
+       .repeated = true},
+      {.name = "--language",
+       .value = "FILE.po",
+       .sentence = "shows the texts of the script as this catalogue has them; \"\" as they are written",
+       .into = ReadValue([](const std::string& path) { return load_options().language = path, Status(Nothing{}); }),
+       .offer = Offer::files},
       {.name = "--load",
        .value = "PLUGIN",
        .sentence = "a plug-in; the script can use its words",

@@ -139,7 +139,7 @@ const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
       .manual =
           "The page is one file and needs no other. It plays offline, also from a folder. It contains the script as "
           "text, and the files that the script uses. The film changes while you edit the text. The command prints a "
-          "line for each thing that a page cannot show: sound, motion blur, depth of field, live input. If a "
+          "line for each thing that a page cannot show: motion blur, depth of field, live input. If a "
           "server's policy forbids inline scripts and styles, --link makes a page without them."};
 });
 

@@ -66,7 +66,7 @@ bool only_the_program_reads(const std::string& path) {
 // Returns the mesh of a file as glTF.
 Result<std::string> as_gltf(const std::string& script, const std::string& name) {
   LoadOptions how = load_options();
-  how.asked_for = {};
+  how.asked_for = {}, how.lets.clear();
   const Loaded one = load_text("create it mesh file=" + json_text(name) + " color=white\n", script, how);
   if (has_errors(one.diagnostics)) return one.diagnostics.front().what;
   Exported made;
@@ -138,13 +138,8 @@ void look_through(PageFilm& film, const Document& document) {
 // Adds other features that films have and pages lack.
 void add_losses(PageFilm& film, const Document& document) {
   const Scene& scene = document.scene();
-  std::vector<std::string> sounds, dials;
-  for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
-    if (const Object& o = scene.objects[i]; o.kind == Kind::sound && !o.removed) sounds.push_back(o.name);
+  std::vector<std::string> dials;
   for (const Dial& dial : *scene.dials) dials.push_back(dial.address);
-  if (!sounds.empty())
-    film.lost.push_back(
-        fmt::format("pages do not play sound: {}; loudness and onsets are 0 there", fmt::join(sounds, ", ")));
   if (!dials.empty())
     film.lost.push_back(fmt::format("pages have no live input: {} ({})", dials.size() == 1 ? "a dial" : "dials",
                                     fmt::join(dials, ", ")));
@@ -162,7 +157,6 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
     if (name.empty() || name == ".." || name.starts_with("../"))
       return fail(ErrorCode::file, fmt::format("'{}' is outside the folder of {}", path, script),
                   "move it into or below the folder of the script");
-    if (scene.sounds->contains(name)) continue;  // pages are silent
     if (only_the_program_reads(name) && !scene.meshes->contains(name))
       return fail(ErrorCode::type, fmt::format("pages do not support the format of the scene '{}'", name),
                   "supported: glTF (.glb .gltf) and drawings (.svg)");
@@ -177,11 +171,16 @@ std::string player_markup(const PageFilm& film, const PageOptions& options, bool
   const auto [width, height] = options.size.value_or(film.size);
   const std::string fixed = options.size ? " class=\"fixed\"" : "";
   const std::string alt = film.about.empty() ? "" : fmt::format(" alt=\"{}\"", escaped(film.about));
+  std::string given;
+  for (const GivenLet& let : film.lets)
+    given += fmt::format("{}{}:{}", given.empty() ? "" : ",", json_text(let.name), json_text(let.value));
+  if (!given.empty()) given = fmt::format(" data-lets=\"{}\"", escaped("{" + given + "}"));
+  if (film.language) given += fmt::format(" data-language=\"{}\"", escaped(*film.language));
   // HTML drops a newline at the start of an element, so give it one to drop.
   return fmt::format(
       "<betwixt-player controls loop{}{} width=\"{}\" height=\"{}\"{}>\n"
-      "<script type=\"text/betwixt\" data-name=\"{}\">\n{}</script>\n</betwixt-player>\n",
-      alone ? " autoplay" : "", fixed, width, height, alt, escaped(film.name), as_script_text(film.text));
+      "<script type=\"text/betwixt\" data-name=\"{}\"{}>\n{}</script>\n</betwixt-player>\n",
+      alone ? " autoplay" : "", fixed, width, height, alt, escaped(film.name), given, as_script_text(film.text));
 }
 
 std::string film_markup(const PageFilm& film, const PageOptions& options, bool alone) {
@@ -215,6 +214,13 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
   film.text = *text + (text->ends_with('\n') ? "" : "\n");
   film.about = first_comment(*text);
   film.size = document->size().value_or(film.size);
+  film.lets = load_options().lets, film.language = load_options().language;
+  if (film.language && !film.language->empty()) {
+    auto catalogue = read_whole(*film.language);
+    if (!catalogue) return catalogue.error();
+    film.language = fs::path(*film.language).filename().string();
+    film.files[*film.language] = *std::move(catalogue);
+  }
   if (Status s = add_files(film.files, script, *document, asked); !s) return s.error();
   look_through(film, *document);
   add_losses(film, *document);
@@ -223,7 +229,11 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
 
 // The same files and texts for which engine.js loads them.
 PlayerParts needed_parts(const PageFilm& film) {
-  static constexpr std::string_view without[] = {"bx", "ttf", "otf", "ttc", "csv", "tsv", "txt"};
+  // Scripts, fonts, catalogues, tables and words; and sounds, which the browser decodes.
+  static constexpr std::string_view without[] = {
+      "bx",   "po",  "ttf",  "otf", "ttc", "csv", "tsv", "txt", "words", "vtt", "srt", "wav", "w64", "aif",  "aiff", "au",
+      "caf", "flac", "ogg", "oga", "opus", "mp3", "aac", "mov", "mp4",   "m4a", "mka", "mkv", "webm", "avi", "ac3",  "amr",
+      "wv"};
   PlayerParts parts;
   const auto look_at = [&](const std::string& script) {
     parts.formulas |= has_word(script, "tex"), parts.code |= has_word(script, "code");

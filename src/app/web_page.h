@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/player_file.h"
-#include "betwixt/document.h"
+#include "betwixt/language.h"
 #include "betwixt/result.h"
 
 namespace betwixt {
@@ -26,7 +26,9 @@ struct PageFilm {
   std::string about;  // the script's first comment
   std::pair<int, int> size{1280, 720};
   PageFiles files;
-  std::vector<std::string> lost;  // features of the film that a page does not show, a sentence each
+  std::vector<GivenLet> lets;
+  std::optional<std::string> language;  // the name of the catalogue among the files
+  std::vector<std::string> lost;        // features of the film that a page does not show, a sentence each
 };
 
 // Loads a script and collects its files for a page. Prints its errors and warnings; returns nullopt if the script has

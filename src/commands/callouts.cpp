@@ -13,6 +13,7 @@
 #include "commands/furnishing.h"
 #include "commands/furniture_rows.h"
 #include "commands/measuring.h"
+#include "commands/translating.h"
 #include "exchange/fonts.h"
 #include "language/values.h"
 #include "program/compiled.h"
@@ -119,7 +120,10 @@ bool put_beside(Command& k) {
   const std::string_view word = c.peek_word();
   if (!values(k).object(id)) return false;
   std::string text, said;
+  c.space();
+  const char* const written = c.at;
   if (!c.text(text)) return false;
+  translate_text(script, text, c.since(written));
   Time length = from_seconds(0.5);
   for (const TextSide& side : text_sides)
     if (!side.word.empty() && c.accept_word(side.word)) said = side.word;

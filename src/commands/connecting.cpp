@@ -13,6 +13,7 @@
 #include "commands/furnishing.h"
 #include "commands/furniture_rows.h"
 #include "commands/measuring.h"
+#include "commands/translating.h"
 #include "language/values.h"
 #include "scene/kinds.h"
 
@@ -58,7 +59,9 @@ bool connect(Command& k) {
       if (link.name.empty())
         return c.fail_here(ErrorCode::syntax, "a name is missing here", "as in connect a to b as way");
     } else if (word == "label" && c.accept('=')) {
+      const char* const written = c.at;
       if (!c.text(link.label)) return false;
+      translate_text(script, link.label, c.since(written));
     } else if (word == "arrow" && c.accept('=')) {
       const std::string_view said = c.next_word();
       if (said != "on" && said != "off") return no_choice(c, said, "arrow is on or off");

@@ -13,6 +13,7 @@
 #include "commands/command.h"
 #include "commands/furnishing.h"
 #include "commands/furniture_rows.h"
+#include "commands/translating.h"
 #include "exchange/fonts.h"
 #include "exchange/formulas.h"
 #include "language/values.h"
@@ -82,7 +83,11 @@ bool common_word(Command& k, std::string_view word, SaidMark& out) {
     return out.color = write_color(color), true;
   }
   ++out.labels, out.label_at = word;
-  return word == "decimals" ? decimals_of_mark(c, out.decimals) : c.text(word == "tex" ? out.tex : out.text);
+  if (word == "decimals") return decimals_of_mark(c, out.decimals);
+  if (word == "tex") return c.text(out.tex);
+  const char* const written = c.at;
+  if (!c.text(out.text)) return false;
+  return translate_text(k.script, out.text, c.since(written)), true;
 }
 
 // Reads the words behind the places, to the end of the line. `measure`: the word of a length of this mark.

@@ -21,7 +21,7 @@ void say_remarks(const Scene& scene, Diagnostics& out, const LoadOptions& option
   Scene again = with_files_of(scene);
   Diagnostics said;
   Script script(again, said, options);
-  script.options.asked_for = {};
+  script.options.asked_for = {}, script.options.shows = {};
   script.watch = &watch;
   read(again, script);
   for (const Remark& remark : watch.remarks()) out.push_back(remark.said);

@@ -11,6 +11,7 @@
 
 #include "base/cancellation.h"
 #include "commands/command.h"
+#include "commands/given_lets.h"
 #include "commands/own_kinds.h"
 #include "language/formula.h"
 #include "language/table_formulas.h"
@@ -44,6 +45,8 @@ bool begins_list(const Cursor& c) {
   Quantity q;
   return c.peek() == '(' && !(formula(ahead, q) && ahead.at_line_end());
 }
+
+}  // namespace
 
 // Reads one such value, or several in brackets: two or three plain numbers are a vector, all other values are a list.
 bool let_value(Command& k, Let& out) {
@@ -86,6 +89,8 @@ bool let_value(Command& k, Let& out) {
   return out = v, true;
 }
 
+namespace {
+
 bool let(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const bool again = c.accept_word("again");
@@ -109,6 +114,7 @@ bool let(Command& k) {
   if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing here");
   Let value;
   if (!let_value(k, value) || !finish(c)) return false;
+  if (!again && !given_let(k, name, value)) return false;
   if (known && !again) script.respell_live({name.data(), 0}, "again ");
   s.lets.edit().insert_or_assign(std::string(name), value);
   return true;

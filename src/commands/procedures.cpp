@@ -309,7 +309,14 @@ Diagnostics carried_out(Command& k, std::string_view lines) {
   Diagnostics said;
   LoadOptions options = k.script.options;
   options.now.reset();  // they have no line in a history
+  options.lets.clear();
+  if (options.shows)  // the place of a text is that of the command
+    options.shows = [&k](const std::string& text, const Place&) {
+      const Place here = k.script.source.diagnose(Severity::notice, {}, {k.cursor.at, 0}).what.place;
+      k.script.options.shows(text, here);
+    };
   Script inner(k.scene, said, options);
+  inner.translations = k.script.translations, inner.texts_shown = k.script.texts_shown;
   inner.depth = k.script.depth + 1;
   inner.root = k.script.root;
   inner.copied = k.script.copied;

@@ -13,11 +13,13 @@
 #include "base/utf8.h"
 #include "base/work_progress.h"
 #include "commands/foreign_words.h"
+#include "commands/given_lets.h"
 #include "commands/line_head.h"
 #include "commands/lint.h"
 #include "commands/list_rows.h"
 #include "commands/own_kinds.h"
 #include "commands/plain_rows.h"
+#include "commands/translating.h"
 #include "commands/verbs.h"
 #include "language/formula.h"
 #include "language/moments.h"
@@ -340,6 +342,7 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   text = without_mark(text);
   script.source = {text, name};
   std::error_code ignored;
+  if (outermost) script.whole = true, begin_translation(script);
   if (script.root.empty())
     script.root = std::filesystem::weakly_canonical(script.folder.empty() ? "." : script.folder, ignored);
   if (const auto bad = unsound(text)) {
@@ -354,6 +357,7 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   if (outermost) {
     say_masked_events(s, script), say_idle_releases(s, script);
     say_unfinished_lists(script), say_turned_falls(s, script);
+    say_unknown_lets(s, script);
   }
   script.source = std::move(outer);
   script.sheet = std::move(outer_sheet);

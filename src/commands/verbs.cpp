@@ -13,7 +13,7 @@ Rows settings_verbs(), appearance_verbs(), environments_verbs(), objects_verbs()
     clearing_verbs(), groups_verbs(), baking_verbs(), reaching_verbs(), arranging_verbs(), filters_verbs(),
     layers_verbs(), procedures_verbs(), fall_verbs(), dials_verbs(), files_verbs(), display_lists_verbs(),
     texts_verbs(), entrances_verbs(), annotations_verbs(), connecting_verbs(), callouts_verbs(), diagrams_verbs(),
-    theming_verbs(), own_kinds_verbs(), dimensioning_verbs(), tables_verbs();
+    theming_verbs(), own_kinds_verbs(), dimensioning_verbs(), tables_verbs(), translating_verbs();
 
 const std::vector<Verb>& verbs() {
   static const std::vector<Verb> all = [] {
@@ -25,7 +25,7 @@ const std::vector<Verb>& verbs() {
           texts_verbs(),     filters_verbs(),     layers_verbs(),       procedures_verbs(),    fall_verbs(),
           dials_verbs(),     names_verbs(),       files_verbs(),        display_lists_verbs(), reaching_verbs(),
           own_kinds_verbs(), entrances_verbs(),   annotations_verbs(),  connecting_verbs(),    callouts_verbs(),
-          diagrams_verbs(),  theming_verbs(),     dimensioning_verbs(), tables_verbs()})
+          diagrams_verbs(),  theming_verbs(),     dimensioning_verbs(), tables_verbs(),        translating_verbs()})
       rows.insert(rows.end(), family.begin(), family.end());
     return rows;
   }();

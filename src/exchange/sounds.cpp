@@ -15,12 +15,12 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <cmath>
 #include <cstring>
 
 #include "base/child.h"
 #include "base/files.h"
 #include "exchange/parser_process.h"
+#include "exchange/sound_meter.h"
 
 namespace betwixt {
 namespace {
@@ -169,30 +169,6 @@ class Decoder {
   std::string said_;
 };
 
-// Finds sudden rises of loudness, in steps of a hundredth of a second. Loudness is perceived in ratios, so its
-// logarithm counts; 60 dB below a full sine counts as silence.
-std::vector<double> find_onsets(const std::vector<double>& energy) {
-  constexpr std::size_t hop = 10, before = 10, least_apart = 5;  // in milliseconds; the others in hops
-  constexpr double floor = 1e-6, rise = 1.0;                     // of the logarithm: by a factor e of energy
-  std::vector<double> level;
-  for (std::size_t ms = 0; ms + hop < energy.size(); ms += hop)
-    level.push_back(std::log(floor + 1000.0 / hop * (energy[ms + hop] - energy[ms])));
-  std::vector<double> onsets;
-  std::size_t last = 0;
-  for (std::size_t i = 0; i < level.size(); ++i) {
-    double most = std::log(floor);  // of the last hops
-    for (std::size_t k = i > before ? i - before : 0; k < i; ++k) most = std::max(most, level[k]);
-    if (level[i] < most + rise || (!onsets.empty() && i < last + least_apart)) continue;
-    last = i;
-    // Refines the time to a millisecond: the steepest point of the rise.
-    std::size_t at = i * hop;
-    for (std::size_t ms = i * hop; ms < (i + 1) * hop; ++ms)
-      if (energy[ms + 1] - energy[ms] > energy[at + 1] - energy[at]) at = ms;
-    onsets.push_back(static_cast<double>(at) / 1000);
-  }
-  return onsets;
-}
-
 // Returns an error in our own words if the file cannot be read.
 Result<std::uint64_t> size_of(const std::string& path) {
   const auto there = open_whole(path);
@@ -224,24 +200,16 @@ Status decode_sound(const std::string& path, const Listener& hear, double longes
 }
 
 Result<std::shared_ptr<const Sound>> read_sound(const std::string& path, bool any_size) {
-  constexpr std::size_t a_millisecond = sound_rate / 1000;
   const auto size = size_of(path);
   if (!size) return size.error();
   const double longest = longest_of(*size, any_size);
-  auto sound = std::make_shared<Sound>();
-  std::size_t count = 0;
-  double sum = 0;
-  sound->energy.push_back(0);
+  SoundMeter meter;
   bool too_long = false;
   const Status decoded = decode_sound(
       path,
       [&](std::span<const float> stereo) {
-        for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
-          const double left = stereo[i], right = stereo[i + 1], square = (left * left + right * right) / 2;
-          if (std::isfinite(square)) sum += square;
-          if (++count % a_millisecond == 0) sound->energy.push_back(sum / sound_rate);
-        }
-        too_long = static_cast<double>(count) > longest * sound_rate;
+        meter.hear(stereo);
+        too_long = meter.seconds() > longest;
         return !too_long;
       },
       longest);
@@ -251,12 +219,8 @@ Result<std::shared_ptr<const Sound>> read_sound(const std::string& path, bool an
                 fmt::format("{} is longer than {:.0f} s, the limit for a file of {} bytes", path, longest, *size),
                 Hint(Permission::read_anywhere, "to read files of any size: --read-anywhere"));
   if (too_long) return fail(ErrorCode::range, fmt::format("{} is longer than four hours", path));
-  if (count == 0) return no_sound(path, "");
-  if (count % a_millisecond != 0) sound->energy.push_back(sum / sound_rate);
-  sound->path = path;
-  sound->seconds = static_cast<double>(count) / sound_rate;
-  sound->onsets = find_onsets(sound->energy);
-  return std::shared_ptr<const Sound>(std::move(sound));
+  if (meter.seconds() == 0) return no_sound(path, "");
+  return std::make_shared<const Sound>(meter.sound(path));
 }
 
 }  // namespace betwixt

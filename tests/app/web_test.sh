@@ -132,7 +132,6 @@ background transparent
 BX
 is 'one that loses much' "$(lost much.bx)" 'much.bx: pages do not show motion blur (shutter)
 much.bx: pages do not show depth of field (f-stop)
-much.bx: pages do not play sound: one, two; loudness and onsets are 0 there
 much.bx: pages have no live input: a dial (/fader/1)'
 is 'a shutter that opens once' "$(printf 'create eye camera position=(0 0 9)\neye.shutter\n  1f off\n  20f 180deg\n' >once.bx; lost once.bx)" \
   'once.bx: pages do not show motion blur (shutter)'

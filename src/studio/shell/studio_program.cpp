@@ -137,6 +137,8 @@ int main(int argc, char** argv) {
                    {"discard", "discards the unsaved commands of an earlier session"},
                    {"read-anywhere", "lets the script read files outside its own folder"},
                    {"tex", "lets latex typeset the formulas"},
+                   {"let", "another value for a let of the script", "NAME=VALUE"},
+                   {"language", "the catalogue of its texts", "FILE"},
                    {"load", "a plug-in", "PLUGIN"}});
   line.addHelpOption();
   line.process(arguments);
@@ -145,6 +147,9 @@ int main(int argc, char** argv) {
     if (const Status s = use_plugin(plugin.toStdString()); !s) return refuse(s.error().message);
   LoadOptions options;
   options.read_anywhere = line.isSet("read-anywhere"), options.tex = line.isSet("tex");
+  for (const QString& let : line.values("let"))
+    options.lets.push_back({let.section('=', 0, 0).toStdString(), let.section('=', 1).toStdString()});
+  if (line.isSet("language")) options.language = line.value("language").toStdString();
   const bool shows_only = line.isSet("screenshot");
   set_theme(app, line.isSet("light") ? Theme::light : Theme::dark);
   Preferences& user = Preferences::of_user();
