@@ -7,6 +7,7 @@
 
 #include "app/code_errors.h"
 #include "app/command.h"
+#include "app/each.h"
 #include "app/making.h"
 #include "app/stats.h"
 #include "app/streams.h"
@@ -22,16 +23,6 @@
 
 namespace betwixt {
 namespace {
-
-struct RenderCall {
-  std::string file, out, frames;
-  PictureCall picture;
-  ExposureCall exposure;
-  int jobs = 0, bits = 8, quality = 0;
-  std::string codec;
-  std::optional<Rate> rate;
-  bool missing = false, keep_old = false, keep_going = false, stats = false, plan = false, progress = false;
-};
 
 // Prints a description of the film, for programs that render it in parts.
 int print_plan(const FilmOptions& o, const FrameList& frames) {
@@ -70,6 +61,7 @@ void say_what_is_lost(const RenderCall& call, const Document& document) {
 }
 
 int render(RenderCall& call) {
+  if (!call.each.empty()) return render_each(call);
   call.out = output_or(call.out, call.file, "mp4");
   const Result<Outgoing> outgoing = Outgoing::begin(call.out, "mp4");
   if (!outgoing) return complain(outgoing.error(), wrong_call);
@@ -164,7 +156,7 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
                    ReadValue([&call](const std::string& text) { return read_rate(text, call.rate); })),
             {.name = "--jobs",
              .value = "N",
-             .sentence = "frames rendered in parallel; by default chosen for this machine",
+             .sentence = "frames rendered in parallel, with --each films; by default chosen for this machine",
              .into = &call.jobs,
              .range = {{1, 256}}},
             {.name = "--missing",
@@ -175,7 +167,8 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
             keep_going_flag(call.keep_going),
             flag("--progress", "prints the progress as lines of JSON, even without a terminal", call.progress),
             flag("--plan", "makes nothing; prints the plan as JSON: the frames, the rate and the size", call.plan),
-            flag("--stats", "prints the times of the parts of a frame, and the memory of the film", call.stats)}}),
+            flag("--stats", "prints the times of the parts of a frame, and the memory of the film", call.stats)},
+           each_parameters(call)}),
       .example = "betwixt render examples/bounce.bx -o small.gif --size 320x180 --frames 1f..24f",
       .manual =
           "All formats except numbered pictures need the program ffmpeg. With \"background transparent\", .webm, "
@@ -183,7 +176,11 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
           "transparent and opaque pixels only. .mov has more than 8 bits a channel, and so has .png with --bits 16. "
           ".exr has linear light in half floats. A terminal shows a progress bar with frames per second and the time "
           "left. If you stop a film, or if it fails, there is no file with the film's name. With --missing each "
-          "picture gets its name when it is complete, so the next call continues with the missing ones."};
+          "picture gets its name when it is complete, so the next call continues with the missing ones. With --each, "
+          "each film stays as soon as "
+          "it is complete: run the same command again after a stop or a crash, and it makes the films that are missing "
+          "or "
+          "whose row, script or files have changed. At the end it says which films failed, and why."};
 });
 
 }  // namespace
