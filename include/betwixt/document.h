@@ -66,6 +66,29 @@ struct Note {
   friend bool operator==(const Note&, const Note&) = default;
 };
 
+// A part of the film with a name. The times in its block count from its beginning, and pass `speed` times as fast.
+// Other tools call it a chapter or a composition.
+struct Section {
+  std::string name;
+  Time begin, end;
+  double speed = 1;
+  friend bool operator==(const Section&, const Section&) = default;
+};
+
+// A place where a speaker waits: `step` in a script. Other tools call it a slide or a pause.
+struct Pause {
+  Time time;
+  std::string text, note;  // a name, and what the speaker reads; both may be empty
+  friend bool operator==(const Pause&, const Pause&) = default;
+};
+
+// A sentence for those who cannot see the film, from a time on.
+struct Description {
+  Time time;
+  std::string text;
+  friend bool operator==(const Description&, const Description&) = default;
+};
+
 // The patterns and names that each alias stands for. They are looked up at each use.
 using Aliases = std::map<std::string, std::vector<std::string>, std::less<>>;
 
@@ -96,6 +119,9 @@ class Document {
   std::string name(ObjectId) const;                   // "none" if there is no such object
   std::string name(const Target&) const;              // "ball.position.x"
   std::vector<Note> notes(Time from, Time to) const;  // both ends included
+  const std::vector<Section>& sections() const;       // in the order of the script
+  std::vector<Pause> pauses() const;                  // in the order of time
+  std::vector<Description> descriptions() const;      // in the order of time
   const Aliases& aliases() const;
   const std::map<Time, ObjectId>& cuts() const;  // the camera from each time on
 

@@ -52,6 +52,8 @@ struct Verb {
     makes_function = 2048,   // of a function
     makes_procedure = 4096,  // of code
     makes_parts = 8192,      // of objects below the thing that the word names
+    after_time = 32768,      // only after `at TIME`; without it, the word is one of the shell
+    opens_block = 16384,     // the commands that are indented below it belong to it
   };
   std::string_view word, usage, sentence;
   std::string_view example;  // lines that can be entered one after another
@@ -78,6 +80,13 @@ bool on_or_off(Cursor&, const char* otherwise, bool& out);
 std::string_view not_of_a_script(std::string_view word);
 // Skips the rest of a command whose pattern names no target.
 bool pass_over(Command&, const char* from);
+
+// ---- blocks.cpp
+
+// Takes the block below a command that has been read to the end of its line, as it is written. The cursor is behind it
+// then, so that its lines are not run. For verbs that keep their block, such as models; others open one
+// (Script::block).
+std::string_view take_block(Command&);
 
 // ---- places.cpp
 

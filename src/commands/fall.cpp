@@ -163,7 +163,7 @@ bool laws_of(Command& k, FallLaws& laws, bool& grounded) {
     const char* start = c.at;
     const std::string_view key = c.word();
     if (key == "for") {
-      if (!c.length(laws.length)) return false;
+      if (!c.lasting(laws.length)) return false;
       if (!(laws.length > Time{}))
         return c.fail(ErrorCode::range, "the length of a fall must be greater than 0", c.since(start));
       continue;

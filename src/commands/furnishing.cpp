@@ -122,7 +122,7 @@ bool all_or_none(Command& k, const std::string& lines, std::string_view about) {
 
 bool lasting(Command& k, Time& length, std::string_view about) {
   Cursor& c = k.cursor;
-  if (c.accept_word("for") && !c.length(length)) return false;
+  if (c.accept_word("for") && !c.lasting(length)) return false;
   if (length <= Time{}) return c.fail(ErrorCode::range, "the length must be greater than 0", about, "as in for 12f");
   return finish(c);
 }

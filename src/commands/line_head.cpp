@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/line_head.h"
 
+#include <algorithm>
+
 #include "base/names.h"
 
 namespace betwixt {
@@ -39,23 +41,70 @@ std::string_view kind_word(const LineHead& head) {
 }
 
 Opens opens(const LineHead& head) {
-  if (head.row || !head.alone()) return Opens::nothing;
+  if (!head.alone()) return Opens::nothing;
   if (head.verb) return head.verb->flags & Verb::opens_sheet && !head.name.empty() ? Opens::list : Opens::nothing;
   const bool target =
       first_dot(head.word) != std::string_view::npos && !starts_like_time(head.word[0]) && head.word[0] != '"';
   return target && head.time.empty() && head.name.empty() ? Opens::sheet : Opens::nothing;
 }
 
+bool opens_block(const LineHead& head) { return head.verb && head.verb->flags & Verb::opens_block; }
+
+namespace {
+
+// Returns the line and those that it may be below: the nearest one above that is indented less, and so on. The
+// outermost comes first.
+std::vector<std::size_t> those_above(const ScriptText& text, std::size_t line) {
+  std::vector<std::size_t> chain{text.first_of(line)};
+  std::size_t least = indentation(text.line(chain[0]));
+  for (std::size_t at = chain[0]; at > 0 && least > 0;) {
+    at = text.first_of(at - 1);
+    const std::string_view there = text.line(at);
+    if (indentation(there) >= least || empty_line(there)) continue;
+    least = indentation(there);
+    chain.push_back(at);
+  }
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+}  // namespace
+
 std::size_t opener_of(const ScriptText& text, std::size_t line) {
-  std::size_t at = text.first_of(line);
-  if (!indented(text.line(at))) return text.count();
-  while (at > 0 && below_opener(text.line(at))) at = text.first_of(at - 1);
-  return opens_sheet(text.line(at)) ? at : text.count();
+  const std::vector<std::size_t> chain = those_above(text, line);
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+    if (opens_sheet(text.line(chain[i]))) return chain[i];
+  return text.count();
+}
+
+std::size_t block_of(const ScriptText& text, std::size_t line) {
+  const std::vector<std::size_t> chain = those_above(text, line);
+  std::size_t found = text.count();
+  for (std::size_t i = 0; i + 1 < chain.size() && !opens_sheet(text.line(chain[i])); ++i)
+    if (opens_block(text.line(chain[i]))) found = chain[i];
+  return found;
+}
+
+bool Indentation::row(std::string_view line) {
+  const std::size_t here = indentation(line);
+  pending_ = 0;
+  while (!blocks_.empty()) {
+    Open& inner = blocks_.back();
+    if (!inner.indent && here > inner.outer) inner.indent = here;
+    if (inner.indent && here >= *inner.indent) break;
+    blocks_.pop_back();
+  }
+  const std::size_t margin = blocks_.empty() ? 0 : *blocks_.back().indent;
+  if (sheet_ != Opens::nothing && here > margin) return true;
+  const LineHead head = line_head(line);
+  sheet_ = opens(head);
+  if (opens_block(head)) blocks_.push_back({here, {}, std::string(line)}), pending_ = 1;
+  return false;
 }
 
 std::optional<Making> making(std::string_view line) {
   const LineHead head = line_head(line);
-  if (head.row || !head.verb) return std::nullopt;
+  if (!head.verb) return std::nullopt;
   auto kind = kind_made(*head.verb);
   if (!kind) return std::nullopt;
   std::string_view word = head.name, rest = head.rest;

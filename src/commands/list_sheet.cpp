@@ -68,15 +68,16 @@ bool in_order(Command& k, const DisplayCommand& command, std::string_view about)
 }
 
 // Returns the lines that must precede rows that come alone.
-std::string opener(const Scene& s, const Sheet& sheet) {
+std::string opener(const Scene& s, const Sheet& sheet, std::size_t margin) {
   if (sheet.list.empty()) return sheet.opener;
-  const std::string edit = (sheet.from ? "at " + write_seconds(*sheet.from) + " " : "") + "edit " + sheet.list;
+  const std::string edit =
+      std::string(margin, ' ') + (sheet.from ? "at " + write_seconds(*sheet.from) + " " : "") + "edit " + sheet.list;
   const auto v = std::find_if(sheet.versions.begin(), sheet.versions.end(),
                               [](const Sheet::Version& each) { return !each.passed_over; });
   if (v->next == Sheet::at_end) return edit;
   const auto offset =
       static_cast<long>(v->next) - static_cast<long>(list_at(s, sheet.list, v->from)->tags.find(sheet.tag)->second);
-  return fmt::format("{}\n  replace {} {}", edit, sheet.tag, offset);
+  return fmt::format("{}\n{:{}}replace {} {}", edit, "", margin + 2, sheet.tag, offset);
 }
 
 namespace {

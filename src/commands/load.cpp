@@ -15,7 +15,8 @@ namespace {
 
 // If a film has remarks, reads it a second time to find their places.
 template <class Read>
-void say_remarks(const Scene& scene, Diagnostics& out, const LoadOptions& options, const Read& read) {
+void say_remarks(const Scene& scene, Diagnostics& out, const LoadOptions& options, const SectionsAhead& ahead,
+                 const Read& read) {
   PlaceFinder watch(lint(scene));
   if (watch.remarks().empty()) return;
   Scene again = with_files_of(scene);
@@ -23,6 +24,7 @@ void say_remarks(const Scene& scene, Diagnostics& out, const LoadOptions& option
   Script script(again, said, options);
   script.options.asked_for = {}, script.options.shows = {};
   script.watch = &watch;
+  script.ahead = ahead;
   read(again, script);
   for (const Remark& remark : watch.remarks()) out.push_back(remark.said);
 }
@@ -30,9 +32,10 @@ void say_remarks(const Scene& scene, Diagnostics& out, const LoadOptions& option
 template <class Read>
 Loaded load(const LoadOptions& options, Read&& read, Scene scene = {}) {
   Diagnostics diagnostics;
-  Script script(scene, diagnostics, options);
-  read(scene, script);
-  if (!has_errors(diagnostics)) say_remarks(scene, diagnostics, options, read);
+  SectionsAhead ahead;
+  read_settled(
+      scene, diagnostics, ahead, [&] { return Script(scene, diagnostics, options); }, read);
+  if (!has_errors(diagnostics)) say_remarks(scene, diagnostics, options, ahead, read);
   return {Document(std::make_shared<const Scene>(std::move(scene))), std::move(diagnostics)};
 }
 

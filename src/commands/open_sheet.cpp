@@ -52,7 +52,7 @@ void find_tracks(Scene& s, Sheet& sheet) {
 std::shared_ptr<const OpenSheet> left_open(const Scene& s, const Script& script) {
   if (!script.sheet.open || script.sheet.broken) return nullptr;
   auto left = std::make_shared<OpenSheet>();
-  left->opener = opener(s, script.sheet);
+  left->opener = opener(s, script.sheet, script.margin());
   left->pattern = script.sheet.on.text;
   left->sheet = script.sheet;
   // Clear pointers into this line or this scene.

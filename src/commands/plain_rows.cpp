@@ -122,7 +122,7 @@ bool plain_time(Cursor& c, Time& out) {
     return behind < c.end && *behind == ' ' && c.time(out) && c.at == behind;
   }
   c.at = p + 1, c.frames_read = true;
-  out = c.rate.frame(static_cast<double>(n));
+  out = c.clock.film_time(c.rate.frame(static_cast<double>(n)));
   return true;
 }
 
@@ -149,11 +149,12 @@ bool plain_rows(Command& k) {
   auto& [s, c, time, layer, script] = k;
   Sheet& sheet = script.sheet;
   if (!takes_plain_numbers(s, sheet)) return false;
+  const std::size_t margin = script.margin();
   for (int n = 0; n < most; ++n) {
     const char* const start = c.at;
     c.at = behind_blanks(start, c.end);
     Event e;
-    const bool plain = c.at > start && c.at < c.end && plain_row(k, e);
+    const bool plain = static_cast<std::size_t>(c.at - start) > margin && c.at < c.end && plain_row(k, e);
     const Events& there = sheet.tracks[0]->events;
     // A row that replaces another one of this sheet gets a warning, from the reader.
     if (!plain || (sheet.fresh && !there.empty() && e.time <= there.back().time)) {
@@ -162,6 +163,7 @@ bool plain_rows(Command& k) {
       return n > 0;
     }
     sheet.above = e.time;
+    c.reaches(e.time);
     for (std::size_t i = 1; i < sheet.tracks.size(); ++i) sheet.tracks[i]->events.put(e);
     sheet.tracks[0]->events.put(std::move(e));
     if (c.at < c.end) ++c.at;

@@ -322,6 +322,7 @@ Diagnostics carried_out(Command& k, std::string_view lines) {
   inner.copied = k.script.copied;
   read_text(k.scene, inner, lines, k.script.source.name);
   k.script.copied = inner.copied;
+  k.cursor.reaches(inner.latest);
   return said;
 }
 

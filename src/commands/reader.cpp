@@ -90,7 +90,8 @@ bool since_row_above(Command& k, Time& out) {
     return c.fail(ErrorCode::syntax, "a time with '+' needs a row above it", c.since(start),
                   "write the time of the first row, as in 12f");
   out = *k.script.sheet.above + later;
-  return true;
+  c.last = out;
+  return c.reaches(out), true;
 }
 
 bool row_of(Command& k, const Selected& on) {
@@ -98,7 +99,7 @@ bool row_of(Command& k, const Selected& on) {
   Sheet& sheet = script.sheet;
   Time from;
   c.space();
-  if (!starts_like_time(c.peek()) && !formula_begins(c))
+  if (!starts_like_time(c.peek()) && !formula_begins(c) && !section_time_begins(c.at, c.end))
     return c.fail_here(ErrorCode::syntax,
                        fmt::format("a row must begin with a time, not with '{}'",
                                    c.peek_word().empty() ? std::string_view(c.at, 1) : c.peek_word()),
@@ -130,7 +131,13 @@ bool line(Command& k, const char* line_start) {
   auto& [s, c, time, layer, script] = k;
   if (c.at_line_end()) return true;
   Sheet& sheet = script.sheet;
-  if (c.at > line_start && sheet.open) {
+  const auto indent = static_cast<std::size_t>(c.at - line_start);
+  if (script.leave_blocks(indent))
+    return c.fail(ErrorCode::syntax, "this line is indented less than the lines of the block above it",
+                  {line_start, indent}, "indent it as they are, or not at all");
+  if (!script.blocks.empty() && script.blocks.back().skipped) return pass_over(k, line_start);
+  c.clock = script.clock_now();
+  if (indent > script.margin() && sheet.open) {
     if (!sheet.broken) return row(k);
     return pass_over(k, line_start);
   }
@@ -202,6 +209,9 @@ bool line_within_limits(Command& k, const char* line_start, bool& too_much) {
 void run(Scene& s, Script& script, std::size_t from = 0) {
   Cursor c(script.source.text);
   c.at += from;
+  c.latest = earliest_time;
+  const SectionTimes sections = [&](std::string_view name, bool end) { return section_time(s, script, name, end); };
+  c.sections = &sections;
   const bool author = script.open_files.size() < 2;  // a used file counts as one line of it
   const std::size_t size = script.source.text.size();
   while (c.at < c.end && !script.given_up) {
@@ -215,16 +225,20 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
       continue;
     }
     c.rate = s.rate, c.ticks = s.ticks, c.lets = &*s.lets, c.tables = &*s.tables, c.moments = &s;
+    c.clock = script.clock_now(), c.last.reset(), script.latest = earliest_time;
     c.frames_read = script.frames_read, c.ticks_read = script.ticks_read;
     c.depth = 0;
     Command k{s, c, {}, {}, script};
     script.touched = 0;
     if (p > line_start && !(script.watch && script.depth == 0) && plain_rows(k)) {
       script.frames_read = c.frames_read, script.ticks_read = c.ticks_read;
+      if (!script.blocks.empty()) grow_section(s, script, c.latest);
       continue;
     }
     bool too_much = false;
     const bool done = line_within_limits(k, line_start, too_much);
+    c.reaches(script.latest);
+    if (done && !script.blocks.empty()) grow_section(s, script, c.latest);
     if (done && script.options.counts) say_touched(script, line_start);
     if (done && script.watch && script.depth == 0) script.watch->look(s, script.source, between(line_start, c.at));
     if (done && !script.failed.empty())  // its names exist now
@@ -238,6 +252,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
       ++c.at;
     }
   }
+  script.latest = c.latest;
 }
 
 }  // namespace
@@ -291,6 +306,7 @@ bool carry_out(Command& k) {
     }
     if (v->run(k) && finish(c)) return true;
     if (v->flags & Verb::opens_sheet) script.sheet.breaks();
+    if (v->flags & Verb::opens_block) script.skip_block(start);
     if (c.error && c.error->hint.empty() && c.error->code == ErrorCode::syntax)
       c.error->hint = fmt::format("usage: {}", v->usage);
     return false;
@@ -305,38 +321,13 @@ bool carry_out(Command& k) {
   return false;
 }
 
-std::vector<std::string> names_missed(const Scene& s, std::string_view line) {
-  auto names = names_made(line);
-  std::erase_if(names, [&](const std::string& name) {
-    return s.names.find(name) || s.aliases->contains(name) || s.lets->contains(name) || s.tables->contains(name) ||
-           s.lists->contains(name) || s.defined->find(name) || find_procedure(s, name) || s.kinds->find(name);
-  });
-  return names;
-}
-
-std::string_view name_missed(const Error& e) {
-  return e.code == ErrorCode::name ? std::string_view(e.subject) : std::string_view();
-}
-
-bool unknown_command(const Error& e, std::string_view line) {
-  const std::string_view word = first_word(line);
-  return e.code == ErrorCode::name && e.hint.empty() && e.place.line > 0 && !word.empty() && !find_verb(word) &&
-         static_cast<std::size_t>(e.place.column) == 1 + count_characters(between(line.data(), word.data())) &&
-         static_cast<std::size_t>(e.place.length) == count_characters(word);
-}
-
-std::vector<std::string_view> with_those_above(std::string_view name) {
-  std::vector<std::string_view> all;
-  if (!name.empty()) all.push_back(name);
-  for (std::size_t at = name.rfind('/'); at != name.npos && at > 0; at = name.rfind('/', at - 1))
-    all.push_back(name.substr(0, at + 1)), all.push_back(name.substr(0, at));
-  return all;
-}
-
 void read_text(Scene& s, Script& script, std::string_view text, const std::string& name) {
   const bool outermost = !script.source.text.data();
   Source outer = std::exchange(script.source, {});
   Sheet outer_sheet = std::exchange(script.sheet, {});
+  const SectionClock outer_clock = std::exchange(script.clock, script.clock_now());
+  const bool outer_in = std::exchange(script.in_section, script.in_section || !script.blocks.empty());
+  std::vector<OpenBlock> outer_blocks = std::exchange(script.blocks, {});
   const std::filesystem::path outer_folder = std::exchange(script.folder, std::filesystem::path(name).parent_path());
   const std::size_t outer_touched = script.touched;
   text = without_mark(text);
@@ -356,11 +347,13 @@ void read_text(Scene& s, Script& script, std::string_view text, const std::strin
   follow_models(s, script, {});
   if (outermost) {
     say_masked_events(s, script), say_idle_releases(s, script);
-    say_unfinished_lists(script), say_turned_falls(s, script);
+    say_unfinished_lists(script), say_turned_falls(s, script), say_overlaps(s, script);
     say_unknown_lets(s, script);
   }
   script.source = std::move(outer);
   script.sheet = std::move(outer_sheet);
+  script.clock = outer_clock, script.in_section = outer_in;
+  script.blocks = std::move(outer_blocks);
   script.folder = outer_folder;
   script.touched = outer_touched;
 }
@@ -369,7 +362,7 @@ void read_line(Scene& s, Script& script, std::string_view line, const std::strin
   script.folder = std::filesystem::path(name).parent_path();
   std::shared_ptr<const OpenSheet> left = std::exchange(script.left, nullptr);
   std::string opener, pattern;  // of the sheet that the row continues
-  const bool row = left && indented(line);
+  const bool row = left && indentation(line) > script.margin();
   if (row) opener = left->opener, pattern = left->pattern;
   const bool same = row && go_on(s, script, *left);
   left.reset();  // it shares parts of the scene, which would be copied when they change
@@ -378,7 +371,9 @@ void read_line(Scene& s, Script& script, std::string_view line, const std::strin
   } else if (row) {  // the meaning of its names has changed
     const std::size_t said = script.diagnostics.size();
     script.source = {opener, name};
+    std::vector<OpenBlock> blocks = std::exchange(script.blocks, {});
     run(s, script);
+    script.blocks = std::move(blocks);
     script.sheet.place = {}, script.sheet.spots.clear();
     for (std::size_t i = said; i < script.diagnostics.size(); ++i) script.diagnostics[i].what.place = {};
     std::erase_if(script.diagnostics, [](const Diagnostic& d) { return d.severity != Severity::error; });
@@ -392,7 +387,7 @@ void read_line(Scene& s, Script& script, std::string_view line, const std::strin
   }
   show_list(s, script);
   follow_models(s, script, {});
-  say_masked_events(s, script), say_idle_releases(s, script);
+  say_masked_events(s, script), say_idle_releases(s, script), say_overlaps(s, script);
   script.left = left_open(s, script);
 }
 

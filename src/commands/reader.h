@@ -17,6 +17,24 @@ namespace betwixt {
 void read_file(Scene&, Script&, const std::string& path);
 void read_text(Scene&, Script&, std::string_view text, const std::string& name);
 
+// Reads a script; and again, if one of its sections waits for another one that is written below it. `make`: returns a
+// Script of the scene. `ahead`: what the last reading knew of the sections.
+template <class Make, class Read>
+ReaderState read_settled(Scene& scene, Diagnostics& said, SectionsAhead& ahead, const Make& make, const Read& read) {
+  const Scene before = scene;
+  const auto heard = static_cast<std::ptrdiff_t>(said.size());
+  for (;;) {
+    said.erase(said.begin() + heard, said.end());
+    Script script = make();
+    script.ahead = ahead, script.ahead.whole = true;
+    read(scene, script);
+    SectionsAhead next;
+    if (!look_ahead(scene, script, next)) return script;
+    ahead = std::move(next);
+    scene = before;
+  }
+}
+
 // Like load_text, for a text that is being edited. Reuses the meshes, pictures and sounds that `before` had already
 // read from the same files.
 Loaded load_text_again(std::string_view text, const std::string& name, const LoadOptions&, const Document& before);

@@ -19,6 +19,7 @@
 #include "language/translations.h"
 #include "scene/document.h"
 #include "scene/mentions.h"
+#include "scene/sections.h"
 
 namespace betwixt {
 
@@ -79,14 +80,44 @@ struct OpenSheet {
   Cow<LaterLists> later_lists;
 };
 
+// An open block: the commands that are indented below a line.
+struct OpenBlock {
+  std::size_t outer = 0;              // the indentation of the line that opens it
+  std::optional<std::size_t> indent;  // that of its commands, after the first one
+  bool skipped = false;               // its lines are passed over, because their opener has an error
+  SectionClock clock;                 // of its times
+  std::optional<std::size_t> grows;   // the section that ends with the latest time in the block
+};
+
 // The state that later lines need from earlier ones. It is a value, so that a copy of it serves undo.
 struct ReaderState {
-  bool frames_read = false, ticks_read = false;      // whether times have been given in these
-  int included = 0;                                  // files
-  std::size_t copied = 0;                            // events made by copying
-  bool texts_shown = false;                          // texts that can be translated have been read
+  bool frames_read = false, ticks_read = false;  // whether times have been given in these
+  int included = 0;                              // files
+  std::size_t copied = 0;                        // events made by copying
+  bool texts_shown = false;                      // texts that can be translated have been read
   std::shared_ptr<const Translations> translations;  // nullptr if texts stay as they are written
   std::shared_ptr<const OpenSheet> left;             // nullptr if no sheet is open
+  std::vector<OpenBlock> blocks;                 // that later lines may continue; the innermost is the last
+
+  // Returns the indentation of commands: deeper lines are rows.
+  std::size_t margin() const { return blocks.empty() ? 0 : blocks.back().indent.value_or(blocks.back().outer); }
+  bool goes_on(std::string_view line) const;  // whether the line is a row of the open sheet
+  bool belongs(std::string_view line) const;  // whether the line is in an open block, or a row
+  void close() { left.reset(), blocks.clear(); }
+};
+
+// What a script says of its sections, for a second reading if a section waits for one that is written below it.
+struct SectionsAhead {
+  struct Written {
+    std::string name, after;  // `after`: the section that it waits for; may be empty
+    bool timed = false;       // it begins at a time
+  };
+  std::vector<Section> known;                               // from the reading before
+  std::vector<Written> written;                             // in this reading
+  std::map<std::string, std::string, std::less<>> circles;  // sections that wait for themselves: "a after b after a"
+  bool missing = false;                                     // a line speaks of a section that is not known yet
+  bool whole = false;                                       // the text is the whole script, so it can be read again
+  int readings = 0;                                         // before this one
 };
 
 // The location of a script, found once. `name`: of its file; may be empty.
@@ -106,16 +137,22 @@ struct Script : ReaderState {
 
   Diagnostics& diagnostics;
   LoadOptions options;
-  std::filesystem::path root;                             // real path of the first script's folder
-  std::vector<std::filesystem::path> open_files;          // that use each other
-  std::size_t files_at_home = 0;                          // of them, while a live line itself is read
-  int depth = 0;                                          // depth of the author's commands that run other commands
-  bool live = false;                                      // lines come one by one
-  bool whole = false;                                     // a whole text is read, not one line of a live author
-  std::set<std::string, std::less<>> lets_given;          // those of the options that the script has
-  Source source;                                          // the text being read now
-  std::filesystem::path folder;                           // of the source
-  Sheet sheet;                                            // of the source
+  std::filesystem::path root;                     // real path of the first script's folder
+  std::vector<std::filesystem::path> open_files;  // that use each other
+  std::size_t files_at_home = 0;                  // of them, while a live line itself is read
+  int depth = 0;                                  // depth of the author's commands that run other commands
+  bool live = false;                              // lines come one by one
+  bool whole = false;                              // a whole text is read, not one line of a live author
+  std::set<std::string, std::less<>> lets_given;   // those of the options that the script has
+  Source source;                                  // the text being read now
+  std::filesystem::path folder;                   // of the source
+  Sheet sheet;                                    // of the source
+  SectionClock clock;                             // of the source: that of the block that uses it
+  bool in_section = false;                        // a section's block uses the source
+  Time latest;                                    // the latest time in the last text that was read
+  SectionsAhead ahead;
+  std::map<std::string, Diagnostic, std::less<>> section_places;
+  SectionClock clock_now() const { return blocks.empty() ? clock : blocks.back().clock; }
   std::map<std::string, std::size_t, std::less<>> stems;  // names that have a color of the theme (theming.cpp)
 
   // Diagnostics that are reported at the end of the script if they still apply:
@@ -177,6 +214,14 @@ struct Script : ReaderState {
   std::vector<std::uint32_t> speakers(const Scene&, const std::vector<ObjectId>&);
   std::vector<ObjectId> below(const Scene&, const std::string& name, bool drawn);
 
+  // Opens a block below the command that begins there. skip_block(): one whose lines are passed over, unless the
+  // command has opened one.
+  OpenBlock& open_block(const char* command);
+  void skip_block(const char* command);
+  // Closes the blocks that a line of this indentation is not in. Returns whether it is indented less than the commands
+  // of a block, but more than the line that opens the block.
+  bool leave_blocks(std::size_t indent);
+
   PlaceFinder* watch = nullptr;  // observes each line; may be nullptr
 
   int errors = 0;
@@ -209,7 +254,18 @@ void show_list(Scene&, Script&);
 // Expands all pending lists. Called before a diagnostic that may mention objects drawn by lists.
 void show_lists(Scene&, Script&);
 // Returns the lines that would have to precede the next row.
-std::string opener(const Scene&, const Sheet&);
+std::string opener(const Scene&, const Sheet&, std::size_t margin);
+// ---- sections.cpp
+
+// Returns the beginning or the end of a section, for lines that speak of it.
+Result<Time> section_time(const Scene&, Script&, std::string_view name, bool end);
+// Takes the latest time of a line of a section's block into the section.
+void grow_section(Scene&, const Script&, Time latest);
+// Reports sections that overlap, at the end of a script.
+void say_overlaps(const Scene&, Script&);
+// After a reading: what the next one needs to know. Returns false if no other one is needed, or if others do not help.
+bool look_ahead(const Scene&, Script&, SectionsAhead& next);
+
 // Returns the script's open sheet for later lines, or nullptr if none is open.
 std::shared_ptr<const OpenSheet> left_open(const Scene&, const Script&);
 // Reopens a sheet in the script, without the text of its target. Returns false if its names no longer mean the same.

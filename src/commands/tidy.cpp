@@ -30,9 +30,9 @@ struct Line {
   std::vector<std::string> lead;  // blank lines and comments above it
   std::vector<Written> tokens;    // empty if there is only a comment
   std::string comment;            // after it
-  bool indented = false;
-  Time time;              // of a row
-  bool dateless = false;  // its time is a formula with names, so that its value is unknown
+  std::string_view text;          // as it is written
+  Time time;                      // of a row
+  bool dateless = false;          // its time is a formula with names, so that its value is unknown
 };
 
 bool looks_like_number(std::string_view w) {
@@ -78,11 +78,13 @@ class Tidier {
       }
       line.lead = std::move(lead);
       lead.clear();
-      if (line.indented && in_list_) {
+      const Opens above = indentation_.sheet();
+      const bool row = indentation_.row(line.text);
+      if (row && above == Opens::list) {
         display_row(line);
         continue;
       }
-      if (line.indented && in_sheet_) {
+      if (row) {
         if (!date(line)) return false;
         if (line.tokens[0].text[0] == '+')
           line.time = rows_.empty() ? Time{} : rows_.back().time;  // it keeps its place after that row
@@ -93,11 +95,10 @@ class Tidier {
       flush_rows();
       settings(line);
       const std::string said = joined(line.tokens, 0);
-      const Opens below = opens(line_head(said));
-      in_list_ = below == Opens::list, in_sheet_ = below == Opens::sheet;
+      margin_ = std::string(2 * std::min<std::size_t>(indentation_.depth(), 40), ' ');
       depth_ = 1;
-      put_lead(line.lead, "");
-      out_ += said + (line.comment.empty() ? "" : "  " + line.comment) + "\n";
+      put_lead(line.lead, margin_);
+      out_ += margin_ + said + (line.comment.empty() ? "" : "  " + line.comment) + "\n";
     }
     flush_rows();
     put_lead(lead, "");
@@ -110,7 +111,7 @@ class Tidier {
   // Reads one logical line. Stores its comment separately. An empty line has neither tokens nor comment.
   bool next(Line& line) {
     line = {};
-    const bool indented = ahead_->kind == TokenKind::space;
+    const std::size_t start = ahead_->at;
     bool fresh = false;              // a new line begins here, inside brackets
     std::optional<std::size_t> end;  // of the previous token
     for (; ahead_; ahead_ = lexer_.next()) {
@@ -122,6 +123,7 @@ class Tidier {
         fresh = true;
         if (brackets > 0) continue;
         ahead_ = lexer_.next();
+        line.text = text_.substr(start, t.at - start);
         return true;
       }
       if (t.kind == TokenKind::comment) {
@@ -135,7 +137,6 @@ class Tidier {
       if (!t.closed) return false;
       if (t.kind == TokenKind::close && open_ == 0) return false;
       if (text == "#") return false;  // not a colour; with a space after it, a comment
-      if (line.tokens.empty()) line.indented = indented;
       const bool touches = end == t.at;
       fresh = fresh && brackets > 0;
       if (touches && goes_on_moment(line, t)) {  // voice:"the square"#2 is one word
@@ -148,6 +149,7 @@ class Tidier {
       open_ = brackets;
       fresh = false, end = t.end();
     }
+    line.text = text_.substr(start);
     return open_ == 0;
   }
 
@@ -238,10 +240,10 @@ class Tidier {
     }
   }
 
-  void put_lead(const std::vector<std::string>& lead, const char* indent) {
+  void put_lead(const std::vector<std::string>& lead, std::string_view indent) {
     for (const auto& l : lead) {
       if (!l.empty()) {
-        out_ += indent + l + "\n";
+        (out_ += indent) += l + "\n";
       } else if (!out_.empty() && !out_.ends_with("\n\n")) {
         out_ += "\n";
       }
@@ -267,8 +269,8 @@ class Tidier {
   void display_row(const Line& row) {
     const std::string& word = row.tokens[0].text;
     if ((word == "end" || word == "pop") && depth_ > 1) --depth_;
-    const std::string indent(2 * std::min<std::size_t>(depth_, 40), ' ');
-    put_lead(row.lead, indent.c_str());
+    const std::string indent = margin_ + std::string(2 * std::min<std::size_t>(depth_, 40), ' ');
+    put_lead(row.lead, indent);
     out_ += indent + joined(row.tokens, 0) + (row.comment.empty() ? "" : "  " + row.comment) + "\n";
     if (word == "begin" || word == "push") ++depth_;
   }
@@ -293,9 +295,9 @@ class Tidier {
             std::max(value_width, count_characters(cells.back()[1]));  // a long value does not widen the column
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      put_lead(rows_[i].lead, "  ");
+      put_lead(rows_[i].lead, margin_ + "  ");
       std::string text =
-          "  " + cells[i][0] + std::string(time_width + 2 - count_characters(cells[i][0]), ' ') + cells[i][1];
+          margin_ + "  " + cells[i][0] + std::string(time_width + 2 - count_characters(cells[i][0]), ' ') + cells[i][1];
       const std::size_t value = count_characters(cells[i][1]);
       if (!cells[i][2].empty())
         text += std::string(value < value_width ? value_width + 2 - value : 2, ' ') + cells[i][2];
@@ -312,7 +314,8 @@ class Tidier {
   int open_ = 0;  // brackets after the last token
   std::string out_;
   std::vector<Line> rows_;
-  bool in_sheet_ = false, in_list_ = false;
+  Indentation indentation_;
+  std::string margin_;  // of the last command
   std::size_t depth_ = 1;
   bool rates_known_ = true;
   Rate rate_, ticks_{30, 1};

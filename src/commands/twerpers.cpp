@@ -237,7 +237,7 @@ bool way(Command& k, const Selected& to, Event& e, std::optional<Time>* lasts) {
       c.word();
       c.space();
       start = c.at;
-      if (!c.length(lasts->emplace())) return false;
+      if (!c.lasting(lasts->emplace())) return false;
       if (**lasts <= Time{}) return c.fail(ErrorCode::range, "the length must be above 0", c.since(start));
       if (!chosen) e.twerper = *find_twerper(to.type() == Type::text ? "match" : "ease-in-out");
       return finish(c);

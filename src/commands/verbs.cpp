@@ -13,7 +13,8 @@ Rows settings_verbs(), appearance_verbs(), environments_verbs(), objects_verbs()
     clearing_verbs(), groups_verbs(), baking_verbs(), reaching_verbs(), arranging_verbs(), filters_verbs(),
     layers_verbs(), procedures_verbs(), fall_verbs(), dials_verbs(), files_verbs(), display_lists_verbs(),
     texts_verbs(), entrances_verbs(), annotations_verbs(), connecting_verbs(), callouts_verbs(), diagrams_verbs(),
-    theming_verbs(), own_kinds_verbs(), dimensioning_verbs(), tables_verbs(), translating_verbs();
+    theming_verbs(), own_kinds_verbs(), dimensioning_verbs(), tables_verbs(), translating_verbs(), sections_verbs(),
+    cues_verbs();
 
 const std::vector<Verb>& verbs() {
   static const std::vector<Verb> all = [] {
@@ -25,7 +26,8 @@ const std::vector<Verb>& verbs() {
           texts_verbs(),     filters_verbs(),     layers_verbs(),       procedures_verbs(),    fall_verbs(),
           dials_verbs(),     names_verbs(),       files_verbs(),        display_lists_verbs(), reaching_verbs(),
           own_kinds_verbs(), entrances_verbs(),   annotations_verbs(),  connecting_verbs(),    callouts_verbs(),
-          diagrams_verbs(),  theming_verbs(),     dimensioning_verbs(), tables_verbs(),        translating_verbs()})
+          diagrams_verbs(),  theming_verbs(),     dimensioning_verbs(), tables_verbs(),        translating_verbs(),
+          sections_verbs(),  cues_verbs()})
       rows.insert(rows.end(), family.begin(), family.end());
     return rows;
   }();
@@ -73,8 +75,8 @@ bool has_word(std::string_view words, std::string_view one) {
 }
 
 std::span<const std::string_view> reserved_words() {
-  static constexpr std::string_view shell[] = {"help",    "list", "describe", "undo", "redo", "plot", "play", "stop",
-                                               "rewrite", "save", "open",     "load", "quit", "exit", "eval", "style"};
+  static constexpr std::string_view shell[] = {"help", "list", "undo", "redo", "plot", "play", "stop", "rewrite",
+                                               "save", "open", "load", "quit", "exit", "eval", "style"};
   return shell;
 }
 

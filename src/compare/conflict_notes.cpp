@@ -122,7 +122,7 @@ class ConflictNotes {
     const ScriptText lines(text_);
     for (std::size_t i = 0; i < lines.count(); i = lines.behind(i)) {
       const std::string_view line = lines.line(i);
-      if (indented(line) || empty_line(line)) continue;
+      if (empty_line(line) || is_row(lines, i)) continue;
       const LineHead head = line_head(line);
       const std::string said = fmt::format("{} {}", head.word == "define" ? "function" : head.word, head.name);
       if (head.word == k.about || said == k.about || (said == "function kind" && k.about.starts_with("kind ")))
@@ -134,7 +134,7 @@ class ConflictNotes {
     const ScriptText lines(text_);
     for (std::size_t i = 0; i < lines.count(); i = lines.behind(i)) {
       const LineHead head = line_head(lines.line(i));
-      if (!head.row && head.word == "create" && head.name == k.object)
+      if (head.word == "create" && head.name == k.object)
         end.at = lines.behind(i) < lines.count() ? lines.start(lines.behind(i)) : text_.size();
     }
     return end;

@@ -36,7 +36,7 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, n>& wor
   return std::ranges::find(words, word) != words.end();
 }
 
-constexpr std::array<std::string_view, 5> definitions{"procedure", "let", "define", "alias", "dial"};
+constexpr std::array<std::string_view, 6> definitions{"procedure", "let", "define", "alias", "dial", "section"};
 // What other facts say: objects and their values, events, cuts and notes, lists, environments.
 constexpr std::array<std::string_view, 19> said_elsewhere{
     "create", "layer", "rename", "set",  "at",   "look", "clear",   "couple", "attach", "hang",
@@ -54,6 +54,11 @@ class FactFinder {
     for (const auto& [time, note] : *s_.notes)
       add({FactPart::note, "", "", "", time},
           write_text(note.text) + (note.color ? " color=" + write_color(*note.color) : ""));
+    for (const auto& [time, pause] : *s_.pauses)
+      add({FactPart::definition, "", "step " + write_time(time, s_.rate), "", {}}, write_pause(pause, s_.rate));
+    for (const auto& [time, said] : *s_.descriptions)
+      add({FactPart::definition, "", "describe " + write_time(time, s_.rate), "", {}},
+          write_description(said, s_.rate));
     each_statement(write_lists(s_), [&](std::string_view statement) {
       std::string_view rest = statement;
       std::string_view word = take_piece(rest);

@@ -26,8 +26,10 @@ Diagnostics Editor::begin(std::string text, const std::string& name) {
 Point Editor::read(std::string_view text, Diagnostics& said) const {
   const Scene& now = now_.document.scene();
   Scene scene = with_files_of(now);
-  Script script(scene, said, options_, {}, home_);
-  read_text(scene, script, text, home_.name);
+  SectionsAhead ahead;
+  const auto make = [&] { return Script(scene, said, options_, {}, home_); };
+  const ReaderState script =
+      read_settled(scene, said, ahead, make, [&](Scene& s, Script& to) { read_text(s, to, text, home_.name); });
   share(scene, now);
   return {Document(std::make_shared<const Scene>(std::move(scene))), script};
 }
@@ -38,7 +40,7 @@ CommandResult Editor::carry_out(const Point& from, std::string_view line, std::o
   ReaderState script = from.script;
   CommandResult result = carry_out_on(scene, script, line, now, translated);
   if (!result.done) return result;
-  if (result.empty) script.left = from.script.left;  // a comment does not close a sheet
+  if (result.empty) script.left = from.script.left, script.blocks = from.script.blocks;  // a comment closes nothing
   result.after = {Document(std::make_shared<const Scene>(std::move(scene))), std::move(script)};
   return result;
 }
@@ -50,7 +52,7 @@ Point Editor::Draft::point() && {
 CommandResult Editor::carry_out_on(Scene& scene, ReaderState& so_far, std::string_view line, std::optional<Time> now,
                                    bool translated) const {
   CommandResult result;
-  const bool row = so_far.left && indented(line);
+  const bool row = so_far.goes_on(line), below = so_far.belongs(line);
   if (row) result.sheet = so_far.left->opener;
   LoadOptions options = options_;
   options.now = now;
@@ -72,7 +74,7 @@ CommandResult Editor::carry_out_on(Scene& scene, ReaderState& so_far, std::strin
   so_far = script;
   if (!result.done) return result;
   result.line = script.stamped();
-  if (!row)
+  if (!below)
     result.line.erase(
         0, result.line.size() - without_indent(result.line).size());  // the history must not take it for a row
   result.stamped = !row && !translated && script.in_time;
@@ -103,6 +105,7 @@ CommandResult Editor::carry_out(const Step& step) const {
   Point at = now_;
   if (step.lines.size() > 1 || step.rows || (!step.sheet.empty() && !stands_below(step, last_step())))
     at.script.left.reset();
+  if (step.lines.size() > 1 || step.rows) at.script.close();
   if (lines.size() > 1)
     if (Diagnostics said; auto after = carried_out(at, fmt::format("{}", fmt::join(lines, "\n")), said)) {
       result.done = true, result.after = *std::move(after);

@@ -104,9 +104,9 @@ const std::vector<std::string_view>& option_words() {
   return all;
 }
 
-std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document& d) {
+std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document& d, bool row) {
   std::vector<LinePiece> all;
-  Reading r{line, d.scene(), indented(line) || state.goes_on(), state.goes_on() ? std::size_t{9} : 0, {}, {}};
+  Reading r{line, d.scene(), row || state.goes_on(), state.goes_on() ? std::size_t{9} : 0, {}, {}};
   const auto put = [&](std::size_t at, std::size_t length, Meaning m) {
     if (length > 0) all.push_back({at, length, m});
   };

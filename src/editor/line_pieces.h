@@ -25,8 +25,11 @@ struct LinePiece {
 };
 
 // Returns the tokens of one line that have a meaning, in order. `state`: that of the line above; updated to that of
-// this line.
-std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document&);
+// this line. `row`: whether the line is a row of a sheet or list.
+std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document&, bool row);
+inline std::vector<LinePiece> line_pieces(std::string_view line, LineState& state, const Document& d) {
+  return line_pieces(line, state, d, indented(line));
+}
 
 // Returns the words that are options in any line: to, by, keep-world …
 const std::vector<std::string_view>& option_words();

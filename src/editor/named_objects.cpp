@@ -18,10 +18,10 @@ void put(std::vector<ObjectId>& all, ObjectId id) {
 }
 
 // Returns the words of a line that can be names or patterns of objects, cut at the first dot.
-std::vector<std::string_view> names_in(std::string_view line, const Document& d) {
+std::vector<std::string_view> names_in(std::string_view line, bool row, const Document& d) {
   std::vector<std::string_view> all;
   LineState state;
-  for (const LinePiece& p : line_pieces(line, state, d))
+  for (const LinePiece& p : line_pieces(line, state, d, row))
     if (p.meaning != Meaning::comment && p.meaning != Meaning::text && p.meaning != Meaning::verb &&
         p.meaning != Meaning::function && p.meaning != Meaning::number && p.meaning != Meaning::time)
       all.push_back(line.substr(p.at, p.length));
@@ -33,8 +33,8 @@ std::vector<std::string_view> names_in(std::string_view line, const Document& d)
 std::vector<ObjectId> objects_named_in(std::string_view line, std::string_view opener, const Document& d,
                                        std::size_t most) {
   std::vector<ObjectId> all;
-  for (const std::string_view part : {opener, line})
-    for (const std::string_view w : names_in(part, d))
+  for (const bool row : {false, true})
+    for (const std::string_view w : names_in(row ? line : opener, row && !opener.empty(), d))
       for (const ObjectId id : select(d.scene(), w)) {
         if (all.size() >= most) return all;
         if (is_pattern(w) && all.size() > 1000)
@@ -48,8 +48,8 @@ std::vector<ObjectId> objects_named_in(std::string_view line, std::string_view o
 bool names_any(std::string_view line, std::string_view opener, const Document& d, const std::vector<ObjectId>& ids) {
   if (ids.empty()) return false;
   const auto wanted = [&](ObjectId id) { return std::ranges::find(ids, id) != ids.end(); };
-  for (const std::string_view part : {opener, line})
-    for (const std::string_view w : names_in(part, d)) {
+  for (const bool row : {false, true})
+    for (const std::string_view w : names_in(row ? line : opener, row && !opener.empty(), d)) {
       if (const ObjectId id = d.find(w); id && wanted(id)) return true;
       if (is_pattern(w) || d.aliases().contains(w))
         if (std::ranges::any_of(select(d.scene(), w), wanted)) return true;

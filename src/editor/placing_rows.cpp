@@ -204,8 +204,10 @@ class Placing {
     return false;
   }
 
-  std::string written(Time t, std::string_view as) const {
-    if (const auto later = behind_moment(t, as)) return *later;
+  // Writes a time as it is in the block of the row.
+  std::string written(Time film, std::string_view as, const SectionClock& clock) const {
+    if (const auto later = behind_moment(film, as)) return *later;
+    const Time t = clock.own_time(film);
     return as.ends_with('s') ? write_seconds(t) : format_time(t, after_);
   }
   // Returns voice:"square"+5f if the row had such a time, and whole frames lead from the word to the new time.
@@ -229,7 +231,7 @@ class Placing {
     std::string line = part(row.line);
     const auto put = [&](Span s, const std::string& instead) { line.replace(s.at - row.line.at, s.size, instead); };
     if (fate.rest) put(row.rest, as_before(*fate.rest, part(row.rest)));
-    if (fate.time) put(row.time, written(*fate.time, part(row.time)));
+    if (fate.time) put(row.time, written(*fate.time, part(row.time), row.clock));
     return line;
   }
 
@@ -247,15 +249,17 @@ class Placing {
     };
     std::vector<Event> events;
     const std::string as = part(row.time);
+    const std::string margin = line.substr(0, indentation(line));
     if (!fate.goes) {
       const Time when = fate.time.value_or(row.when);
-      events.push_back({when, fmt::format("  {} {}{}\n", fate.time ? written(when, as) : as,
+      events.push_back({when, fmt::format("{}  {} {}{}\n", margin, fate.time ? written(when, as, row.clock) : as,
                                           fate.rest ? *fate.rest : part(row.rest), remark)});
     }
-    for (const Said& s : more) events.push_back({s.time, fmt::format("  {} {}\n", written(s.time, as), s.rest)});
+    for (const Said& s : more)
+      events.push_back({s.time, fmt::format("{}  {} {}\n", margin, written(s.time, as, row.clock), s.rest)});
     std::ranges::stable_sort(events, [](const Event& a, const Event& b) { return a.when < b.when; });
     const Target& t = sheet.targets[0];
-    std::string all = (t.layer ? "on " + after_.name(t.layer) + " " : "") + after_.name(t) + "\n";
+    std::string all = margin + (t.layer ? "on " + after_.name(t.layer) + " " : "") + after_.name(t) + "\n";
     for (const Event& e : events) all += e.text;
     edits_.push_back({sheet.opener.at, line, std::move(all)});
     return true;
@@ -296,12 +300,12 @@ class Placing {
       lines.push_back({fate.time.value_or(row.when), std::move(text)});
     }
     const std::string margin =
-        sheet.rows.empty() ? "  "
+        sheet.rows.empty() ? text_.substr(sheet.opener.at, indentation(part(sheet.opener))) + "  "
                            : part({sheet.rows.back().line.at, sheet.rows.back().time.at - sheet.rows.back().line.at});
     if (adds != added_.end())
       for (const Said& s : adds->second) {
         const std::string like = sheet.rows.empty() ? "f" : part(sheet.rows.back().time);
-        Line line{s.time, fmt::format("{}{} {}\n", margin, written(s.time, like), s.rest)};
+        Line line{s.time, fmt::format("{}{} {}\n", margin, written(s.time, like, sheet.clock), s.rest)};
         if (!lines.empty() && !lines.back().text.empty() && lines.back().text.back() != '\n') lines.back().text += '\n';
         lines.insert(sorted ? std::ranges::upper_bound(lines, line, by_time) : lines.end(), std::move(line));
       }

@@ -12,7 +12,10 @@ SaidLine look_at(std::string_view text, std::size_t most) {
           indented(text), line.open,        !line.open && line.end != text.data() + text.size()};
 }
 
-bool is_verb(std::string_view word) { return find_verb(word) != nullptr; }
+bool is_verb(std::string_view word) {
+  const Verb* const verb = find_verb(word);
+  return verb && !(verb->flags & Verb::after_time);
+}
 
 bool goes_on(std::string_view text) { return logical_line(text).open; }
 

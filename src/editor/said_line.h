@@ -22,7 +22,7 @@ struct SaidLine {
 // `most`: looks for words in this many bytes only.
 SaidLine look_at(std::string_view text, std::size_t most = std::string_view::npos);
 
-bool is_verb(std::string_view word);  // of the language
+bool is_verb(std::string_view word);  // whether a command of the language can begin with it
 // Returns true if a bracket or a """ is open.
 bool goes_on(std::string_view text);
 

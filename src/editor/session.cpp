@@ -16,9 +16,10 @@
 namespace betwixt {
 namespace {
 
-// Returns true if the refused line would have opened a sheet.
+// Returns true if the refused line would have opened a sheet or a block.
 bool meant_a_sheet(std::string_view line) {
   const LineHead head = line_head(line);
+  if (opens_block(head)) return true;
   if (head.word.empty() || !head.time.empty() || head.verb) return head.verb && head.verb->flags & Verb::opens_sheet;
   return head.name.empty() || first_dot(head.word) != std::string_view::npos;
 }
@@ -125,10 +126,10 @@ std::optional<bool> Session::State::asked_about(const CommandResult& refused, st
 
 Session::Answer Session::State::command(std::string_view line) {
   if (looks_only) return only_looks();
-  const bool row = indented(line) && sheet_open();
+  const bool row = editor.now().script.goes_on(line);
   if (indented(line) && sheet_refused)
     return refused("this row has no sheet, because the line that should open it has an error");
-  if (!row) line = trimmed(line);  // the file must not take it for a row
+  if (!editor.now().script.belongs(line)) line = trimmed(line);  // the file must not take it for a row
   const SaidLine said = look_at(line);
   if (said.several) return refused("enter one line at a time");
   CommandResult result = editor.carry_out(editor.now(), line);
@@ -159,7 +160,7 @@ Session::Answer Session::State::together(const std::vector<std::string>& said) {
   if (said.size() == 1) return enter(said[0]);
   lines += 1;
   Point at = editor.now();
-  at.script.left.reset();
+  at.script.close();
   Step step;
   Answer answer;
   int before = 0;  // lines of earlier commands
@@ -261,8 +262,10 @@ Session::Answer Session::State::enter(std::string_view line) {
   if (ended) return refused("the session has ended");
   if (trimmed(line).empty()) return {};
   std::string shifted;  // at the prompt, a row need not be indented
-  if (sheet_open() && (starts_like_time(line[0]) || moment_length(line) > 0)) line = shifted = "  " + std::string(line);
-  if (indented(line) && (sheet_open() || sheet_refused)) return command(line);
+  const ReaderState& script = editor.now().script;
+  if (script.left && (starts_like_time(line[0]) || moment_length(line) > 0))
+    line = shifted = std::string(script.margin() + 2, ' ') + std::string(line);
+  if (indented(line) && (script.belongs(line) || sheet_refused)) return command(line);
   if (is_rewriting(trimmed(line))) return rewrite(trimmed(line));
   const Words all = line_words(trimmed(line));
   const Word* word = all.empty() ? nullptr : find_word(all[0]);

@@ -89,7 +89,6 @@ struct Session::State {
   std::map<std::string, int, std::less<>> failed;    // names that refused lines would have made, with the line numbers
 
   const Document& document() const { return editor.now().document; }
-  bool sheet_open() const { return editor.now().script.left != nullptr; }
   std::string called() const { return file.empty() ? "this film" : fmt::format("'{}'", file); }
   std::string text() const;
 

@@ -41,7 +41,7 @@ std::optional<TextEdits> Session::State::place_each(const Point& then, const Ste
     return std::nullopt;
   TextEdits all;
   Point at = editor.now();
-  at.script.left.reset();
+  at.script.close();
   Diagnostics said;
   for (const std::string& line : step.lines) {
     CommandResult result = editor.carry_out(at, line);
@@ -131,7 +131,7 @@ Point Session::State::after(const std::string& text, const TextEdit& edit, Diagn
   if (in_place && of_text.empty())
     if (const auto commands = commands_of(placed().text, edit, document())) {
       Point at = editor.now();
-      at.script.left.reset();
+      at.script.close();
       bool plain = true;
       for (const std::string& line : *commands) {
         CommandResult result = editor.carry_out(at, line);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 
+#include "commands/line_head.h"
 #include "editor/journal.h"
 #include "syntax/texts.h"
 #include "syntax/tokens.h"
@@ -55,7 +56,9 @@ std::optional<Mended> without_errors(std::string_view text, const std::string& n
   }
   Mended out;
   int number = 1;
-  bool with_rows = false;  // skips the rows of a wrong line
+  bool with_rows = false;  // skips the rows and the block of a wrong line
+  std::size_t wrong_margin = 0;
+  Indentation rows;
   for (std::size_t at = 0; at < text.size();) {
     const LogicalLine line = logical_line(text.substr(at));
     const std::size_t end = static_cast<std::size_t>(line.next(text.data() + text.size()) - text.data());
@@ -63,13 +66,14 @@ std::optional<Mended> without_errors(std::string_view text, const std::string& n
     const int lines = static_cast<int>(std::count(all.begin(), all.end(), '\n'));
     const auto found = wrong.lower_bound(number);
     const bool is_wrong = found != wrong.end() && found->first < number + std::max(lines, 1);
-    const bool row = indented(all);
     const std::string_view words = all.substr(0, all.find_last_not_of('\n') + 1);
-    with_rows = with_rows && (row || words.empty());
+    const std::size_t margin = indentation(all);
+    with_rows = with_rows && (margin > wrong_margin || words.empty());
+    const bool row = !empty_line(all) && rows.row(all);
     if (is_wrong && at >= bytes) return std::nullopt;
     if (is_wrong) {
       out.lines.push_back({fmt::format("line {}", number), {{std::string(words)}, {}}, found->second});
-      with_rows = !row;
+      with_rows = !row, wrong_margin = margin;
     } else if (with_rows) {
       (out.lines.back().step.lines[0] += "\n") += words;
     } else {

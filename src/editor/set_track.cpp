@@ -109,7 +109,7 @@ Session::Answer Session::State::set_track(std::string_view name, std::span<const
     first.insert(first.begin(), fmt::format("clear {} {}..{}", opener, write_time(there->first, before.rate()),
                                             write_time(there->second, before.rate())));
   Point then = editor.now();
-  then.script.left.reset();
+  then.script.close();
   Answer answer;
   const auto carried_out = [&](const std::string& line) {
     CommandResult result = editor.carry_out(then, line);
@@ -133,9 +133,9 @@ Session::Answer Session::State::set_track(std::string_view name, std::span<const
     }
   }
   then.document = Document(std::make_shared<const Scene>(std::move(scene)));
-  then.script.left.reset();  // it knows the track as it was
+  then.script.close();  // it knows the track as it was
   if (times.size() > 1 && !(carried_out(opener) && carried_out(row(times.size() - 1)))) return answer;
-  then.script.left.reset();
+  then.script.close();
   first.pop_back();
   if (Status s = take_track(std::move(then), {std::move(first), "", rows}, opener); !s) return refused(s.error());
   tally.command(), sheet_refused = false;

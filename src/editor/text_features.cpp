@@ -31,7 +31,7 @@ std::optional<LinePiece> piece_at(const ScriptText& lines, std::size_t place, co
   const std::size_t number = lines.line_of(place), in_line = place - lines.start(number);
   LineState state = lines.state_above(number);
   std::optional<LinePiece> found;
-  for (const LinePiece& p : line_pieces(lines.line(number), state, d))
+  for (const LinePiece& p : line_pieces(lines.line(number), state, d, is_row(lines, number)))
     if (p.at <= in_line && in_line <= p.at + p.length) found = p;
   return found;
 }
@@ -75,12 +75,21 @@ std::string said_of_time(std::string_view word, const Document& d) {
   return ways.empty() ? "" : fmt::format("{} is {}\n", word, fmt::join(ways, ", "));
 }
 
-// Returns the line after the rows below a line; trailing empty lines are not counted.
+// Returns the line after the rows and the block below a line; trailing empty lines are not counted.
 std::size_t behind_rows(const ScriptText& lines, std::size_t opener) {
+  const std::size_t margin = indentation(lines.line(opener));
   std::size_t end = lines.behind(opener);
-  for (std::size_t i = end; i < lines.count() && below_opener(lines.line(i)); i = lines.behind(i))
-    if (indented(lines.line(i)) && !empty_line(lines.line(i))) end = lines.behind(i);
+  for (std::size_t i = end; i < lines.count(); i = lines.behind(i)) {
+    if (empty_line(lines.line(i))) continue;
+    if (indentation(lines.line(i)) <= margin) break;
+    end = lines.behind(i);
+  }
   return end;
+}
+
+bool opens_any(std::string_view line) {
+  const LineHead head = line_head(line);
+  return opens(head) != Opens::nothing || opens_block(head);
 }
 
 }  // namespace
@@ -109,9 +118,9 @@ std::optional<Hover> hover_at(const TextNames& names, const FilmText& in, std::s
 }
 
 std::optional<Usage> usage_at(const ScriptText& lines, std::size_t place) {
-  const std::string_view line = lines.line(lines.first_of(lines.line_of(place)));
-  const LineHead head = line_head(line);
-  const HelpGroup group = head.row ? HelpGroup::row : HelpGroup::verb;
+  const std::size_t number = lines.first_of(lines.line_of(place));
+  const LineHead head = line_head(lines.line(number));
+  const HelpGroup group = is_row(lines, number) ? HelpGroup::row : HelpGroup::verb;
   for (const HelpEntry& e : help_entries())
     if (e.group == group && e.word == head.word) return Usage{e.usage, e.sentence};
   return std::nullopt;
@@ -120,7 +129,7 @@ std::optional<Usage> usage_at(const ScriptText& lines, std::size_t place) {
 std::optional<std::string> used_at(const ScriptText& lines, std::size_t place) {
   const std::size_t number = lines.line_of(place);
   const std::string_view line = lines.line(number);
-  if (indented(line) || lines.state_above(number).goes_on()) return std::nullopt;
+  if (lines.state_above(number).goes_on() || is_row(lines, number)) return std::nullopt;
   Cursor c(line);
   if (c.next_word() != "use") return std::nullopt;
   c.space();
@@ -159,23 +168,28 @@ Completions completions_at(const ScriptText& lines, std::size_t place, const Doc
 
 std::vector<TextSymbol> symbols(const ScriptText& lines) {
   std::vector<TextSymbol> all;
+  Indentation indentation;
   for (std::size_t i = 0; i < lines.count(); i = lines.behind(i)) {
     const std::string_view line = lines.line(i);
-    if (line.empty() || indented(line)) continue;
+    if (empty_line(line) || indentation.row(line)) continue;
     const auto made = making(line);
-    const bool sheet = opens_sheet(line);
+    const bool sheet = opens_any(line);
     if (!made && !sheet) continue;
     const std::size_t end = sheet ? behind_rows(lines, i) : lines.behind(i);
     const std::size_t stop = lines.start(end - 1) + lines.line(end - 1).size();
     TextSymbol symbol{{}, {}, {}, {}, {lines.start(i), stop - lines.start(i)}};
     std::string_view word;
-    if (made) {
-      const std::string_view kind = kind_word(line_head(line));
+    const LineHead head = line_head(line);
+    if (opens_block(head)) {
+      word = head.name, symbol.detail = head.word;
+    } else if (made) {
+      const std::string_view kind = kind_word(head);
       word = made->word, symbol.made = made->kind;
       symbol.detail = kind.empty() ? made->verb : kind;
     } else {
-      word = line_head(line).word;
+      word = head.word;
     }
+    if (word.empty()) continue;
     symbol.name = word;
     symbol.word = {static_cast<std::size_t>(word.data() - lines.text().data()), word.size()};
     all.push_back(std::move(symbol));
@@ -194,17 +208,20 @@ std::vector<Fold> folds(const ScriptText& lines) {
     const bool remark = lines.only_comment(i);
     if (remark)
       while (end < lines.count() && lines.only_comment(end)) ++end;
-    else if (opens_sheet(line))
+    else if (opens_any(line))
       end = behind_rows(lines, i);
     put(i, end, remark);
-    i = end;
+    i = opens_block(line) ? lines.behind(i) : end;  // its lines may have rows of their own
   }
   return all;
 }
 
 std::string tidied_in(const ScriptText& lines, Span part) {
+  // Where a block is touched, it is tidied as a whole.
   const auto sheet_or_line = [&](std::size_t line) {
-    const std::size_t opener = opener_of(lines, line);
+    std::size_t opener = block_of(lines, line);
+    if (opener == lines.count()) opener = opener_of(lines, line);
+    while (opener < lines.count() && block_of(lines, opener) < lines.count()) opener = block_of(lines, opener);
     return opener < lines.count() ? opener : lines.first_of(line);
   };
   const std::size_t last = lines.line_of(part.size > 0 ? part.end() - 1 : part.at);
@@ -244,7 +261,7 @@ std::vector<ColorAt> colors_in(const ScriptText& lines, const Document& d) {
     if (!may_begin(line)) continue;
     LineState state = lines.state_above(i);
     const auto made = state.goes_on() ? std::nullopt : making(line);
-    for (const LinePiece& p : line_pieces(line, state, d)) {
+    for (const LinePiece& p : line_pieces(line, state, d, is_row(lines, i))) {
       const std::string_view word = line.substr(p.at, p.length);
       if (p.meaning != Meaning::color && word != "rgb" && word != "hsv") continue;
       if (made && made->word.data() == word.data()) continue;  // an object can be called gold

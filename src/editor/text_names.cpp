@@ -91,7 +91,8 @@ void TextNames::find_made(std::size_t text) {
   const ScriptText& lines = texts_[text].lines;
   for (std::size_t i = 0; i < lines.count(); ++i) {
     const std::string_view line = lines.line(i);
-    if (line.empty() || !of_word(line[0]) || lines.state_above(i).goes_on()) continue;
+    const std::string_view said = without_indent(line);
+    if (said.empty() || !of_word(said[0]) || lines.state_above(i).goes_on()) continue;
     const auto m = making(line);
     if (!m) continue;
     const auto place = [&](std::string_view w) { return static_cast<std::size_t>(w.data() - line.data()); };
@@ -183,7 +184,7 @@ std::optional<NameAt> TextNames::at(std::size_t text, std::size_t place) const {
   LineState state = lines.state_above(number);
   const auto given = state.goes_on() ? std::nullopt : making(line);
   std::optional<LinePiece> piece;
-  for (const LinePiece& p : line_pieces(line, state, film_))
+  for (const LinePiece& p : line_pieces(line, state, film_, is_row(lines, number)))
     if (p.at <= in_line && in_line <= p.at + p.length) piece = p;  // where two tokens meet, the second
   if (!piece || piece->meaning == Meaning::comment) return std::nullopt;
   if (piece->meaning == Meaning::text) return in_text(lines, number, *piece, in_line);

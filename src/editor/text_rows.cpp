@@ -37,7 +37,7 @@ class Finder {
   std::size_t place(const char* at) const { return static_cast<std::size_t>(at - text_.data()); }
   Cursor cursor(std::string_view line) const {
     Cursor c(line);
-    c.rate = document_.rate(), c.ticks = document_.ticks(), c.moments = &document_.scene();
+    c.rate = document_.rate(), c.ticks = document_.ticks(), c.moments = &document_.scene(), c.clock = clock_;
     return c;
   }
 
@@ -46,12 +46,21 @@ class Finder {
   Span rest_of(std::string_view rest) const { return span(without_comment(without_indent(rest))); }
 
   void read(Span line, std::string_view text) {
-    if (indented(text)) {
+    if (empty_line(text)) return;
+    if (indentation_.row(text)) {
       if (open_) add_row(found_.sheets.back(), line, cursor(text));
-    } else if (!empty_line(text)) {
-      open_ = false;
-      command(line, text);
+      return;
     }
+    open_ = false;
+    clock_ = clock_in_block();
+    command(line, text);
+  }
+
+  // Returns the clock of the block that the line is in.
+  SectionClock clock_in_block() const {
+    const Section* const section =
+        indentation_.depth() > 0 ? find_section(document_.sections(), line_head(indentation_.block()).name) : nullptr;
+    return section ? clock_of(*section) : SectionClock{};
   }
 
   void command(Span line, std::string_view text) {
@@ -59,7 +68,7 @@ class Finder {
     ObjectId layer;
     if (!head.layer.empty() && !(layer = document_.find(head.layer))) return;
     RowText row;
-    row.line = line;
+    row.line = line, row.clock = clock_;
     const bool timed = !head.time.empty();
     if (timed) {
       Cursor c = cursor(head.time);
@@ -75,13 +84,13 @@ class Finder {
     row.rest = rest_of(behind);
     if (!timed && row.rest.size > 0) return;
     open_ = !timed;
-    found_.sheets.push_back({std::move(targets), line, {}, timed});
+    found_.sheets.push_back({std::move(targets), line, {}, timed, clock_});
     if (timed) found_.sheets.back().rows.push_back(row);
   }
 
   void add_row(SheetText& sheet, Span line, Cursor c) {
     RowText row;
-    row.line = line;
+    row.line = line, row.clock = clock_;
     if (c.at_line_end()) return;
     const char* const from = c.at;
     row.relative = c.peek() == '+';
@@ -147,7 +156,9 @@ class Finder {
   const std::span<const Target> targets_;
   std::set<std::uint32_t> objects_;
   TextRows found_;
-  bool open_ = false;  // following rows belong to the last sheet
+  Indentation indentation_;
+  SectionClock clock_;  // of the line
+  bool open_ = false;   // following rows belong to the last sheet
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "betwixt/document.h"
+#include "scene/sections.h"
 #include "syntax/script_text.h"
 
 namespace betwixt {
@@ -18,7 +19,8 @@ struct RowText {
   Span line;  // with its line ending
   Span time, rest;
   Time when;
-  bool relative = false;  // +12f
+  bool relative = false;    // +12f
+  SectionClock clock = {};  // of its times
 };
 // A sheet with its rows, or a single `at` line.
 struct SheetText {
@@ -26,6 +28,7 @@ struct SheetText {
   Span opener;
   std::vector<RowText> rows;
   bool alone = false;
+  SectionClock clock = {};
 };
 // A value for the whole film, given for this target alone.
 struct ValueText {

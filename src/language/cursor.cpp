@@ -14,14 +14,6 @@
 #include "syntax/texts.h"
 
 namespace betwixt {
-namespace {
-
-// Quotes a token for a message, shortened if it is long.
-std::string quoted(std::string_view s) {
-  return s.size() > 40 ? fmt::format("'{}…'", s.substr(0, 36)) : fmt::format("'{}'", s);
-}
-
-}  // namespace
 
 bool Cursor::fail(ErrorCode code, std::string message, std::string_view about, Hint hint) {
   return fail(betwixt::fail(code, std::move(message), std::move(hint)), about);
@@ -89,7 +81,7 @@ bool Cursor::close() {
   if (*at != ')')
     return fail_here(ErrorCode::syntax,
                      fmt::format("a closing bracket ')' is missing before {}",
-                                 quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word())));
+                                 quoted_word(peek_word().empty() ? std::string_view(at, 1) : peek_word())));
   ++at;
   --depth;
   return true;
@@ -129,7 +121,7 @@ bool Cursor::literal(double& out) {
   if (!(p < end && (is_digit(*p) || (*p == '.' && p + 1 < end && is_digit(p[1]))))) {
     if (at_line_end()) return fail_here(ErrorCode::syntax, "a number is missing here");
     const std::string_view word = peek_word().empty() ? std::string_view(at, 1) : peek_word();
-    return fail_here(ErrorCode::syntax, fmt::format("{} is not a number", quoted(word)), near_name(*this, word));
+    return fail_here(ErrorCode::syntax, fmt::format("{} is not a number", quoted_word(word)), near_name(*this, word));
   }
   const auto r = fast_float::from_chars(plus ? p : at, end, out);
   at = r.ptr;
@@ -138,7 +130,7 @@ bool Cursor::literal(double& out) {
   if (r.ec != std::errc{} && r.ec != std::errc::result_out_of_range)
     return fail_here(ErrorCode::syntax, "this is not a number");
   if (!std::isfinite(out))
-    return fail(ErrorCode::range, fmt::format("{} is too large for a number", quoted(since(start))), since(start));
+    return fail(ErrorCode::range, fmt::format("{} is too large for a number", quoted_word(since(start))), since(start));
   return true;
 }
 
@@ -158,6 +150,10 @@ std::string_view Cursor::unit() {
   const char* start = at;
   while (at < end && is_letter(*at)) ++at;
   return since(start);
+}
+
+std::string quoted_word(std::string_view s) {
+  return s.size() > 40 ? fmt::format("'{}…'", s.substr(0, 36)) : fmt::format("'{}'", s);
 }
 
 std::string hint_of_escape(std::string_view from) {
@@ -189,136 +185,6 @@ bool Cursor::text(std::string& out) {
                   "write \\\" for a quote inside a text; code may use '…' instead");
   }
   at = quoted.at;
-  return true;
-}
-
-bool Cursor::store(Time& out, long double seconds, const char* start) {
-  if (!(std::abs(seconds) <= static_cast<long double>(longest_seconds)))
-    return fail(ErrorCode::range, "a time must be within 146 years (4.6e9 s)", since(start));
-  out = {static_cast<std::int64_t>(std::llroundl(seconds * flicks_per_second))};
-  return true;
-}
-
-// Reads hours:minutes:seconds or minutes:seconds.
-bool Cursor::clock(Time& out, const char* start, bool negative) {
-  long double seconds = 0;
-  for (int part = 0;; ++part) {
-    double d = 0;
-    if (!literal(d)) return false;
-    seconds = seconds * 60 + static_cast<long double>(d);
-    if (peek() != ':') break;
-    if (part == 2 || d != std::floor(d))
-      return fail(ErrorCode::syntax, "a clock time must be hours:minutes:seconds", since(start));
-    ++at;
-  }
-  return store(out, negative ? -seconds : seconds, start);
-}
-
-// As a point in time, frames count from frame 1.
-bool Cursor::from_formula(const Quantity& q, bool length, Time& out, const char* start) {
-  if (q.of != Quantity::Of::time)
-    return fail(ErrorCode::type,
-                fmt::format("expected a {} here, not {}", length ? "length of time" : "time", to_string(q.of)),
-                since(start), q.of == Quantity::Of::number ? "write …*1f for frames, …*1s for seconds" : "");
-  if (std::abs(q.frames) > longest_seconds * rate.per_second()) return store(out, 1e18L, start);
-  Time seconds;
-  if (!store(seconds, static_cast<long double>(q.value), start)) return false;
-  const Time frames = q.counts_frames && !length ? rate.frame(q.frames) : rate.span(q.frames);
-  out = frames + seconds;
-  return std::abs(out.seconds()) <= longest_seconds || store(out, 1e18L, start);
-}
-
-bool Cursor::opening(double& seconds) {
-  if (accept_word("off") || accept_word("0")) return seconds = 0, true;
-  const std::string_view w = peek_word();
-  if (w.ends_with("deg") || w.ends_with("rad") || w.ends_with("turn")) {
-    if (!angle(seconds)) return false;
-    return seconds *= rate.span(1).seconds() / (2 * pi), true;
-  }
-  Time t;
-  if (!length(t)) {
-    if (error && !w.empty() && std::isdigit(static_cast<unsigned char>(w.back())))
-      error->hint = fmt::format("write {}deg (360deg is a frame), {}f or {}ms", w, w, w);
-    return false;
-  }
-  return seconds = t.seconds(), true;
-}
-
-bool Cursor::time_or_length(Time& out, bool length) {
-  space();
-  const char* start = at;
-  const char* p = at;
-  if (p < end && (*p == '-' || *p == '+')) ++p;
-  const char* digits = p;
-  std::int64_t whole = 0;
-  while (p < end && is_digit(*p) && p - digits < 9) whole = whole * 10 + (*p++ - '0');
-  if (p > digits && p < end && *p == ':') {
-    const bool negative = *start == '-';
-    at = digits;
-    return clock(out, start, negative);
-  }
-  // The fast path for whole frames, the most common case. Does not use a double.
-  const auto over = [&](const char* q) { return q == end || ends_word(*q) || *q == '.' || *q == '#'; };
-  if (p > digits && p < end && *p == 'f' && over(p + 1)) {
-    at = p + 1;
-    frames_read = true;
-    const double n = static_cast<double>(*start == '-' ? -whole : whole);
-    if (std::abs(n) > longest_seconds * rate.per_second()) return store(out, 1e18L, start);
-    out = length ? rate.span(n) : rate.frame(n);
-    return true;
-  }
-  double n = 0;
-  std::optional<Quantity> q;
-  if (!number(n, q)) {
-    if (q) return false;
-    if (error->code == ErrorCode::syntax)
-      error->message = at_line_end() ? "a time is missing here"
-                                     : fmt::format("{} is not a time",
-                                                   quoted(peek_word().empty() ? std::string_view(at, 1) : peek_word()));
-    if (error->hint.empty() && error->code == ErrorCode::syntax)
-      error->hint = "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5";
-    return false;
-  }
-  if (q) return from_formula(*q, length, out, start);
-  const std::string_view u = unit();
-  if (!over(at))
-    return fail(ErrorCode::syntax,
-                fmt::format("{} is not a time",
-                            quoted(std::string_view(start, static_cast<std::size_t>(at - start) + peek_word().size()))),
-                since(start));
-  const auto in_rate = [&](Rate r, double units) {
-    if (std::abs(units) > longest_seconds * r.per_second()) return store(out, 1e18L, start);
-    out = r.span(units);
-    return true;
-  };
-  if (u == "f") {
-    frames_read = true;
-    return in_rate(rate, length ? n : n - 1);
-  }
-  if (u == "s") return store(out, static_cast<long double>(n), start);
-  if (u == "ms") return store(out, static_cast<long double>(n) / 1000, start);
-  if (u == "t") {
-    ticks_read = true;
-    return in_rate(ticks, n);
-  }
-  if (u.empty())
-    return fail(
-        ErrorCode::type, fmt::format("a {} needs a unit", length ? "length of time" : "time"), since(start),
-        fmt::format("write {0}f for {1}, or {0}s for seconds", since(start), length ? "frames" : "a frame number"));
-  return fail(ErrorCode::type, fmt::format("'{}' is not a unit of time", u), u,
-              "units are f (frames), s, ms and t (ticks)");
-}
-
-bool Cursor::segment(Time& from, Time& to) {
-  space();
-  const char* start = at;
-  if (!time(from)) return false;
-  if (end - at < 2 || at[0] != '.' || at[1] != '.')
-    return fail(ErrorCode::syntax, "a segment needs its end", since(start),
-                fmt::format("write {}..END, as in 1f..24f", since(start)));
-  at += 2;
-  if (!time(to)) return false;
-  if (to < from) return fail(ErrorCode::range, "this segment ends before it begins", since(start));
   return true;
 }
 

@@ -5,7 +5,9 @@
 // one error, at the place of the failure, and returns false; its caller then returns false, too.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,12 +15,18 @@
 #include "betwixt/result.h"
 #include "betwixt/time.h"
 #include "scene/quantity.h"
+#include "scene/sections.h"
 #include "scene/table.h"
 #include "syntax/characters.h"
 
 namespace betwixt {
 
 struct Scene;
+
+// Finds the beginning or the end of a section. Errors: name.
+using SectionTimes = std::function<Result<Time>(std::string_view name, bool end)>;
+// Returns whether a name and .start or .end begin at this place, as in intro.end+12f.
+bool section_time_begins(const char* at, const char* end);
 
 class Cursor {
  public:
@@ -36,6 +44,10 @@ class Cursor {
   const Scene* moments = nullptr;  // whose sounds have words that are times
   PatternPlace place;
   bool cell_missing = false;  // a formula has read an empty cell of the place's row
+  SectionClock clock;                      // that times and lengths are written in
+  Time latest;                             // the latest time of the film that has been read
+  std::optional<Time> last;                // the time that was read last in this line
+  const SectionTimes* sections = nullptr;  // the times of sections by name
 
   // The first failure since the last clear. `where`: the text that it is about.
   std::optional<Error> error;
@@ -68,8 +80,16 @@ class Cursor {
   // Takes the letters directly after a number.
   std::string_view unit();
   bool text(std::string& out);  // "…" or """…"""
-  bool time(Time& out) { return time_or_length(out, false); }
-  bool length(Time& out) { return time_or_length(out, true); }
+  // Reads a time, and returns that of the film.
+  bool time(Time& out);
+  // Reads a length, and returns that of the film.
+  bool length(Time& out);
+  // Reads a length that no section makes shorter, such as one of a recording.
+  bool own_length(Time& out) { return time_or_length(out, true); }
+  // Reads the length of what begins at the last time that was read.
+  bool lasting(Time& out);
+  // Takes note that the text speaks of this time of the film.
+  void reaches(Time t) { latest = std::max(latest, t); }
   bool segment(Time& from, Time& to);  // A..B
   bool angle(double& radians);
   bool number_or_angle(double& out, bool& is_angle);  // angles in radians
@@ -77,12 +97,15 @@ class Cursor {
   bool per_second(Rate& out, const char* what);       // 24, 23.976, 30000/1001 …
 
  private:
+  bool section_time(Time& out);
   bool time_or_length(Time& out, bool length);
   bool store(Time& out, long double seconds, const char* start);
   bool from_formula(const Quantity&, bool length, Time& out, const char* start);
-  bool clock(Time& out, const char* start, bool negative);
+  bool clock_time(Time& out, const char* start, bool negative);
 };
 
+// Quotes a token for a message, shortened if it is long.
+std::string quoted_word(std::string_view);
 // Returns the hint for a backslash that a text cannot have, or that means something else; the text begins with it.
 std::string hint_of_escape(std::string_view);
 // Returns whether the text contains the word, not as a part of another word.

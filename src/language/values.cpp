@@ -36,7 +36,7 @@ bool ValueReader::scalar(double& out, Unit unit) {
   if (unit == Unit::opening) return c.opening(out);
   if (unit == Unit::moment || unit == Unit::seconds) {
     Time t;
-    if (!(unit == Unit::moment ? c.time(t) : c.length(t))) return false;
+    if (!(unit == Unit::moment ? c.time(t) : c.own_length(t))) return false;
     return out = t.seconds(), true;
   }
   if (translates() && meant_as_number(start, out)) return true;

@@ -75,6 +75,10 @@ struct ValueReader {
 std::string write_number(double v);  // shortest form that reads back to the same double
 std::string write_seconds(Time);     // a time that reads back to the same flick
 std::string write_time(Time, Rate);  // the same, in frames if it is on a frame
+// Write lines of a script. write_cues(): all sections, steps and descriptions.
+std::string write_pause(const Pause&, Rate);
+std::string write_description(const Description&, Rate);
+std::string write_cues(const Scene&);
 std::string write_color(Color);
 std::string write_vector(Vec3, int numbers = 3);
 std::string write_angles(Vec3 radians);

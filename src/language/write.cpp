@@ -394,7 +394,7 @@ std::string write_besides(const Document& document, const Target& target) {
 
 std::string write(const Document& document) {
   Writer w{document.scene(), document, {}};
-  w.settings(), w.objects(), w.out += write_theme(w.s), w.rest();
+  w.settings(), w.objects(), w.out += write_theme(w.s), w.rest(), w.out += write_cues(w.s);
   return std::move(w.out);
 }
 

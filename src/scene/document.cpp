@@ -342,6 +342,9 @@ std::pair<Time, Time> Document::range() const {
   }
   if (!scene_->cuts->empty()) last = std::max(last, scene_->cuts->rbegin()->first);
   if (!scene_->notes->empty()) last = std::max(last, scene_->notes->rbegin()->first);
+  if (!scene_->pauses->empty()) last = std::max(last, scene_->pauses->rbegin()->first);
+  if (!scene_->descriptions->empty()) last = std::max(last, scene_->descriptions->rbegin()->first);
+  for (const Section& one : *scene_->sections) last = std::max(last, one.end);
   if (!scene_->later_lists->empty()) last = std::max(last, scene_->later_lists->rbegin()->first);
   if (last <= Time{}) return {{}, scene_->rate.frame(std::max(1.0, std::round(scene_->rate.per_second())))};
   return {{}, last};

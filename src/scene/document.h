@@ -168,10 +168,13 @@ struct Scene {
   Cow<OwnKinds> kinds;        // the user's own kinds
   Objects kinds_saw;          // the objects when the instances of kinds were last updated; empty without kinds
   Cow<Aliases> aliases;
-  Cow<Lets> lets;                               // the names in formulas
-  Cow<Tables> tables;                           // the data of the film, by name
-  Cow<Tables> tables_read;                      // all that were read, by what follows `data NAME`
-  Cow<std::multimap<Time, Note>> notes;         // those of one time in the order in which they came
+  Cow<Lets> lets;                        // the names in formulas
+  Cow<Tables> tables;                    // the data of the film, by name
+  Cow<Tables> tables_read;               // all that were read, by what follows `data NAME`
+  Cow<std::multimap<Time, Note>> notes;  // those of one time in the order in which they came
+  Cow<std::vector<Section>> sections;    // as they are written
+  Cow<std::map<Time, Pause>> pauses;     // where a speaker waits
+  Cow<std::map<Time, Description>> descriptions;
   Cow<std::vector<NamedProcedure>> procedures;  // events refer to own twerpers by their index here
   Cow<std::vector<Dial>> dials;
   Cow<DisplayLists> lists;                // from the beginning

@@ -191,6 +191,8 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
     using Whole = std::remove_cvref_t<decltype(*was)>;
     if (was && !was.same(is)) lost.sum.bytes += shared_bytes<Whole> + sum_held(*was);
   };
+  whole(before.sections, after.sections), whole(before.pauses, after.pauses);
+  whole(before.descriptions, after.descriptions);
   whole(before.notes, after.notes), whole(before.aliases, after.aliases), whole(before.lets, after.lets);
   whole(before.tables, after.tables), whole(before.tables_read, after.tables_read);
   whole(before.defined, after.defined), whole(before.procedures, after.procedures), whole(before.dials, after.dials);

@@ -88,6 +88,12 @@ inline bool may_hold_block(std::string_view s) { return s.find("\"\"\"") != std:
 
 // Returns whether the line begins with white space: it is a row of the sheet or list above it.
 inline bool indented(std::string_view line) { return !line.empty() && blank(line[0]); }
+// Returns how many bytes of white space the line begins with.
+inline std::size_t indentation(std::string_view line) {
+  std::size_t n = 0;
+  while (n < line.size() && blank(line[n])) ++n;
+  return n;
+}
 inline bool starts_like_time(char c) { return is_digit(c) || c == '-' || c == '+' || c == '.'; }
 
 // Returns the place of the dot between an object's name and its function; npos if there is none. Skips dots inside

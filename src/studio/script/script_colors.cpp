@@ -95,14 +95,16 @@ LineState ScriptEdit::state_above(const QTextBlock& b) const {
 
 // Returns the line that opens the sheet of a row, or "" if the line is no row.
 std::string ScriptEdit::opener_above(const QTextBlock& block) const {
-  if (!indented(block.text().left(1).toStdString())) return {};
+  std::size_t least = indentation(block.text().toStdString());
+  std::string found;
   QTextBlock b = block.previous();
-  for (int n = 0; b.isValid() && n < most_above; b = b.previous(), ++n) {
+  for (int n = 0; b.isValid() && least > 0 && n < most_above; b = b.previous(), ++n) {
     const std::string line = b.text().toStdString();
-    if (below_opener(line) || state_above(b).goes_on()) continue;
-    return std::string(opens_sheet(line) ? without_comment(line) : "");
+    if (empty_line(line) || indentation(line) >= least || state_above(b).goes_on()) continue;
+    least = indentation(line);
+    if (opens_sheet(line)) found = without_comment(line);
   }
-  return {};
+  return found;
 }
 
 void ScriptEdit::color_what_is_seen() {
@@ -120,21 +122,21 @@ void ScriptEdit::color_what_is_seen() {
     know_states(to);
   }
   speaking_.all.clear();
-  std::string opener = opener_above(b);
-  bool first = true;
+  std::string opener = opener_above(b);  // of the sheet that is open
+  std::size_t margin = indentation(opener);
   for (; b.isValid() && b.blockNumber() <= to; b = b.next()) {
     const std::string line = b.text().toStdString();
-    if (!std::exchange(first, false) && !below_opener(line) && !state_above(b).goes_on())
-      opener = std::string(opens_sheet(line) ? without_comment(line) : "");
-    if (names_any(line, indented(line) ? std::string_view(opener) : std::string_view(), workspace_.document(),
-                  workspace_.selected()))
+    const bool row = !opener.empty() && indentation(line) > margin;
+    if (names_any(line, row ? opener : "", workspace_.document(), workspace_.selected()))
       speaking_.all.push_back(b.blockNumber() + 1);
-    color(b, opener);
+    color(b, row);
+    if (!row && !empty_line(line) && !state_above(b).goes_on())
+      opener = std::string(opens_sheet(line) ? without_comment(line) : ""), margin = indentation(line);
   }
   emit margin_changed();
 }
 
-void ScriptEdit::color(QTextBlock b, const std::string&) {
+void ScriptEdit::color(QTextBlock b, bool row) {
   const QString text = b.text();
   const std::string line = text.toStdString();
   const bool plain = static_cast<qsizetype>(line.size()) == text.size();
@@ -145,7 +147,7 @@ void ScriptEdit::color(QTextBlock b, const std::string&) {
   QList<QTextLayout::FormatRange> all;
   LineState state = state_above(b);
   const auto& selected = workspace_.selected();
-  for (const LinePiece& p : line_pieces(line, state, workspace_.document())) {
+  for (const LinePiece& p : line_pieces(line, state, workspace_.document(), row)) {
     QTextCharFormat f;
     f.setForeground(color_of(p.meaning));
     const std::string_view word = std::string_view(line).substr(p.at, p.length);

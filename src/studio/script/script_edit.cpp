@@ -126,7 +126,7 @@ std::string ScriptEdit::said_so_far() const {
   std::string_view rest = line;
   const std::string_view time = take_piece(rest);
   if (rest.empty()) return line;
-  return "at " + std::string(time) + " " + opener + std::string(rest);
+  return "at " + std::string(time) + " " + std::string(without_indent(opener)) + std::string(rest);
 }
 
 std::optional<ScriptEdit::Number> ScriptEdit::number_under(const QTextCursor& c) const {
@@ -173,8 +173,8 @@ void ScriptEdit::keyPressEvent(QKeyEvent* e) {
       const std::string line = textCursor().block().text().toStdString();
       const std::size_t blanks = line.size() - without_indent(line).size();
       WordEdit::keyPressEvent(e);
-      if (opens_sheet(line))
-        insertPlainText(indent);
+      if (opens_sheet(line) || opens_block(line))
+        insertPlainText(QString::fromStdString(line.substr(0, blanks)) + indent);
       else if (blanks < line.size())
         insertPlainText(QString::fromStdString(line.substr(0, blanks)));
       return;

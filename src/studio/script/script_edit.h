@@ -67,7 +67,7 @@ class ScriptEdit : public WordEdit {
   LineState state_above(const QTextBlock&) const;
   std::string opener_above(const QTextBlock&) const;
   void color_what_is_seen();
-  void color(QTextBlock, const std::string& opener);
+  void color(QTextBlock, bool row);
   void mark_lines();
   // Numbers that the user drags
   struct Number {
