@@ -130,6 +130,8 @@ bool own(Command&, ObjectId, std::string_view about);
 // Reads key=value … of a new object. `said` receives the functions that were set, `furniture` what its kind takes
 // besides (see furnishing.h).
 struct Furniture;
+bool one_parameter(Command&, Object&, std::vector<FunctionId>* said = nullptr, Furniture* = nullptr,
+                   std::string_view* styled = nullptr);
 bool parameters(Command&, Object&, std::vector<FunctionId>* said = nullptr, Furniture* = nullptr);
 // Adds an object, and couples it to its parent if it has one.
 ObjectId add_child(Scene&, Object, ObjectId parent);
@@ -138,6 +140,8 @@ ObjectId add_child(Scene&, Object, ObjectId parent);
 
 // Reads a number, an angle, a length, a time, a vector, a pair, a colour or a text.
 bool let_item(Command&, LetItem& out);
+// Reads one, or several in brackets: two or three plain numbers are a vector, all other values are a list.
+bool let_value(Command&, Let& out);
 
 // ---- scenes.cpp
 

@@ -48,49 +48,6 @@ bool begins_list(const Cursor& c) {
 
 }  // namespace
 
-// Reads one such value, or several in brackets: two or three plain numbers are a vector, all other values are a list.
-bool let_value(Command& k, Let& out) {
-  Cursor& c = k.cursor;
-  c.space();
-  if (c.at_line_end())
-    return c.fail_here(ErrorCode::syntax, "a formula, a vector, a colour, a text or a list is missing here",
-                       "as in let beat = 12f");
-  LetItem one;
-  const char* const start = c.at;
-  if (LetList column; column_list(c, column)) {
-    if (column.size() <= most_in_list) return out = std::move(column), true;
-    return c.fail(ErrorCode::range, fmt::format("a list can have at most {} values", most_in_list), c.since(start));
-  }
-  if (c.error) return false;
-  if (!begins_list(c)) {
-    if (!let_item(k, one)) return false;
-    std::visit([&](auto& value) { out = std::move(value); }, one);
-    return true;
-  }
-  LetList list;
-  if (!c.open()) return false;
-  for (c.space(); c.at < c.end && c.peek() != ')'; c.space()) {
-    Cancellation::check();
-    if (!let_item(k, one)) return false;
-    list.push_back(std::move(one));
-    if (list.size() > most_in_list)
-      return c.fail(ErrorCode::range, fmt::format("a list can have at most {} values", most_in_list), c.since(start));
-  }
-  if (!c.close()) return false;
-  if (list.empty()) return c.fail(ErrorCode::syntax, "a list must have at least one value", c.since(start));
-  const auto plain = [](const LetItem& item) {
-    const auto* q = std::get_if<Quantity>(&item);
-    return q && q->of == Quantity::Of::number;
-  };
-  if ((list.size() != 2 && list.size() != 3) || !std::all_of(list.begin(), list.end(), plain))
-    return out = std::move(list), true;
-  Vec3 v;
-  for (std::size_t i = 0; i < list.size(); ++i) v[static_cast<int>(i)] = std::get<Quantity>(list[i]).value;
-  return out = v, true;
-}
-
-namespace {
-
 bool let(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const bool again = c.accept_word("again");
@@ -178,6 +135,48 @@ constexpr Verb names_rows[] = {
 };
 
 }  // namespace
+
+bool let_value(Command& k, Let& out) {
+  Cursor& c = k.cursor;
+  c.space();
+  if (c.at_line_end())
+    return c.fail_here(ErrorCode::syntax, "a formula, a vector, a colour, a text or a list is missing here",
+                       "as in let beat = 12f");
+  LetItem one;
+  const char* const start = c.at;
+  if (LetList column; column_list(c, column)) {
+    if (column.size() <= most_in_list) return out = std::move(column), true;
+    return c.fail(ErrorCode::range, fmt::format("a list can have at most {} values", most_in_list), c.since(start));
+  }
+  if (c.error) return false;
+  if (!begins_list(c)) {
+    if (!let_item(k, one)) return false;
+    std::visit([&](auto& value) { out = std::move(value); }, one);
+    return true;
+  }
+  LetList list;
+  if (!c.open()) return false;
+  for (c.space(); c.at < c.end && c.peek() != ')'; c.space()) {
+    Cancellation::check();
+    if (!let_item(k, one)) return false;
+    list.push_back(std::move(one));
+    if (list.size() > most_in_list)
+      return c.fail(ErrorCode::range, fmt::format("a list can have at most {} values", most_in_list), c.since(start));
+  }
+  if (!c.close()) return false;
+  if (list.empty()) return c.fail(ErrorCode::syntax, "a list must have at least one value", c.since(start));
+  const auto plain = [](const LetItem& item) {
+    const auto* q = std::get_if<Quantity>(&item);
+    return q && q->of == Quantity::Of::number;
+  };
+  if ((list.size() != 2 && list.size() != 3) || !std::all_of(list.begin(), list.end(), plain))
+    return out = std::move(list), true;
+  Vec3 v;
+  for (std::size_t i = 0; i < list.size(); ++i) v[static_cast<int>(i)] = std::get<Quantity>(list[i]).value;
+  return out = v, true;
+}
+
+namespace {
 
 // Returns whether a pair follows whose second number has a sign: (3 -1) in a list is a vector, not 2.
 static bool signed_pair_follows(Cursor ahead) {

@@ -16,6 +16,7 @@
 #include "commands/foreign_words.h"
 #include "commands/furnishing.h"
 #include "commands/own_kinds.h"
+#include "commands/parts.h"
 #include "commands/plugins.h"
 #include "scene/formula_parts.h"
 
@@ -118,6 +119,13 @@ bool create(Command& k) {
       if (!parent_by_name(k, (*names)[i], word, parents[i])) return false;
     return create_scene(k, *names, parents, word);
   }
+  if (!find_kind(kind_word) && !s.kinds->find(kind_word) && find_part(k, kind_word)) {
+    std::vector<ObjectId> parents(names->size());
+    for (std::size_t i = 0; i < names->size(); ++i)
+      if (!parent_by_name(k, (*names)[i], word, parents[i])) return false;
+    return create_parts(k, *names, parents, kind_word);
+  }
+  if (c.error) return false;
   Like like;
   auto& [original, object, said, parts, own_kind] = like;
   if (kind_word == "like") {
@@ -145,6 +153,7 @@ bool create(Command& k) {
       for (const OwnKind& one : s.kinds->all) known.push_back(one.name);
       const std::vector<std::string> of_plugins = plugin_kinds();
       known.insert(known.end(), of_plugins.begin(), of_plugins.end());
+      for (const std::string_view name : part_names(s)) known.push_back(name);
       if (hint.empty()) hint = did_you_mean(kind_word, known);
       if (hint.empty()) hint = fmt::format("kinds are {}; and scene", fmt::join(known, " "));
       return c.fail(
@@ -291,58 +300,63 @@ bool own(Command& k, ObjectId id, std::string_view about) {
                 about, fmt::format("edit {}, or a list that it calls", s.main));
 }
 
-bool parameters(Command& k, Object& object, std::vector<FunctionId>* said, Furniture* furnished) {
+bool one_parameter(Command& k, Object& object, std::vector<FunctionId>* said, Furniture* furnished,
+                   std::string_view* styled) {
   auto& [s, c, time, layer, script] = k;
-  std::string_view styled;
-  while (!c.at_line_end()) {
-    const std::string_view key = c.word();
-    if (key.empty()) return c.fail_here(ErrorCode::syntax, "expected key=value here");
-    if (!c.accept('=')) {
-      const auto colon = key.find(':');
-      const bool decimals = std::isdigit(static_cast<unsigned char>(key[0])) && key.data()[-1] == ',';
-      return c.fail(
-          ErrorCode::syntax, fmt::format("'{}' needs a value", key.substr(0, std::min<std::size_t>(colon, 40))), key,
-          decimals      ? "numbers have a point: 0.5"
-          : key == "at" ? "write the place as position=(0 0 0)"
-          : colon != std::string_view::npos
-              ? fmt::format("write {}={}", key.substr(0, std::min<std::size_t>(colon, 40)), key.substr(colon + 1, 40))
-              : fmt::format("as in {}=…", key.substr(0, 40)));
-    }
-    const auto dot = key.find('.');
-    const std::string_view name = furnished ? meant_at_create(object.kind, key.substr(0, dot)) : key.substr(0, dot);
-    const auto f = find_function(s, object.kind, name);
-    if (!f) {
-      if (furnished && furniture(k, object.kind, key, *furnished)) continue;
-      if (c.error) return false;
-      return c.fail(ErrorCode::name, fmt::format("{} has no '{}'", a_kind(object.kind), name.substr(0, 40)), name,
-                    did_you_mean(name, function_names(s, object.kind)));
-    }
-    const FunctionSpec& spec = spec_of(s, *f);
-    const int component = dot == std::string_view::npos ? -1 : find_component(spec.type, key.substr(dot + 1));
-    if (dot != std::string_view::npos && component < 0)
-      return c.fail(ErrorCode::name, fmt::format("{} has no component '{}'", spec.name, key.substr(dot + 1, 40)),
-                    key.substr(dot + 1));
-    c.space();
-    if (c.peek() == '"' && spec.type != Type::text && c.end - c.at > 1) {
-      // A quoted formula would be a procedure.
-      return c.fail_here(ErrorCode::type, fmt::format("{} is {}, not a text", spec.name, to_string(spec.type)));
-    }
-    if (spec.type == Type::motion)
-      return c.fail(ErrorCode::type, "a motion cannot be set: it needs a segment of time", key,
-                    "as in at 1f..24f wheel.motion T(6 0)");
-    if (spec.type == Type::attachment)
-      return c.fail(ErrorCode::type, "an attachment cannot be set", key,
-                    "write couple A to B, attach A to B or hang A on B");
-    Value v;
-    if (!values(k).value(spec, component, v, *f)) return false;
-    Slot& slot = object.slot(*f);
-    if (said) said->push_back(*f);
-    if (component >= 0 && slot.set && std::holds_alternative<Quat>(*slot.set))
-      return c.fail(ErrorCode::type, "an orientation has no separate angles", key);
-    slot.set = component < 0 ? v : with_component(slot.set.value_or(spec.rest), component, std::get<double>(v));
-    if (key == "weight" || key == "slant") styled = key;
+  const std::string_view key = c.word();
+  if (key.empty()) return c.fail_here(ErrorCode::syntax, "expected key=value here");
+  if (!c.accept('=')) {
+    const auto colon = key.find(':');
+    const bool decimals = std::isdigit(static_cast<unsigned char>(key[0])) && key.data()[-1] == ',';
+    return c.fail(
+        ErrorCode::syntax, fmt::format("'{}' needs a value", key.substr(0, std::min<std::size_t>(colon, 40))), key,
+        decimals      ? "numbers have a point: 0.5"
+        : key == "at" ? "write the place as position=(0 0 0)"
+        : colon != std::string_view::npos
+            ? fmt::format("write {}={}", key.substr(0, std::min<std::size_t>(colon, 40)), key.substr(colon + 1, 40))
+            : fmt::format("as in {}=…", key.substr(0, 40)));
   }
-  if (const auto f = styled.empty() ? std::nullopt : find_function(s, object.kind, styled))
+  const auto dot = key.find('.');
+  const std::string_view name = furnished ? meant_at_create(object.kind, key.substr(0, dot)) : key.substr(0, dot);
+  const auto f = find_function(s, object.kind, name);
+  if (!f) {
+    if (furnished && furniture(k, object.kind, key, *furnished)) return true;
+    if (c.error) return false;
+    return c.fail(ErrorCode::name, fmt::format("{} has no '{}'", a_kind(object.kind), name.substr(0, 40)), name,
+                  did_you_mean(name, function_names(s, object.kind)));
+  }
+  const FunctionSpec& spec = spec_of(s, *f);
+  const int component = dot == std::string_view::npos ? -1 : find_component(spec.type, key.substr(dot + 1));
+  if (dot != std::string_view::npos && component < 0)
+    return c.fail(ErrorCode::name, fmt::format("{} has no component '{}'", spec.name, key.substr(dot + 1, 40)),
+                  key.substr(dot + 1));
+  c.space();
+  if (c.peek() == '"' && spec.type != Type::text && c.end - c.at > 1) {
+    // A quoted formula would be a procedure.
+    return c.fail_here(ErrorCode::type, fmt::format("{} is {}, not a text", spec.name, to_string(spec.type)));
+  }
+  if (spec.type == Type::motion)
+    return c.fail(ErrorCode::type, "a motion cannot be set: it needs a segment of time", key,
+                  "as in at 1f..24f wheel.motion T(6 0)");
+  if (spec.type == Type::attachment)
+    return c.fail(ErrorCode::type, "an attachment cannot be set", key,
+                  "write couple A to B, attach A to B or hang A on B");
+  Value v;
+  if (!values(k).value(spec, component, v, *f)) return false;
+  Slot& slot = object.slot(*f);
+  if (said) said->push_back(*f);
+  if (component >= 0 && slot.set && std::holds_alternative<Quat>(*slot.set))
+    return c.fail(ErrorCode::type, "an orientation has no separate angles", key);
+  slot.set = component < 0 ? v : with_component(slot.set.value_or(spec.rest), component, std::get<double>(v));
+  if (styled && (key == "weight" || key == "slant")) *styled = key;
+  return true;
+}
+
+bool parameters(Command& k, Object& object, std::vector<FunctionId>* said, Furniture* furnished) {
+  std::string_view styled;
+  while (!k.cursor.at_line_end())
+    if (!one_parameter(k, object, said, furnished, &styled)) return false;
+  if (const auto f = styled.empty() ? std::nullopt : find_function(k.scene, object.kind, styled))
     say_missing_style(k, object, *f, *object.find(*f)->set, styled);
   return true;
 }

@@ -18,6 +18,7 @@
 #include "commands/lint.h"
 #include "commands/list_rows.h"
 #include "commands/own_kinds.h"
+#include "commands/parts.h"
 #include "commands/plain_rows.h"
 #include "commands/translating.h"
 #include "commands/verbs.h"
@@ -136,6 +137,7 @@ bool line(Command& k, const char* line_start) {
     return c.fail(ErrorCode::syntax, "this line is indented less than the lines of the block above it",
                   {line_start, indent}, "indent it as they are, or not at all");
   if (!script.blocks.empty() && script.blocks.back().skipped) return pass_over(k, line_start);
+  if (!script.blocks.empty() && !script.blocks.back().part.empty()) return take_part_line(k, line_start);
   c.clock = script.clock_now();
   if (indent > script.margin() && sheet.open) {
     if (!sheet.broken) return row(k);

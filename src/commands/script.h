@@ -87,6 +87,7 @@ struct OpenBlock {
   bool skipped = false;               // its lines are passed over, because their opener has an error
   SectionClock clock;                 // of its times
   std::optional<std::size_t> grows;   // the section that ends with the latest time in the block
+  std::string part;                   // that the lines belong to; "" for a block of commands
 };
 
 // The state that later lines need from earlier ones. It is a value, so that a copy of it serves undo.

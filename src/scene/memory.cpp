@@ -194,7 +194,7 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
   whole(before.sections, after.sections), whole(before.pauses, after.pauses);
   whole(before.descriptions, after.descriptions);
   whole(before.notes, after.notes), whole(before.aliases, after.aliases), whole(before.lets, after.lets);
-  whole(before.tables, after.tables), whole(before.tables_read, after.tables_read);
+  whole(before.tables, after.tables), whole(before.parts, after.parts), whole(before.tables_read, after.tables_read);
   whole(before.defined, after.defined), whole(before.procedures, after.procedures), whole(before.dials, after.dials);
   whole(before.expansion, after.expansion), whole(before.spare, after.spare);
   whole(before.views, after.views), whole(before.cuts, after.cuts);

@@ -112,7 +112,7 @@ struct Compare {
     if (!(a.rate == b.rate && a.ticks == b.ticks && a.smooth_ticks == b.smooth_ticks && a.range == b.range &&
           a.background == b.background && a.appearance == b.appearance && a.notes_shown == b.notes_shown &&
           a.policy == b.policy && a.defined == b.defined && a.aliases == b.aliases && a.lets == b.lets &&
-          same_tables(*a.tables, *b.tables) && a.notes == b.notes && a.sections == b.sections &&
+          same_tables(*a.tables, *b.tables) && a.parts == b.parts && a.notes == b.notes && a.sections == b.sections &&
           a.pauses == b.pauses && a.descriptions == b.descriptions && a.procedures == b.procedures &&
           a.recording == b.recording && a.lists == b.lists && a.later_lists == b.later_lists && a.main == b.main))
       return false;
