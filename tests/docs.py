@@ -9,6 +9,7 @@ Also checks that the files of tools/printed.txt are as the program prints them n
 """
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -38,10 +39,12 @@ def check_film(program, folder, warns, code):
 def main():
     program, passed, failed, found = os.path.abspath(sys.argv[1]), 0, 0, 0
     with tempfile.TemporaryDirectory() as folder:
-        # Some films use this sound.
+        # Some films use these sounds.
         with wave.open(os.path.join(folder, "music.mp3"), "wb") as sound:
             sound.setparams((1, 2, 8000, 0, "NONE", ""))
             sound.writeframes(bytes(2 * 8000 * 75))
+        for name in ("narration.wav", "narration.words"):
+            shutil.copy(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "examples", name), folder)
         for page, warns, code in films():
             found += 1
             if output := check_film(program, folder, warns, code):

@@ -14,6 +14,9 @@ for script in "$root"/examples/*.bx; do
   name=$(basename "$script" .bx) film=$folder/$name.mp4
   # The number of frames comes from `range 1f 72f`. Without a range, the last event is the last frame.
   expected=$(sed -nE 's/^range +([0-9]+)f +([0-9]+)f.*/\2-\1+1/p' "$script" | tail -n 1)
+  # range 1f voice.end+12f ends half a second behind the sound.
+  grep -q '^range .*voice.end+12f' "$script" &&
+    expected=$(ffprobe -v error -show_entries format=duration -of csv=p=0 "${script%.bx}.wav" | awk '{ print int(24 * ($1 + 0.5)) + 1 }')
   [ -n "$expected" ] || expected=$(grep -oE '[0-9]+f\b' "$script" | sed 's/f//' | sort -n | tail -n 1)
   if ! "$program" render "$script" -o "$film" --size 160x90 >"$folder/said" 2>&1; then
     said=$(tail -n 5 "$folder/said")

@@ -38,9 +38,10 @@ using Sounds = std::function<Status(std::span<float> stereo)>;
 // sound are read at time 0 only; `gain` follows its track. Errors: file (a sound file is missing), machine (no ffmpeg).
 Status mix_sounds(const Program&, Time from, std::span<float> stereo);
 bool has_sounds(const Document&);
-// Return whether a format (by the extension of `path`) can hold sound, transparency, more than 8 bits a channel, or
-// unclamped light. Numbered PNG can hold 16 bits, and does if FilmOptions::bits is 16.
+// Return whether a format (by the extension of `path`) can hold sound, captions, transparency, more than 8 bits a
+// channel, or unclamped light. Numbered PNG can hold 16 bits, and does if FilmOptions::bits is 16.
 bool takes_sound(const std::string& path);
+bool takes_captions(const std::string& path);
 bool takes_alpha(const std::string& path);
 bool takes_16_bits(const std::string& path);
 bool takes_unclamped_light(const std::string& path);
@@ -56,11 +57,12 @@ struct FilmOptions {
   // For numbered pictures: keeps those that exist, are complete and have this size, and makes the others. Each is put
   // in place as soon as it is made, even if the film fails later.
   bool only_missing = false;
-  bool alpha = false;  // keeps transparency, if the format can hold it
-  int bits = 8;        // bits a channel of numbered PNG: 8 or 16
-  Sounds sounds;       // without it the film is silent
-  int quality = 0;     // 1 to 100, for lossy formats; 0: the codec's default
-  std::string codec;   // one of codecs_of(path); "": the first of them
+  bool alpha = false;    // keeps transparency, if the format can hold it
+  int bits = 8;          // bits a channel of numbered PNG: 8 or 16
+  Sounds sounds;         // without it the film is silent
+  std::string captions;  // a text track in the form of SRT; "": none
+  int quality = 0;       // 1 to 100, for lossy formats; 0: the codec's default
+  std::string codec;     // one of codecs_of(path); "": the first of them
 };
 
 // Returns the codecs that a format can use, the default first. Returns an empty list if there is no choice.

@@ -20,9 +20,14 @@ inline constexpr int speech_rate = 16'000;  // samples a second, as the model of
 // Receives the seconds of work so far, and an estimate of all. Returns false to stop.
 using AlignmentProgress = std::function<bool(double done, double whole)>;
 
+struct Alignment {
+  SpokenWords words;
+  std::vector<std::string> doubts;  // places where the text may not be what is spoken, for the user
+};
+
 // Errors: machine (pocketsphinx or its English model is not installed), file (an unreadable recording, a text that is
 // not what is spoken), range (no words, stopped by the user).
-Result<SpokenWords> align_words(const std::string& sound, std::string_view text, const AlignmentProgress&);
+Result<Alignment> align_words(const std::string& sound, std::string_view text, const AlignmentProgress&);
 
 // Moves the edges of words at pauses to where the sound begins and ends. `samples`: mono, at speech_rate.
 void refine_edges(std::vector<SpokenWord>& words, std::span<const float> samples);

@@ -18,6 +18,7 @@
 #include "betwixt/program.h"
 #include "film/formats.h"
 #include "film/output.h"
+#include "language/captions.h"
 #include "language/cursor.h"
 #include "language/values.h"
 
@@ -58,6 +59,19 @@ void say_what_is_lost(const RenderCall& call, const Document& document) {
   if (document.transparent() && !takes_alpha(call.out)) say_not_clear(call.out);
   if (has_sounds(document) && !takes_sound(call.out))
     tell_user(fmt::format("betwixt: notice: {} cannot have sound; .mp4, .webm and .mov can\n", call.out));
+}
+
+// Writes what is spoken in these frames to the file of --captions.
+int put_captions(const RenderCall& call, const Document& document, const FrameList& frames) {
+  const std::string kind = ending(call.captions);
+  if (kind != "vtt" && kind != "srt")
+    return complain(fail(ErrorCode::range, fmt::format("captions are a .vtt or a .srt, not \"{}\"", call.captions)),
+                    wrong_call);
+  const double first = frames.time(0).seconds(), last = frames.time(frames.count).seconds();
+  const std::vector<Caption> all = captions_between(captions_of_film(document.scene()), first, last);
+  if (all.empty()) tell_user(fmt::format("betwixt: notice: nothing is spoken, so {} has no captions\n", call.captions));
+  const Status s = write_whole(call.captions, kind == "vtt" ? write_webvtt(all) : write_srt(all), !call.keep_old);
+  return s ? all_done : complain(s.error(), wrong_call);
 }
 
 int render(RenderCall& call) {
@@ -101,6 +115,8 @@ int render(RenderCall& call) {
     if (Status s = check_options(job.pictures); !s) return complain(s.error(), wrong_call);
     return print_plan(job.film, *frames);
   }
+  if (!call.captions.empty())
+    if (const int code = put_captions(call, *document, *frames); code != all_done) return code;
   const Result<FilmStats> made = job.pictures.linear
                                      ? make_linear_film(
                                            job.film, [&] { return listened(linear_painter_of(program, job, say)); },
@@ -152,6 +168,7 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
            {bits_parameter(call.bits),
             quality_parameter(call.quality, "the quality of .mp4 and .webm; by default that of the codec"),
             option("--codec", "NAME", "the codec; " + all_codecs(), &call.codec),
+            file_option("--captions", "FILE", "writes what is spoken as captions too, .vtt or .srt", &call.captions),
             option("--fps", "RATE", "pictures a second, 24, 29.97 or 30000/1001; by default the script's rate",
                    ReadValue([&call](const std::string& text) { return read_rate(text, call.rate); })),
             {.name = "--jobs",

@@ -3,6 +3,7 @@
 //
 // betwixt words: when the words of a recording are spoken.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "app/alignment.h"
@@ -13,6 +14,8 @@
 #include "base/files.h"
 #include "base/tell_user.h"
 #include "exchange/words_file.h"
+#include "language/captions.h"
+#include "scene/document.h"
 
 namespace betwixt {
 namespace {
@@ -69,13 +72,16 @@ int align_call(const WordsCall& call) {
   const auto text = read_whole(call.text);
   if (!text) return complain(text.error(), wrong_input);
   catch_stops();
-  const Result<SpokenWords> words = [&] {
+  const Result<Alignment> found = [&] {
     WorkLine line;
     return align_words(call.file, *text, std::ref(line));
   }();
   if (stop_requested()) return interrupted;
-  if (!words) return complain(words.error(), wrong_input);
-  return put_words(call, *words, out);
+  if (!found) return complain(found.error(), wrong_input);
+  if (!found->doubts.empty())
+    tell_user(
+        fmt::format("betwixt: warning: perhaps the text is not what is spoken: {}\n", fmt::join(found->doubts, "; ")));
+  return put_words(call, found->words, out);
 }
 
 // Writes the sound and its words. The words come last, so that a sound never has those of another.
@@ -105,6 +111,25 @@ int convert_words(const WordsCall& call) {
   return all_done;
 }
 
+// Writes what is spoken in a film as captions.
+int caption_film(const WordsCall& call) {
+  const std::string out = call.out.empty() ? with_ending(call.file, "srt") : call.out, kind = ending(out);
+  if (kind != "vtt" && kind != "srt")
+    return complain(fail(ErrorCode::range, fmt::format("captions of a film are a .vtt or a .srt, not \"{}\"", out)),
+                    wrong_call);
+  const std::optional<Document> film = open_script(call.file);
+  if (!film) return wrong_input;
+  const std::vector<Caption> all = captions_of_film(film->scene());
+  if (all.empty())
+    return complain(fail(ErrorCode::file, fmt::format("no sound of {} has words", call.file),
+                         "create voice sound file=\"talk.wav\" words=\"talk.words\""),
+                    wrong_input);
+  const Status s = write_whole(out, kind == "vtt" ? write_webvtt(all) : write_srt(all), !call.keep_old);
+  if (!s) return complain(s.error(), wrong_call);
+  fmt::print("{}: {}\n", out, counted(all.size(), "caption"));
+  return all_done;
+}
+
 int words_command(WordsCall& call) {
   const std::string kind = ending(call.file);
   if (!call.say.empty()) return say_call(call);
@@ -113,6 +138,7 @@ int words_command(WordsCall& call) {
                          "as in betwixt words talk.wav --text talk.txt, or betwixt words --say talk.txt -o talk.wav"),
                     wrong_call);
   if (!call.text.empty()) return align_call(call);
+  if (kind == "bx") return caption_film(call);
   if (kind == "vtt" || kind == "srt" || kind == "json" || kind == "textgrid" || kind == "txt" || kind == "words")
     return convert_words(call);
   return complain(fail(ErrorCode::syntax, fmt::format("the text of {} is missing", call.file),
@@ -121,14 +147,18 @@ int words_command(WordsCall& call) {
 }
 
 const Enlisted enlisted_words(words_command, [](WordsCall& call) -> Subcommand {
-  Parameter recording{.name = "FILE",
-                      .sentence = "a recording; or words in another format (.vtt .srt .json .TextGrid .txt) to rewrite",
-                      .into = &call.file,
-                      .offer = Offer::files};
+  Parameter recording{
+      .name = "FILE",
+      .sentence =
+          "a recording; words in another format (.vtt .srt .json .TextGrid .txt) to rewrite; or a film, for captions",
+      .into = &call.file,
+      .offer = Offer::files};
   Parameter speed =
       option("--speed", "N", "words a minute of the voice of --say, 80 to 450; by default 150", &call.speed);
   speed.range = {{80, 450}};
-  Parameter out = output_parameter(call.out, "OUT", "the file of words, or the .wav of --say; by default beside FILE");
+  Parameter out = output_parameter(
+      call.out, "OUT",
+      "the file of words, the .wav of --say, or captions of a film, .srt or .vtt; by default beside FILE");
   out.required = false;
   return {
       .rank = 17,

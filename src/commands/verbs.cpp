@@ -14,7 +14,7 @@ Rows settings_verbs(), appearance_verbs(), environments_verbs(), objects_verbs()
     layers_verbs(), procedures_verbs(), fall_verbs(), dials_verbs(), files_verbs(), display_lists_verbs(),
     texts_verbs(), entrances_verbs(), annotations_verbs(), connecting_verbs(), callouts_verbs(), diagrams_verbs(),
     theming_verbs(), own_kinds_verbs(), dimensioning_verbs(), tables_verbs(), translating_verbs(), sections_verbs(),
-    cues_verbs(), parts_verbs();
+    cues_verbs(), parts_verbs(), captions_verbs();
 
 const std::vector<Verb>& verbs() {
   static const std::vector<Verb> all = [] {
@@ -27,7 +27,7 @@ const std::vector<Verb>& verbs() {
           dials_verbs(),     names_verbs(),       files_verbs(),        display_lists_verbs(), reaching_verbs(),
           own_kinds_verbs(), entrances_verbs(),   annotations_verbs(),  connecting_verbs(),    callouts_verbs(),
           diagrams_verbs(),  theming_verbs(),     dimensioning_verbs(), tables_verbs(),        translating_verbs(),
-          sections_verbs(),  cues_verbs(),        parts_verbs()})
+          sections_verbs(),  cues_verbs(),        parts_verbs(),        captions_verbs()})
       rows.insert(rows.end(), family.begin(), family.end());
     return rows;
   }();

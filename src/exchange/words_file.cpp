@@ -16,7 +16,7 @@
 namespace betwixt {
 namespace {
 
-constexpr std::size_t largest_words_file = 64 << 20, most_words = 1'000'000, longest_word = 1000;
+constexpr std::size_t largest_words_file = 64 << 20, most_words = 1'000'000, longest_word = 20'000;
 constexpr double latest_word = 4 * 3600;  // as long as a sound can be
 constexpr double late = 1e-6;             // times that files round may be apart by this
 

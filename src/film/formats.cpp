@@ -79,9 +79,9 @@ Words apng_words(const FilmOptions&) { return {"-c:v", "apng", "-pred", "mixed",
 constexpr Codec in_mp4[] = {{"h264", 51, 18, h264_words}, {"h265", 51, 22, h265_words}, {"av1", 63, 30, av1_words}};
 constexpr Codec in_webm[] = {{"vp9", 63, 28, vp9_words, true}, {"av1", 63, 30, av1_words}};
 
-constexpr Format format_rows[] = {{".mp4", true, mp4_words, "-c:a aac -b:a 192k", false, false, in_mp4},
-                                  {".webm", true, webm_words, "-c:a libopus -b:a 128k", true, false, in_webm},
-                                  {".mov", false, mov_words, "-c:a pcm_s24le", true, true},
+constexpr Format format_rows[] = {{".mp4", true, mp4_words, "-c:a aac -b:a 192k", false, false, "mov_text", in_mp4},
+                                  {".webm", true, webm_words, "-c:a libopus -b:a 128k", true, false, "webvtt", in_webm},
+                                  {".mov", false, mov_words, "-c:a pcm_s24le", true, true, "mov_text"},
                                   {".gif", false, gif_words},
                                   {".apng", false, apng_words}};
 

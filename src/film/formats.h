@@ -29,6 +29,7 @@ struct Format {
   std::string_view sound = {};         // the arguments for the sound, with blanks between; "": it has none
   bool alpha = true;                   // keeps transparency
   bool sixteen_bits = false;           // ffmpeg gets 16 bits a channel
+  std::string_view captions = {};      // the codec of a text track; "": it has none
   std::span<const Codec> codecs = {};  // the default first; if empty, the film has no codecs and no quality to choose
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "betwixt/film.h"
+#include "language/captions.h"
 
 namespace betwixt {
 namespace {
@@ -78,6 +79,10 @@ RenderJob render_job(const Program& program, const std::string& path, const Fram
     film.sounds = [program, from = frames.time(0)](std::span<float> stereo) {
       return mix_sounds(program, from, stereo);
     };
+  if (takes_captions(path)) {
+    const double first = frames.time(0).seconds(), last = frames.time(frames.count).seconds();
+    film.captions = write_srt(captions_between(captions_of_film(document.scene()), first, last));
+  }
   return {frames, std::move(pictures), blur, std::move(film)};
 }
 

@@ -49,6 +49,13 @@ Status Samples::make(const FilmOptions& o, const std::string& folder) {
   return filled;
 }
 
+Status Samples::make_captions(const FilmOptions& o, const std::string& folder) {
+  file_ = nameless_file(folder);
+  if (file_ < 0) return system_error(errno, "keep the captions of", o.path);
+  if (const int failed = write_all(file_, o.captions)) return system_error(failed, "keep the captions of", o.path);
+  return Nothing{};
+}
+
 std::string Samples::path() const { return fmt::format("/proc/{}/fd/{}", ::getpid(), file_); }
 
 }  // namespace betwixt

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sound of a film for the encoder: an unnamed file, which is removed with its owner.
+// The sound or the captions of a film for the encoder: an unnamed file, which is removed with its owner.
 #pragma once
 
 #include <cstddef>
@@ -21,6 +21,8 @@ class Samples {
 
   // Fills a file in `folder` with the film's samples. Errors: machine (disk full, not writable), those of the sounds.
   Status make(const FilmOptions&, const std::string& folder);
+  // Fills it with the text of the film's captions instead.
+  Status make_captions(const FilmOptions&, const std::string& folder);
   bool made() const { return file_ >= 0; }
   std::string path() const;  // for other programs, during its lifetime
 

@@ -31,8 +31,11 @@ class Movie final : public Sink {
     if (Status s = partial_.make(); !s) return s;
     if (options_.sounds && !place_.format->sound.empty())
       if (Status s = samples_.make(options_, place_.folder); !s) return s;
-    auto encoder = Encoder::start(
-        encoder_arguments(options_, *place_.format, partial_.path(), samples_.made() ? samples_.path() : ""));
+    if (!options_.captions.empty() && !place_.format->captions.empty())
+      if (Status s = captions_.make_captions(options_, place_.folder); !s) return s;
+    const auto path = [](const Samples& file) { return file.made() ? file.path() : std::string(); };
+    auto encoder =
+        Encoder::start(encoder_arguments(options_, *place_.format, partial_.path(), {path(samples_), path(captions_)}));
     if (!encoder) return encoder.error();
     encoder_ = *std::move(encoder);
     return Nothing{};
@@ -94,7 +97,7 @@ class Movie final : public Sink {
   FilmOptions options_;
   const Output place_;
   Partial partial_;
-  Samples samples_;
+  Samples samples_, captions_;
   std::unique_ptr<Encoder> encoder_;  // destroyed first: it writes and reads the others
 };
 
@@ -173,7 +176,7 @@ Result<std::unique_ptr<Sink>> started(const FilmOptions& o, const Output& place)
 }  // namespace
 
 std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& format, const std::string& file,
-                                           const std::string& samples) {
+                                           const OtherInputs& others) {
   const bool yuv = format.yuv;
   const int even = yuv ? 1 : 0;  // to_yuv420 has made the sizes even
   std::vector<std::string> a{"ffmpeg",  "-hide_banner", "-nostdin", "-loglevel", "error",
@@ -192,11 +195,16 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
   a.insert(a.end(), {"-framerate", fmt::format("{}/{}", o.rate.num, o.rate.den)});
   if (yuv) tags();
   add({"-i", "pipe:0"});
-  if (!samples.empty()) {
-    a.insert(a.end(), {"-f", "f32le", "-ar", std::to_string(sound_rate), "-ac", "2", "-i", "file:" + samples});
-    add({"-map", "0:v", "-map", "1:a"});
+  if (!others.samples.empty())
+    a.insert(a.end(), {"-f", "f32le", "-ar", std::to_string(sound_rate), "-ac", "2", "-i", "file:" + others.samples});
+  if (!others.captions.empty()) a.insert(a.end(), {"-f", "srt", "-i", "file:" + others.captions});
+  if (!others.samples.empty() || !others.captions.empty()) add({"-map", "0:v"});
+  if (!others.samples.empty()) {
+    add({"-map", "1:a"});
     for (const auto word : std::views::split(format.sound, ' ')) a.emplace_back(word.begin(), word.end());
   }
+  if (!others.captions.empty())
+    a.insert(a.end(), {"-map", others.samples.empty() ? "1:s" : "2:s", "-c:s", std::string(format.captions)});
   if (yuv) tags();
   const std::vector<std::string> how = arguments_of(format, o);
   a.insert(a.end(), how.begin(), how.end());
@@ -218,6 +226,11 @@ Result<std::unique_ptr<Sink>> make_sink(const FilmOptions& o) {
 bool takes_sound(const std::string& path) {
   const Result<Output> place = read_output(path);
   return place && place->format && !place->format->sound.empty();
+}
+
+bool takes_captions(const std::string& path) {
+  const Result<Output> place = read_output(path);
+  return place && place->format && !place->format->captions.empty();
 }
 
 bool takes_alpha(const std::string& path) {

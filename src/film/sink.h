@@ -33,8 +33,12 @@ class Sink {
 
 Result<std::unique_ptr<Sink>> make_sink(const FilmOptions&);
 
-// Returns ffmpeg's arguments to make `file`; `samples`: the file of its sound, or "". For tests.
+// The files with a film's sound and its captions, or "".
+struct OtherInputs {
+  std::string samples, captions;
+};
+// Returns ffmpeg's arguments to make `file`. For tests.
 std::vector<std::string> encoder_arguments(const FilmOptions&, const Format&, const std::string& file,
-                                           const std::string& samples = {});
+                                           const OtherInputs& = {});
 
 }  // namespace betwixt

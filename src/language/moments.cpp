@@ -8,6 +8,7 @@
 
 #include "base/counted.h"
 #include "base/names.h"
+#include "language/captions.h"
 #include "language/formula.h"
 #include "program/audible_part.h"
 #include "scene/names.h"
@@ -212,6 +213,16 @@ std::size_t moment_length(std::string_view text) {
   if (dotted(at, end, "end")) at += 4;
   if (dotted(at, end, "start")) at += 6;
   return static_cast<std::size_t>(at - text.data());
+}
+
+std::vector<SpokenWord> words_heard(const Scene& s, ObjectId id) {
+  const NamedSound sound = sound_of(s, s.objects[id.index]);
+  std::vector<SpokenWord> all;
+  if (!sound.words) return all;
+  for (const SpokenWord& word : sound.words->words)
+    if (word.start >= sound.part.from && word.start < sound.part.until)
+      all.push_back({sound.in_film(word.start), sound.in_film(std::min(word.end, sound.part.until)), word.text});
+  return all;
 }
 
 std::vector<std::string> moments_like(const Scene& s, std::string_view begun) {

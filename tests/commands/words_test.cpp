@@ -3,6 +3,7 @@
 //
 // Words of a recording as times: which times they are, where they can stand, and what is wrong with others.
 #include "betwixt/track.h"
+#include "language/captions.h"
 #include "scene/document.h"
 #include "support/folder.h"
 #include "support/loaded_film.h"
@@ -143,6 +144,103 @@ TEST_F(Words, StayThroughTidy) {
                         "  voice:\"we begin\"           1  linear\n  voice:\"square\"#2.end-0.5s  2\n" +
                         "  voice.end                  3\n");
   EXPECT_EQ(tidy(tidied), tidied);
+}
+
+std::vector<std::string> told_captions(const std::vector<Caption>& all) {
+  std::vector<std::string> out;
+  for (const Caption& c : all) out.push_back(fmt::format("{:.4g} {:.4g} {}", c.start, c.end, c.text));
+  return out;
+}
+std::vector<SpokenWord> spoken(const std::string& text, double each = 0.25) {
+  std::vector<SpokenWord> all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const double start = each * static_cast<double>(all.size());
+    all.push_back({start, start + each, text.substr(at, end - at)});
+    at = end + 1;
+  }
+  return all;
+}
+
+TEST(Captions, EndAtSentencesAndPauses) {
+  EXPECT_EQ(told_captions(captions_of(spoken("We begin. Now it turns"))),
+            (std::vector<std::string>{"0 0.5 We begin.", "0.5 1.65 Now it turns"}));
+  std::vector<SpokenWord> pause = spoken("one two three");
+  pause[2].start = 2, pause[2].end = 3;
+  EXPECT_EQ(told_captions(captions_of(pause)), (std::vector<std::string>{"0 0.9 one two", "2 3.4 three"}));
+}
+
+TEST(Captions, HaveTwoLinesAndAFewWords) {
+  const auto all =
+      captions_of(spoken("the quick brown fox jumps over the lazy dog and sleeps again because it is night"));
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].text,
+            "the quick brown fox jumps over\nthe lazy dog and sleeps again");  // 12 words, 30 and 29 letters
+  EXPECT_EQ(all[1].text, "because it is night");
+  const auto three = captions_of(spoken("a b c d e f g"), {.words = 3});
+  ASSERT_EQ(three.size(), 3u);
+  EXPECT_EQ(three[1].text, "d e f");
+  for (const Caption& c : captions_of(spoken(std::string(10'000, 'w') + " end")))
+    EXPECT_LE(c.text.size(), 80u) << c.text;
+  EXPECT_EQ(captions_of({}).size(), 0u);
+}
+
+TEST(Captions, AreWrittenForPlayers) {
+  const std::vector<Caption> all{{0.5, 61.25, "a < b\nand"}, {3661.001, 3662, "c"}};
+  EXPECT_EQ(write_srt(all), "1\n00:00:00,500 --> 00:01:01,250\na < b\nand\n\n2\n01:01:01,001 --> 01:01:02,000\nc\n\n");
+  EXPECT_EQ(write_webvtt(all),
+            "WEBVTT\n\n00:00:00.500 --> 00:01:01.250\na &lt; b\nand\n\n"
+            "01:01:01.001 --> 01:01:02.000\nc\n\n");
+  EXPECT_EQ(told_captions(captions_between(all, 60, 100)), std::vector<std::string>{"0 1.25 a < b\nand"});
+}
+
+TEST_F(Words, AreShownAsCaptions) {
+  const Loaded l = load(
+      "film flat\ncreate voice sound file=\"talk.wav\" words=\"talk.words\" at=1s\n"
+      "captions on voice words=5 size=0.5 color=red weight=bold\n");
+  ASSERT_FALSE(has_errors(l.diagnostics)) << said(l.diagnostics);
+  const Program program = Program::compile(l.document);
+  const auto text = [&](double seconds) {
+    const auto target = find_targets("voice-captions.text", l.document);
+    return **std::get_if<Text>(&static_cast<const Value&>(program.read(target->front(), from_seconds(seconds))));
+  };
+  EXPECT_EQ(text(0), "");
+  EXPECT_EQ(text(1.4), "");
+  EXPECT_EQ(text(1.6), "We begin with a square.");
+  EXPECT_EQ(text(3.05), "We begin with a square.");
+  EXPECT_EQ(text(3.2), "The square");
+  EXPECT_EQ(text(4.1), "The square");
+  EXPECT_EQ(text(4.2), "");
+  // What it writes is plain content: the same lines by hand give the same document.
+  const Loaded again = load(write(l.document));
+  EXPECT_FALSE(has_errors(again.diagnostics)) << said(again.diagnostics);
+  EXPECT_TRUE(again.document.find("voice-captions"));
+}
+
+TEST_F(Words, AreShownBeforeTheCamera) {
+  const Loaded l = load(
+      "create voice sound file=\"talk.wav\" words=\"talk.words\"\ncreate eye camera position=(0 0 30)\n"
+      "captions on voice\n");
+  ASSERT_FALSE(has_errors(l.diagnostics)) << said(l.diagnostics);
+  const Object& o = l.document.scene().objects[l.document.find("voice-captions").index];
+  const auto spans = attachments(o);
+  ASSERT_EQ(spans.size(), 1u);
+  EXPECT_EQ(spans[0].to.parent, l.document.find("eye"));
+}
+
+TEST_F(Words, OfCaptionsCanBeWrong) {
+  const auto first = [&](const std::string& line) {
+    const auto all = errors(load(two + line));
+    return all.empty() ? std::string() : all[0];
+  };
+  EXPECT_EQ(first("captions voice\n"), "3:10: 'on' and the name of a sound are missing here");
+  EXPECT_EQ(first("captions on b\n"), "3:13: 'b' is no sound, so it has no words");
+  EXPECT_EQ(first("captions on voice words=0\n"), "3:25: the number of words must be a whole number from 1 to 100");
+  EXPECT_EQ(first("captions on voice colr=red\n"), "3:19: captions have no 'colr'");
+  EXPECT_EQ(first("captions on voice size=0\n"), "3:24: size must be above 0");
+  EXPECT_EQ(first("captions on voice color=\n"), "3:25: the value of color is missing here");
+  EXPECT_NE(first("captions on voice color=nocolor\n"), "");
+  EXPECT_EQ(first("create c sound file=\"talk.wav\"\ncaptions on c\n"), "4:13: 'c' has no words that are heard");
 }
 
 }  // namespace

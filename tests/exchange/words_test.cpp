@@ -101,7 +101,7 @@ TEST_F(WordFiles, SayWhatIsWrongAndWhere) {
       {"{\"a\": \"b\n\"}", "t:1:9: this text is not closed"},
       {"File type = \"ooTextFile\"\n",
        "t:1:1: this TextGrid has no tier of intervals; it must be in the long text form"},
-      {"0 1 " + std::string(1001, 'a'), "t:1:1: a word can have at most 1000 bytes"},
+      {"0 1 " + std::string(20'001, 'a'), "t:1:1: a word can have at most 20000 bytes"},
   };
   for (const auto& [text, message] : wrong) EXPECT_EQ(said(text, "t"), message) << text.substr(0, 100);
 }
