@@ -14,6 +14,7 @@
 #include "betwixt/picture.h"
 #include "betwixt/program.h"
 #include "film/numbered.h"
+#include "language/captions.h"
 
 namespace betwixt {
 namespace {
@@ -143,6 +144,12 @@ int join(const JoinCall& call) {
     options.sounds = [&](std::span<float> stereo) {
       return mix_sounds(*heard, heard->document().rate().frame(all->front()), stereo);
     };
+  if (heard && takes_captions(call.out)) {
+    const Rate rate = heard->document().rate();
+    options.captions =
+        write_srt(captions_between(captions_of_film(heard->document().scene()), rate.frame(all->front()).seconds(),
+                                   rate.frame(all->back() + 1).seconds()));
+  }
   const auto path = [&](int k) { return pictures->path((*all)[static_cast<std::size_t>(k)]); };
   const LinearPainter linear_painter = [&](int k, LinearPicture& out) -> Status {
     auto read = read_linear_picture(path(k));
@@ -197,7 +204,7 @@ const Enlisted enlisted_join(join, [](JoinCall& call) -> Subcommand {
                  .range = {{1, 256}}},
                 {.name = "--sound",
                  .value = "SCRIPT",
-                 .sentence = "a script; the film gets its sounds, starting at the first picture's frame",
+                 .sentence = "a script; the film gets its sounds and captions, starting at the first picture's frame",
                  .into = &call.sound,
                  .offer = Offer::scripts},
                 flag("--alpha", "gives the film an alpha channel, even if the first picture is opaque", call.alpha),

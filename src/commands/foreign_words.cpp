@@ -81,6 +81,13 @@ constexpr std::string_view to_beyond =
 constexpr std::string_view to_trail = "a trace is the path that an object has drawn: create t trace of=ball";
 constexpr std::string_view to_join = "the joints of a mesh are objects below each other, which move its vertices";
 constexpr std::string_view to_filter = "a filter changes a track and leaves its events: filter ball.position noise";
+constexpr std::string_view to_caption =
+    "create caption text text=\"…\" shows a text; captions on voice shows what is spoken in a sound that has words";
+constexpr std::string_view to_say =
+    "betwixt words --say talk.txt -o talk.wav makes a scratch voice with the times of its words; "
+    "create voice sound file=\"talk.wav\" words=\"talk.words\" plays it";
+constexpr std::string_view to_align =
+    "betwixt words talk.wav --text talk.txt finds when each word is spoken; voice:\"the square\" is then a time";
 constexpr std::string_view to_note = "a note is a text at a time: at 24f note \"first bounce ends\"";
 constexpr std::string_view to_occlude = "contact on darkens corners and places where objects meet";
 constexpr std::string_view to_hear = "sound plays a file: create music sound file=\"music.mp3\" at=24f gain=0.8";
@@ -142,8 +149,14 @@ constexpr ForeignWord all_foreign_words[] = {
     {"drawing", to_drawing, "create"},
     {"particle", to_swarm, "create fall noise"},
     {"particles", to_swarm, "create fall noise"},
-    {"caption", to_words, "text typed"},
-    {"subtitle", to_words, "text typed"},
+    {"caption", to_caption, "captions words"},
+    {"subtitle", to_caption, "captions words"},
+    {"subtitles", to_caption, "captions words"},
+    {"say", to_say, "words sound"},
+    {"speak", to_say, "words sound"},
+    {"voiceover", to_say, "words sound"},
+    {"transcribe", to_align, "words"},
+    {"align-words", to_align, "words"},
     {"graph", to_graph, "curve polyline"},
     {"chart", to_graph, "curve polyline"},
     {"mask", to_mask, "polygon trim display"},

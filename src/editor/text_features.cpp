@@ -109,6 +109,9 @@ std::optional<Hover> hover_at(const TextNames& names, const FilmText& in, std::s
     const std::string_view whole = line.substr(piece->at, piece->length);
     if (std::string said = said_of_time(whole, d); !said.empty())
       return Hover{{from + piece->at, piece->length}, std::move(said)};
+    if (const auto spoken = time_at(line, place - from, d))  // of voice:"the square"
+      return Hover{{from + piece->at, piece->length},
+                   fmt::format("{} is at {}, {}\n", whole, write_seconds(*spoken), format_time(*spoken, d))};
   }
   const auto is_function = [&](const HelpEntry& e) { return e.word != word || e.group == HelpGroup::function; };
   if (piece->meaning == Meaning::option && std::ranges::all_of(help_entries(), is_function)) return std::nullopt;
