@@ -39,7 +39,9 @@ def check_film(program, folder, warns, code):
 def main():
     program, passed, failed, found = os.path.abspath(sys.argv[1]), 0, 0, 0
     with tempfile.TemporaryDirectory() as folder:
-        # Some films use these sounds.
+        # Some films use these sounds, and this catalogue.
+        with open(os.path.join(folder, "de.po"), "w", encoding="utf-8") as catalogue:
+            catalogue.write('msgid "The end"\nmsgstr "Ende"\n')
         with wave.open(os.path.join(folder, "music.mp3"), "wb") as sound:
             sound.setparams((1, 2, 8000, 0, "NONE", ""))
             sound.writeframes(bytes(2 * 8000 * 75))

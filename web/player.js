@@ -171,7 +171,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       this.#sound.set_volume(share);
       this.#fire("volumechange");
     }
-    // For the button: what was silent for any reason can be heard.
+    // Turns the sound on for the button.
     #make_loud() {
       this.muted = false;
       if (this.#volume === 0) this.volume = 1;

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sound of a <betwixt-player>. It is mixed a second ahead and given to the browser's audio clock. While it is heard,
-// the picture follows that clock. Browsers play sound only after the reader has clicked or typed in the page.
+// The sound of a <betwixt-player>. The engine mixes it, a second ahead, for the browser's audio clock. The picture
+// follows that clock. Browsers play sound only after the reader has clicked or typed in the page.
 const sound_chunk = 12000;      // samples: a quarter of a second
 const sound_ahead = 1.25;       // seconds; more than the time between two pulses of the player's clock
-const sound_lead = 0.03;        // seconds from a decision to its first sample
+const sound_lead = 0.03;        // seconds before the first sample
 const sound_fade = 0.005;       // seconds; a jump within a sound is no click
 const sound_patience = 300;     // ms that the picture waits for the audio clock to start
-const sound_stalled = 700;      // ms after which a clock that stands is no clock
+const sound_stalled = 700;      // ms after which a clock counts as broken
 
 // The audio clock of the page, made when the reader has touched the page and a film has sound.
 const page_audio = (() => {
@@ -39,7 +39,7 @@ const page_audio = (() => {
   };
 })();
 
-// Returns the time of the context that is heard now.
+// Returns the context's time at the loudspeaker.
 const audible_time = (context) => {
   const { contextTime = 0, performanceTime = 0 } = context.getOutputTimestamp?.() ?? {}, now = context.currentTime;
   const heard = performanceTime > 0 ? contextTime + (performance.now() - performanceTime) / 1000
@@ -50,10 +50,10 @@ const audible_time = (context) => {
 class FilmSound {
   #player;
   #inside;          // functions of the player that pages do not have: now
-  #run = null;      // what is heard from one jump to the next
+  #run = null;      // the sound from one jump to the next
   #fresh = true;    // after a jump: the picture waits for its sound
   #waits_since = 0;
-  #broken = false;  // there is a clock that stands
+  #broken = false;  // the clock does not move
   #volume = null;   // a GainNode
 
   constructor(player, inside) {
@@ -84,7 +84,7 @@ class FilmSound {
     if (!this.#run) this.#begin(context);
     while (this.#run.at + this.#run.done / sound_rate < context.currentTime + sound_ahead) this.#feed();
   }
-  // The film's time has been set: what is heard no longer belongs to it.
+  // Stops the sound, because the film's time has been set.
   jump() {
     this.#end();
     this.#fresh = true;
@@ -98,7 +98,7 @@ class FilmSound {
     if (this.#run) this.#run.laps += seconds, this.#run.heard -= seconds;
   }
 
-  // Returns the film's time that is heard now, or null: then the picture needs no clock of sound.
+  // Returns the film's time at the loudspeaker, or null if there is no sound.
   heard(time) {
     const run = this.#run;
     if (!run) {
@@ -123,7 +123,7 @@ class FilmSound {
   #begin(context) {
     const rate = this.#player.playbackRate, at = Math.ceil((context.currentTime + sound_lead) * sound_rate) / sound_rate;
     const now = this.#inside.now(), before = at - audible_time(context);
-    // After a jump the picture waits until its first sample is heard. Otherwise sound joins the picture.
+    // After a jump the picture waits for its first sample. Otherwise the sound joins the picture.
     const from = Math.round((this.#fresh ? now : now + before * rate) * sound_rate);
     const fade = context.createGain();
     if (from > 0) {

@@ -127,12 +127,19 @@ class FilmSource {
   }
 }
 
+// The bytes of a page's files by the elements that hold them: all players share them, and what is decoded of them.
+const inline_files = new WeakMap();
+const files_in = (script) => {
+  const text = script.textContent, known = inline_files.get(script);
+  if (known?.text === text) return known.files;
+  const files = Object.fromEntries(Object.entries(JSON.parse(text)).map(([name, held]) => [name, bytes_of(held)]));
+  inline_files.set(script, { text, files });
+  return files;
+};
+
 function inline_files_of(player) {
-  const found = {};
   const all = [...document.querySelectorAll(files_query)].filter(
     (script) => player.contains(script) || !script.closest("betwixt-player"));
-  for (const script of all)
-    for (const [name, held] of Object.entries(JSON.parse(script.textContent))) found[name] = bytes_of(held);
-  return found;
+  return Object.assign({}, ...all.map(files_in));
 }
 

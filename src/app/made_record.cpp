@@ -44,19 +44,20 @@ bool stands_as_made(const std::string& film, const std::string& parameters) {
   std::string line;
   if (!std::getline(lines, line) || line != first_line) return false;
   if (!std::getline(lines, line) || line != digest(parameters)) return false;
-  bool any = false;
+  if (!std::getline(lines, line) || line != state_of(film)) return false;
   while (std::getline(lines, line)) {  // STATE<tab>PATH
     const std::size_t tab = line.find('\t');
     if (tab == line.npos || state_of(line.substr(tab + 1)) != line.substr(0, tab)) return false;
-    any = true;
   }
-  return any;
+  return true;
 }
 
 Status write_made_record(const std::string& film, const std::string& parameters, const std::set<std::string>& files) {
-  std::string text = fmt::format("{}\n{}\n{}\t{}\n", first_line, digest(parameters), state_of(film), film);
+  std::string text = fmt::format("{}\n{}\n{}\n", first_line, digest(parameters), state_of(film));
+  std::error_code ignored;
   for (const std::string& file : files)
-    if (file.find('\n') == file.npos) text += fmt::format("{}\t{}\n", state_of(file), file);
+    if (file.find('\n') == file.npos)
+      text += fmt::format("{}\t{}\n", state_of(file), std::filesystem::absolute(file, ignored).string());
   return write_whole(record_of(film), text, true);
 }
 

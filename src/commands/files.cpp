@@ -234,7 +234,7 @@ bool part_of_scene(Command& k, std::string& path, std::string_view about) {
 // the first script's folder.
 bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
-  if (is_read_by_people(s, f)) return translate_text(script, path, about), true;
+  if (is_read_by_people(f)) return translate_text(script, path, about), true;
   if (f == fn::font && !names_font_file(path)) {
     const Status known = find_font(path);
     if (!known) script.note(Severity::warning, known.error().message, about, known.error().hint);

@@ -14,7 +14,7 @@ namespace betwixt {
 // Replaces a text that is shown by its translation, if there is one. `about`: where it is written.
 void translate_text(Script&, std::string& text, std::string_view about);
 // Returns whether the values of this function are texts that people read.
-bool is_read_by_people(const Scene&, FunctionId);
+bool is_read_by_people(FunctionId);
 // Reads the catalogue that the options name.
 void begin_translation(Script&);
 

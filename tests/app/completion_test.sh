@@ -45,7 +45,7 @@ completes 'betwixt --v' --version
 completes 'betwixt render --s' --size --style --samples --shutter --subframes --stats
 completes 'betwixt play --o' --overwrite
 completes 'betwixt play --m' --mute
-completes 'betwixt tidy --l' --load
+completes 'betwixt tidy --l' --language --let --load
 completes 'betwixt frame ball.bx --style w' wireframe
 completes 'betwixt algebra x --method d' differences
 completes 'betwixt serve --to t' terminal
@@ -57,6 +57,6 @@ completes 'betwixt help gro' ground group grow
 completes 'betwixt help dim' dimension
 completes 'betwixt help ang' angle
 completes 'betwixt help re' reach reach-chain reach-pole reach-share readings rearrange record rectangle redo regular release remove rename render replace reverse revert rewrite
-completes 'betwixt help -' --color --help --json --load --read-anywhere --tex
+completes 'betwixt help -' --color --help --json --language --let --load --read-anywhere --tex
 for what in zsh fish; do is "$what completes words of the language" "$(grep -cw quantise $what)" 1; done
 summary

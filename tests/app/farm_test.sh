@@ -31,6 +31,12 @@ settings='a film.mp4.farm/settings'
 is 'options are kept as they are' "$(grep '^sbatch_options' "$settings")" 'sbatch_options --comment=$(touch ran) `touch ran` two words '
 is 'the script has the name that it has' "$(sed -n 's/^script //p' "$settings")" "$work/a film.bx"
 
+printf 'let who = "you"\ncreate a text text=who\n' >let.bx
+has 'a wrong let is an error at once' "$("$farm" let.bx -o let.mp4 --let wo=3 2>&1)" "no 'let wo'"
+"$farm" let.bx -o let.mp4 --let 'who=$(touch ran) two  words' --language '' >/dev/null 2>&1
+is 'values from outside go to all tasks' "$(grep -c -e '^options --let$' let.mp4.farm/settings)" 1
+has 'as they are' "$(cat let.mp4.farm/settings)" 'who=$(touch ran) two  words'
+
 rm sent
 resumed '' 'a film.mp4'
 is 'what was kept here goes on' $code 0

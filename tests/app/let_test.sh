@@ -145,6 +145,8 @@ wrong 'no UTF-8' 'msgid "a"\nmsgstr "\\xff"\n' 'wrong.po'
 printf 'create a text text="Hello"\nlanguage "de.po"\n' >late.bx
 check 'too late' 1 'late.bx:2:' check late.bx
 has 'says where' "$said" 'must come before the first text'
+printf 'language "de.po"\ndefine caption text "Hello"\ncreate a text\nset a.caption "Hello"\n' >own.bx
+has 'functions of your own stay as they are' "$("$program" eval own.bx a.caption)" '"Hello"'
 printf 'language "no.po"\n' >film2.bx
 check 'no such catalogue' 1 'film2.bx:1:' check film2.bx
 summary

@@ -42,6 +42,7 @@ TEST(Help, ExamplesRun) {
     const Folder folder;
     folder.put("film.bx", small_film);
     folder.put("colors.bx", "background navy\n");
+    folder.put("de.po", "msgid \"The end\"\nmsgstr \"Ende\"\n");
     Session s;
     const auto begun = s.open(folder / "film.bx");
     EXPECT_EQ(begun.said, "");

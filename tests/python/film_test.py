@@ -36,6 +36,23 @@ class Values(unittest.TestCase):
         self.assertEqual(list(film.eval("anna.size", 1)), [3, 3, 3])
         self.assertEqual(list(film.eval("bert.size", 1)), [2, 2, 2])
 
+    def test_values_from_outside(self):
+        script = "let size = 2\nlet who = \"Ada\"\nlet way = (1 2 3)\ncreate a sphere radius=size position=way\ncreate b text text=who\n"
+        film = betwixt.loads(script, lets={"size": 5.5, "who": 'B "o"', "way": (4, 5, 6.5)})
+        self.assertEqual([film.eval("a.radius", 1), film.eval("b.text", 1)], [5.5, 'B "o"'])
+        self.assertEqual(list(film.eval("a.position", 1)), [4, 5, 6.5])
+        film.say("create c sphere radius=size")
+        self.assertEqual(film.eval("c.radius", 1), 5.5)
+        self.assertEqual(film.text.splitlines()[0], "let size = 2")
+        for lets, words in (({"siez": 1}, "no 'let siez'"), ({"size": "gold"}, "that is a colour")):
+            with self.assertRaises(betwixt.Error) as caught:
+                betwixt.loads(script, lets=lets)
+            self.assertIn(words, str(caught.exception))
+        with tempfile.NamedTemporaryFile("w", suffix=".po") as po:
+            po.write('msgid "Ada"\nmsgstr "Grace"\n')
+            po.flush()
+            self.assertEqual(betwixt.loads(script, language=po.name).eval("b.text", 1), "Grace")
+
     def test_a_line_is_a_line_however_its_times_are_said(self):
         film = betwixt.loads(LINE)
         for when, share in ((7, 6 / 24), (7.5, 6.5 / 24), ("7f", 6 / 24), ("7", 6 / 24), ("0.25s", 6 / 24),

@@ -23,8 +23,10 @@ films = {
     "packed": head + 'create music sound file="noise.flac"\n',
     "broken": head + 'create music sound file="broken.wav"\n',
 }
-# What a page gives to the audio clock, and when.
-spy = """window.given = []; const start = AudioBufferSourceNode.prototype.start;
+# What a page gives to the audio clock, and when; and how many files it decodes.
+spy = """window.given = []; window.decoded = 0; const decode = BaseAudioContext.prototype.decodeAudioData;
+  BaseAudioContext.prototype.decodeAudioData = function (...all) { ++decoded; return decode.apply(this, all); };
+  const start = AudioBufferSourceNode.prototype.start;
   AudioBufferSourceNode.prototype.start = function (at) { given.push([at, this.buffer, this]); window.ctx = this.context; return start.call(this, at); };
   const stop = AudioBufferSourceNode.prototype.stop; AudioBufferSourceNode.prototype.stop = function (at) { window.stops = (window.stops ?? 0) + 1; return stop.call(this, at); };"""
 helpers = """window.p = document.querySelector("betwixt-player"); window.wait = (ms) => new Promise((r) => setTimeout(r, ms));
@@ -151,6 +153,7 @@ def loops_and_several(browser):
     same("across its end, a loop goes on with its first sample", joined, 0)
     alone = page.ask("given.length")
     page.do("await both[0].play(); await wait(700);")
+    same("each file is decoded once", page.ask("decoded"), 2)
     same("two players are heard in one clock", page.ask("new Set(given.map(([,, s]) => s.context)).size"), 1)
     check("both of them", page.ask("given.length") > alone + 3)
     wanted = json.loads(subprocess.run([program, "eval", "voice.bx", "--at", "0.5s", "ball.radius", "--json"], cwd=folder, capture_output=True, text=True).stdout)["times"][0]["values"]["ball.radius"]
