@@ -4,7 +4,7 @@
 # Tests pages under the policy of docs/web.md: scripts and styles in the page have no effect, and no text becomes
 # markup. Skipped if the player is not built (./betwixt web builds it).
 #   strict_test.py PROGRAM
-import os, re, shutil, subprocess, sys, tempfile
+import os, re, shutil, subprocess, sys, tempfile, wave
 from browser import Browser, Served
 from checks import check, done, player, root, same, there_is_a_player
 
@@ -14,12 +14,12 @@ with open(f"{root}/docs/web.md", encoding="utf-8") as page:
     policy = " ".join(re.search(r"Content-Security-Policy: (.*?)```", page.read(), re.S)[1].split())
 folder_of_test = tempfile.TemporaryDirectory()
 folder = folder_of_test.name
-film = "size 320x180\nfilm flat\ncreate ball circle radius=3 color=red\ncreate m mesh file=\"one.obj\" position=(9 0 0)\n"
+film = "size 320x180\nfilm flat\ncreate ball circle radius=3 color=red\ncreate m mesh file=\"one.obj\" position=(9 0 0)\ncreate beep sound file=\"beep.wav\"\n"
 helpers = """window.p = document.querySelector("betwixt-player"); window.e = document.querySelector("betwixt-editor");
   window.inside = (what) => p.shadowRoot.querySelector(what);
   window.pixel = () => { const c = inside("canvas"), d = document.createElement("canvas"); d.width = c.width, d.height = c.height;
     const k = d.getContext("2d"); k.drawImage(c, 0, 0); return [...k.getImageData(c.width / 2, c.height / 2, 1, 1).data].join(" "); };"""
-listening = "window.broken = []; addEventListener('securitypolicyviolation', (e) => broken.push(`${e.effectiveDirective} ${e.blockedURI} ${e.sourceFile}:${e.lineNumber}`));"
+listening = "window.given = 0; const start = AudioBufferSourceNode.prototype.start; AudioBufferSourceNode.prototype.start = function (...at) { ++given; start.apply(this, at); }; window.broken = []; addEventListener('securitypolicyviolation', (e) => broken.push(`${e.effectiveDirective} ${e.blockedURI} ${e.sourceFile}:${e.lineNumber}`));"
 
 
 def write(name, words):
@@ -70,6 +70,8 @@ def own_pages(browser, served):
         page.until("p.readyState === 4")
         check(f"{name}: it is drawn", page.until("pixel() === '255 0 0 255'"))
         same(f"{name}: it has its size", page.ask("[p.offsetWidth, p.offsetHeight]"), [320, 180])
+        page.do("await p.play()")
+        check(f"{name}: it sounds", page.until("given > 0 && p.film.sound(4000, 100).left.some((x) => Math.abs(x) > 0.1)"))
         page.do("p.src = 'none.bx'; await new Promise((r) => p.addEventListener('error', r, { once: true }));")
         check(f"{name}: what goes wrong is said", "none.bx cannot be fetched" in page.ask("inside('[part=message]').innerText"))
         page.said[:] = [s for s in page.said if "404" not in s]
@@ -89,6 +91,9 @@ def each_word_is_needed(browser):
 write("favicon.ico", "")  # browsers request it
 write("film.bx", film)
 write("one.obj", "v -1 0 0\nv 1 0 0\nv 0 1.5 0\nf 1 2 3\n")
+with wave.open(f"{folder}/beep.wav", "wb") as beep:
+    beep.setparams((1, 2, 48000, 0, "NONE", ""))
+    beep.writeframes(b"".join((i % 100 * 200).to_bytes(2, "little") for i in range(48000)))
 for call in (("-o", "film.html", "--link"), ("-o", "alone.html", "--link", "--no-edit", "--size", "400x225")):
     made = subprocess.run([program, "web", "film.bx", *call], capture_output=True, text=True, cwd=folder, env={**os.environ, "BETWIXT_PLAYER": player})
     if made.returncode != 0:
