@@ -162,6 +162,22 @@ def loops_and_several(browser):
     page.close()
 
 
+# A clock that stands still, as of a browser without a sound device; and no clock at all.
+def no_device(browser):
+    still = """for (const name of ["currentTime", "outputLatency"]) Object.defineProperty(BaseAudioContext.prototype, name, { get: () => 0 });
+      AudioContext.prototype.getOutputTimestamp = () => ({ contextTime: 0, performanceTime: 0 });"""
+    for name, how in (("a clock that stands", still), ("no clock", "AudioContext = class { constructor() { throw new Error('no') } };")):
+        page = browser.page()
+        page.call("Page.addScriptToEvaluateOnNewDocument", source=how)
+        page.go(f"file://{folder}/music.html")
+        page.do(helpers)
+        page.until("p.readyState === 4")
+        page.do("p.loop = false; p.pause(); p.currentTime = 0; await until(p, 'seeked'); await p.play(); await wait(2000);")
+        at = page.ask("p.currentTime")
+        check(f"{name}: the film plays on", at > 0.7, at)
+        page.close()
+
+
 def wrong_files(browser, served):
     page = opened(browser, f"{served}/wrong.html")
     page.until("p.error")
@@ -196,7 +212,7 @@ with open(f"{folder}/wrong.html", "w") as out:
     out.write(f"<!doctype html><script src=player.js></script><betwixt-player controls loading=eager src=broken.bx></betwixt-player>")
 os.symlink(player, f"{folder}/player.js")
 with Browser() as browser, Served(folder) as served:
-    for part, *given in ((samples,), (in_time,), (as_a_video,), (loops_and_several,), (wrong_files, served)):
+    for part, *given in ((samples,), (in_time,), (as_a_video,), (loops_and_several,), (no_device,), (wrong_files, served)):
         try:
             part(browser, *given)
         except Exception as e:
