@@ -23,7 +23,8 @@ TEST(Features, TheSmallestFilmOfEachIsRendered) {
   // Its example makes what it takes away.
   const std::set<std::string_view> changes_nothing = {"delete"};
   for (const HelpEntry& e : help_entries()) {
-    if (!in_a_film(e) || e.word == "use") continue;
+    // Two commands read a file, and `language` comes before the first text.
+    if (!in_a_film(e) || e.word == "use" || std::string_view(e.example).starts_with("language ")) continue;
     const Loaded film = load_text(std::string(small_film) + std::string(e.example) + "\n", "film.bx");
     std::string said;
     for (const Diagnostic& d : film.diagnostics)
