@@ -241,6 +241,28 @@ std::vector<std::pair<double, std::string>> cuts(const Document& document) {
   return all;
 }
 
+py::list sections_of(const Document& d) {
+  py::list all;
+  for (const Section& one : d.sections())
+    all.append(py::dict(py::arg("name") = one.name, py::arg("begin") = frame_of(one.begin, d),
+                        py::arg("end") = frame_of(one.end, d), py::arg("speed") = one.speed));
+  return all;
+}
+
+py::list steps_of(const Document& d) {
+  py::list all;
+  for (const Pause& one : d.pauses())
+    all.append(
+        py::dict(py::arg("frame") = frame_of(one.time, d), py::arg("text") = one.text, py::arg("note") = one.note));
+  return all;
+}
+
+std::vector<std::pair<double, std::string>> descriptions(const Document& document) {
+  std::vector<std::pair<double, std::string>> all;
+  for (const Description& one : document.descriptions()) all.emplace_back(frame_of(one.time, document), one.text);
+  return all;
+}
+
 py::dict kinds_of(const Document& d) {
   py::dict all;
   for (const KindView& kind : own_kinds(d)) {
@@ -332,6 +354,14 @@ py::class_<Film> bind_film(py::module_& m) {
                              "The notes of the script: frame and text, in the order of time.")
       .def_property_readonly("cuts", of_document(cuts),
                              "The cuts: frame and name of the new camera. The first camera begins at minus infinity.")
+      .def_property_readonly(
+          "sections", of_document(sections_of),
+          "The sections of the script: a dict of the \"name\", the frames \"begin\" and \"end\", and "
+          "the \"speed\" of each.")
+      .def_property_readonly("steps", of_document(steps_of),
+                             "Where a speaker waits: a dict of the \"frame\", the \"text\" and the \"note\" of each.")
+      .def_property_readonly("descriptions", of_document(descriptions),
+                             "What is to be seen, for people who cannot see it: frame and text, in the order of time.")
       .def_property_readonly(
           "kinds", of_document(kinds_of),
           "The kinds that the script defines: the name of each with a dict of its \"model\", whether "

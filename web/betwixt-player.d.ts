@@ -33,6 +33,8 @@ export interface Film {
   readonly fps: number;
   readonly firstFrame: number;
   readonly lastFrame: number;
+  /** What the film says to people who cannot see it, in the order of time. */
+  readonly descriptions: { seconds: number; text: string }[];
   /** The notes of the script, in the order of time. */
   readonly notes: { seconds: number; text: string }[];
   /** The script's `size`, or 1280 x 720. */

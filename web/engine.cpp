@@ -172,14 +172,19 @@ EMSCRIPTEN_KEEPALIVE const char* betwixt_about(Film* film) {
   for (const Note& n : d.notes(first, last))
     notes += fmt::format(R"({}{{"seconds":{},"text":{}}})", notes.empty() ? "" : ",", json_number(n.time.seconds()),
                          json_text(n.text));
+  std::string descriptions;
+  for (const Description& one : d.descriptions())
+    descriptions += fmt::format(R"({}{{"seconds":{},"text":{}}})", descriptions.empty() ? "" : ",",
+                                json_number(one.time.seconds()), json_text(one.text));
   const auto [width, height] = d.size().value_or(std::pair{1280, 720});
-  return returned(
-      fmt::format(R"({{"ok":{},"diagnostics":[{}],"message":{},"wants":[{}],"fps":{},"start":{},"end":{},)"
-                  R"("firstFrame":{},"lastFrame":{},"width":{},"height":{},"clear":{},"sounds":{},"notes":[{}]}})",
-                  !has_errors(film->loaded.diagnostics), diagnostics, json_text(message), missing,
-                  json_number(d.rate().per_second()), json_number(first.seconds()),
-                  json_number((last + d.rate().span(1)).seconds()), json_number(d.rate().frame_number(first)),
-                  json_number(d.rate().frame_number(last)), width, height, d.transparent(), has_sounds(d), notes));
+  return returned(fmt::format(
+      R"({{"ok":{},"diagnostics":[{}],"message":{},"wants":[{}],"fps":{},"start":{},"end":{},)"
+      R"("firstFrame":{},"lastFrame":{},"width":{},"height":{},"clear":{},"sounds":{},"notes":[{}],)"
+      R"("descriptions":[{}]}})",
+      !has_errors(film->loaded.diagnostics), diagnostics, json_text(message), missing,
+      json_number(d.rate().per_second()), json_number(first.seconds()),
+      json_number((last + d.rate().span(1)).seconds()), json_number(d.rate().frame_number(first)),
+      json_number(d.rate().frame_number(last)), width, height, d.transparent(), has_sounds(d), notes, descriptions));
 }
 
 // Draws to the hidden canvas, which has this size. Returns an error, or null.

@@ -36,6 +36,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
     #sound;               // a FilmSound
     #muted = false;
     #volume = 1;
+    #voice;               // a PlayerVoice
 
     constructor() {
       super();
@@ -63,6 +64,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
         frames_at: (time) => this.#frames_at(time), hold: () => this.#clock.hold(),
         silent: () => this.#muted || this.#volume === 0 || this.#sound.blocked, loud: () => this.#make_loud(),
       });
+      this.#voice = new PlayerVoice(this.#parts);
       page.add(this, {
         step: () => this.#step(), see: (visible) => this.#see(visible), comes_near: () => this.#comes_near(),
         measure: (size) => this.#measure(size),
@@ -397,6 +399,7 @@ if (globalThis.customElements && !customElements.get("betwixt-player")) {
       if (this.#film && this.#visible) this.#draw();
       this.#clock.end_seek();
       this.#controls.show_time();
+      if (this.#film) this.#voice.say(this.#film, this.#film.start + this.#clock.time);
       return this.#clock.moving() && this.#visible;
     }
 

@@ -22,6 +22,7 @@ const player_look = () => sheet(`
 .stage > canvas, .stage > img { grid-area: 1 / 1; max-width: 100%; max-height: 100%; }
 .stage > img { width: 100%; height: 100%; object-fit: contain; z-index: 1; }
 [hidden] { display: none !important; }
+.said { position: absolute; width: 1px; height: 1px; margin: -1px; overflow: hidden; clip-path: inset(50%); }
 .wait { grid-area: 1 / 1; z-index: 2; color: #bbb; opacity: 0; animation: appear 0.3s 0.6s forwards; }
 @keyframes appear { to { opacity: 1; } }
 .message { position: absolute; inset: 0; z-index: 3; overflow: auto; padding: 1rem 1.25rem; box-sizing: border-box;

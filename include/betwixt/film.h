@@ -46,6 +46,16 @@ bool takes_alpha(const std::string& path);
 bool takes_16_bits(const std::string& path);
 bool takes_unclamped_light(const std::string& path);
 
+// A chapter of a film: a part that players offer to jump to. Its times are seconds since the film's first frame.
+struct Chapter {
+  std::string title;
+  double begin = 0, end = 0;
+};
+// Returns the sections of a document that lie between these times, as chapters.
+std::vector<Chapter> chapters_of(const Document&, Time from, Time until);
+// Returns the descriptions between these times as a WebVTT file. Each lasts until the next one, at most ten seconds.
+std::string descriptions_vtt(const Document&, Time from, Time until);
+
 struct FilmOptions {
   std::string path;      // the extension gives the format
   int frames = 0;        // how many, at least 1
@@ -57,12 +67,13 @@ struct FilmOptions {
   // For numbered pictures: keeps those that exist, are complete and have this size, and makes the others. Each is put
   // in place as soon as it is made, even if the film fails later.
   bool only_missing = false;
-  bool alpha = false;    // keeps transparency, if the format can hold it
-  int bits = 8;          // bits a channel of numbered PNG: 8 or 16
-  Sounds sounds;         // without it the film is silent
-  std::string captions;  // a text track in the form of SRT; "": none
-  int quality = 0;       // 1 to 100, for lossy formats; 0: the codec's default
-  std::string codec;     // one of codecs_of(path); "": the first of them
+  bool alpha = false;             // keeps transparency, if the format can hold it
+  int bits = 8;                   // bits a channel of numbered PNG: 8 or 16
+  Sounds sounds;                  // without it the film is silent
+  std::string captions;           // a text track in the form of SRT; "": none
+  std::vector<Chapter> chapters;  // of .mp4, .webm and .mov
+  int quality = 0;                // 1 to 100, for lossy formats; 0: the codec's default
+  std::string codec;              // one of codecs_of(path); "": the first of them
 };
 
 // Returns the codecs that a format can use, the default first. Returns an empty list if there is no choice.
@@ -94,6 +105,8 @@ Result<FilmStats> make_film(const FilmOptions&, const std::function<Result<Paint
 Result<FilmStats> make_linear_film(const FilmOptions&, const std::function<Result<LinearPainter>()>& new_painter,
                                    const Progress& = {});
 
+// Returns a picture as JPEG over black. Errors: machine.
+Result<std::string> jpeg_of(const Picture&, int quality);
 // Writes a picture as JPEG over black, and renames it into place when it is complete. `quality` is 1 to 100.
 // Errors: file (the file exists), machine.
 Status write_jpeg(const std::string& path, const Picture&, int quality, bool overwrite = true);

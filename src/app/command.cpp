@@ -55,6 +55,15 @@ Result<Time> read_time(const std::string& text, const Document& document, const 
   return e;
 }
 
+std::string section_frames(const std::string& name) { return fmt::format("{0}.start..{0}.end", name); }
+
+// Returns the section whose frames these are; null if they are no section.
+static const Section* section_of(const std::string& text, const Document& document) {
+  for (const Section& one : document.sections())
+    if (text == section_frames(one.name)) return &one;
+  return nullptr;
+}
+
 Result<FrameList> read_frames(const std::string& text, const Document& document, const std::string& option) {
   auto [first, last] = document.range();
   if (!text.empty()) {
@@ -72,6 +81,11 @@ Result<FrameList> read_frames(const std::string& text, const Document& document,
       return fail(ErrorCode::range, fmt::format("{}: the film ends before {}", option, text.substr(0, dots)));
     }
     if (last < first) return fail(ErrorCode::range, fmt::format("{}: \"{}\" ends before it begins", option, text));
+    // The frame at the end of a section belongs to the section that begins there.
+    if (const Section* const section = section_of(text, document))
+      for (const Section& next : document.sections())
+        if (next.begin == section->end && next.end > next.begin && section->end > section->begin)
+          last = section->end - document.rate().span(0.001);
   }
   Result<FrameList> frames = frames_between(first, last, document.rate());
   if (frames) return frames;

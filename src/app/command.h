@@ -39,6 +39,9 @@ Result<Time> read_time(const std::string& text, const Document&, const std::stri
 // `text`: "A..B", "A.." to the end of the film, or "" for the document's own range. Errors quote the text.
 Result<FrameList> read_frames(const std::string& text, const Document&, const std::string& option = "--frames");
 
+// The frames of a section, for read_frames().
+std::string section_frames(const std::string& name);
+
 // Prints errors of procedures to standard error, each only once. Any thread may call it.
 class Problems {
  public:

@@ -14,7 +14,7 @@
 namespace betwixt {
 
 struct RenderCall {
-  std::string file, out, frames;
+  std::string file, out, frames, descriptions;
   PictureCall picture;
   ExposureCall exposure;
   int jobs = 0, bits = 8, quality = 0;

@@ -120,6 +120,7 @@ const Enlisted enlisted_export(export_motion, [](ExportCall& call) -> Subcommand
                 output_parameter(call.out, "FILE",
                                  "the file; its ending chooses the format: " + endings() + "; -.glb: standard output"),
                 frames_parameter(call.frames),
+                section_parameter(call.frames),
                 {.name = "--keys",
                  .value = "WORD",
                  .sentence =

@@ -381,7 +381,7 @@ const Enlisted enlisted_play(play, [](PlayCall& call) -> Subcommand {
       .takes =
           joined({{script_parameter(call.file),
                    flag("--terminal", "plays in the terminal, even if there is a display", call.terminal),
-                   frames_parameter(call.frames)},
+                   frames_parameter(call.frames), section_parameter(call.frames)},
                   picture_parameters(call.picture),
                   {flag("--loop", "repeats the film", call.loop), flag("--mute", "plays without sound", call.mute)},
                   live_parameters(call)}),

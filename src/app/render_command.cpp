@@ -9,9 +9,11 @@
 #include "app/command.h"
 #include "app/each.h"
 #include "app/making.h"
+#include "app/presentation.h"
 #include "app/stats.h"
 #include "app/streams.h"
 #include "app/subcommand.h"
+#include "base/counted.h"
 #include "base/files.h"
 #include "base/tell_user.h"
 #include "betwixt/film.h"
@@ -74,6 +76,22 @@ int put_captions(const RenderCall& call, const Document& document, const FrameLi
   return s ? all_done : complain(s.error(), wrong_call);
 }
 
+// Writes the descriptions of the film, if the user asks for them.
+Status write_descriptions(const RenderCall& call, const Document& document, const FrameList& frames) {
+  if (call.descriptions.empty()) return Nothing{};
+  const Time from = frames.time(0), until = frames.time(frames.count - 1) + frames.rate.span(1);
+  return write_whole(call.descriptions, descriptions_vtt(document, from, until), !call.keep_old);
+}
+
+// The steps as pages.
+int render_pdf(const RenderCall& call, const Program& program, const FrameList& frames) {
+  const Result<int> pages =
+      write_steps_as_pdf(program, frames, call.picture.of(program.document()), call.quality, call.out, !call.keep_old);
+  if (!pages) return complain(pages.error(), wrong_input);
+  tell_user(fmt::format("{}, {}\n", counted(static_cast<std::size_t>(*pages), "page"), call.out));
+  return all_done;
+}
+
 int render(RenderCall& call) {
   if (!call.each.empty()) return render_each(call);
   call.out = output_or(call.out, call.file, "mp4");
@@ -89,6 +107,7 @@ int render(RenderCall& call) {
   if (!exposure) return complain(exposure.error(), wrong_call);
 
   const Program program = Program::compile(*document);
+  if (ending(call.out) == "pdf") return render_pdf(call, program, *frames);
   RenderJob job = render_job(program, call.out, *frames, call.picture.of(*document), *exposure, call.bits);
   const Time last = frames->time(frames->count - 1);
   const Findings found = look_through(program, call.file, frames->time(0), last, frames->count);
@@ -129,6 +148,8 @@ int render(RenderCall& call) {
   FilmOptions said = job.film;
   if (*outgoing) said.path = "standard output";
   const int code = say_made(made, said);
+  if (made)
+    if (const Status s = write_descriptions(call, *document, *frames); !s) return complain(s.error(), wrong_call);
   if (made && call.stats) print_stats(*made, spent, program);
   return code;
 }
@@ -158,11 +179,14 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
       .sentence = "makes a film: " + film_endings() + " or numbered pictures, .png .exr",
       .takes = joined(
           {{script_parameter(call.file),
-            output_parameter(call.out, "OUT",
-                             "the film; its ending chooses the format; frame-%04d.png makes numbered pictures; - is "
-                             "standard output, -.webm a film of that format there",
-                             "mp4"),
-            frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s")},
+            output_parameter(
+                call.out, "OUT",
+                "the film; its ending chooses the format; frame-%04d.png makes numbered pictures; .pdf has "
+                "a page for each step; - is standard output, -.webm a film of that format there",
+                "mp4"),
+            frames_parameter(call.frames, "1f..24f, 1..24, 0.5s..2s"), section_parameter(call.frames),
+            file_option("--descriptions", "OUT.vtt", "also writes the descriptions of the film, as WebVTT",
+                        &call.descriptions)},
            picture_parameters(call.picture),
            exposure_parameters(call.exposure),
            {bits_parameter(call.bits),

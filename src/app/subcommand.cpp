@@ -155,6 +155,15 @@ Parameter frames_parameter(std::string& frames, const std::string& examples) {
           .into = &frames};
 }
 
+Parameter section_parameter(std::string& frames) {
+  return {.name = "--section",
+          .value = "NAME",
+          .sentence = "only this section of the film",
+          .into = ReadValue(
+              [&frames](const std::string& name) -> Status { return frames = section_frames(name), Nothing{}; }),
+          .excludes = "--frames"};
+}
+
 Parameter option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
                  const std::string& excludes) {
   return {.name = name, .value = value, .sentence = sentence, .into = std::move(into), .excludes = excludes};

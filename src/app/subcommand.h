@@ -92,6 +92,8 @@ Parameter output_parameter(std::string& out, const std::string& value, const std
 // Returns the given output, or a file in the current folder: the script's name with the usual ending.
 std::string output_or(const std::string& out, const std::string& script, const std::string& usual);
 Parameter frames_parameter(std::string& frames, const std::string& examples = "1f..24f");
+// Sets `frames` to those of a section.
+Parameter section_parameter(std::string& frames);
 Parameter file_option(const std::string& name, const std::string& value, const std::string& sentence, Into into,
                       const std::string& excludes = {});
 // An option whose value is no file name.

@@ -27,12 +27,14 @@ struct WebCall {
   std::vector<std::string> files;
   std::string out, title;
   std::optional<std::pair<int, int>> size;
-  bool no_edit = false, link = false, keep_old = false;
+  bool no_edit = false, link = false, keep_old = false, present = false;
 };
 
 Status ready(const WebCall& call) {
   if (const std::string end = ending(call.out); end != "html" && end != "htm")
     return fail(ErrorCode::range, fmt::format("a page must be a .html file, not \"{}\"", call.out));
+  if (call.present && call.files.size() != 1)
+    return fail(ErrorCode::range, "--present makes a page of one film", "write one script");
   if (!plugins_loaded().empty())
     return fail(ErrorCode::range, "a page cannot use plug-ins, because they are programs", "leave out --load");
   std::error_code ignored;
@@ -98,7 +100,7 @@ int web(WebCall& call) {
                                                    : fs::path(call.out).stem().string();
   options.size = call.size, options.edit = !call.no_edit;
   if (!call.link) options.player = *player;
-  const std::string page = web_page(films, options);
+  const std::string page = call.present ? talk_page(films[0], options) : web_page(films, options);
   if (const Status s = write_whole(call.out, page, !call.keep_old); !s) return complain(s.error(), wrong_call);
   struct Beside {
     std::string_view name, text, mark;
@@ -129,6 +131,10 @@ const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
                 output_parameter(call.out, "PAGE.html", "the page; - is standard output", "html"),
                 option("--title", "TEXT", "the title; by default the film's name", &call.title),
                 size_parameter(call.size, "the size of the pictures; by default the width of the page"),
+                {.name = "--present",
+                 .sentence = "makes a page that shows the film as a talk, from step to step",
+                 .into = &call.present,
+                 .excludes = "--link"},
                 flag("--no-edit", "shows the films without their scripts", call.no_edit),
                 flag("--link",
                      "writes the player (betwixt-player.js, betwixt-page.css) into the page's folder, for many pages",
@@ -140,7 +146,10 @@ const Enlisted enlisted_web(web, [](WebCall& call) -> Subcommand {
           "The page is one file and needs no other. It plays offline, also from a folder. It contains the script as "
           "text, and the files that the script uses. The film changes while you edit the text. The command prints a "
           "line for each thing that a page cannot show: motion blur, depth of field, live input. If a "
-          "server's policy forbids inline scripts and styles, --link makes a page without them."};
+          "server's policy forbids inline scripts and styles, --link makes a page without them. A page of --present "
+          "goes "
+          "on with the right arrow, space, a click, a touch on the right or a swipe to the left; n opens a window with "
+          "the speaker's notes, b blanks the picture, f fills the screen."};
 });
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "app/page_policy.h"
 #include "app/player_file.h"
 #include "app/streams.h"
+#include "app/web_page_parts.h"
 #include "app/web_page_text.h"
 #include "base/base64.h"
 #include "base/files.h"
@@ -167,7 +168,9 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
   return Nothing{};
 }
 
-std::string player_markup(const PageFilm& film, const PageOptions& options, bool alone) {
+}  // namespace
+
+std::string player_markup(const PageFilm& film, const PageOptions& options, std::string_view flags) {
   const auto [width, height] = options.size.value_or(film.size);
   const std::string fixed = options.size ? " class=\"fixed\"" : "";
   const std::string alt = film.about.empty() ? "" : fmt::format(" alt=\"{}\"", escaped(film.about));
@@ -178,17 +181,9 @@ std::string player_markup(const PageFilm& film, const PageOptions& options, bool
   if (film.language) given += fmt::format(" data-language=\"{}\"", escaped(*film.language));
   // HTML drops a newline at the start of an element, so give it one to drop.
   return fmt::format(
-      "<betwixt-player controls loop{}{} width=\"{}\" height=\"{}\"{}>\n"
+      "<betwixt-player{}{} width=\"{}\" height=\"{}\"{}>\n"
       "<script type=\"text/betwixt\" data-name=\"{}\"{}>\n{}</script>\n</betwixt-player>\n",
-      alone ? " autoplay" : "", fixed, width, height, alt, escaped(film.name), given, as_script_text(film.text));
-}
-
-std::string film_markup(const PageFilm& film, const PageOptions& options, bool alone) {
-  std::string out;
-  if (!alone) out += fmt::format("<h2>{}</h2>\n", escaped(fs::path(film.name).stem().string()));
-  if (!film.about.empty()) out += fmt::format("<p>{}</p>\n", escaped(film.about));
-  const std::string player = player_markup(film, options, alone);
-  return out + (options.edit ? "<betwixt-editor>\n" + player + "</betwixt-editor>\n" : player);
+      flags, fixed, width, height, alt, escaped(film.name), given, as_script_text(film.text));
 }
 
 std::string files_markup(const PageFiles& files) {
@@ -197,6 +192,16 @@ std::string files_markup(const PageFiles& files) {
   for (const auto& [name, bytes] : files)
     all += fmt::format("{}{}: \"{}\"", all.empty() ? "" : ",\n", json_text(name), base64(bytes));
   return "<script type=\"application/json\" data-betwixt-files>\n{" + as_script_text(all) + "}</script>\n";
+}
+
+namespace {
+
+std::string film_markup(const PageFilm& film, const PageOptions& options, bool alone) {
+  std::string out;
+  if (!alone) out += fmt::format("<h2>{}</h2>\n", escaped(fs::path(film.name).stem().string()));
+  if (!film.about.empty()) out += fmt::format("<p>{}</p>\n", escaped(film.about));
+  const std::string player = player_markup(film, options, alone ? " controls loop autoplay" : " controls loop");
+  return out + (options.edit ? "<betwixt-editor>\n" + player + "</betwixt-editor>\n" : player);
 }
 
 }  // namespace
@@ -221,6 +226,9 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
     film.language = fs::path(*film.language).filename().string();
     film.files[*film.language] = *std::move(catalogue);
   }
+  film.begin = document->range().first;
+  for (Pause& pause : document->pauses())
+    if (pause.time >= film.begin) film.stops.push_back(std::move(pause));
   if (Status s = add_files(film.files, script, *document, asked); !s) return s.error();
   look_through(film, *document);
   add_losses(film, *document);

@@ -28,7 +28,9 @@ struct PageFilm {
   PageFiles files;
   std::vector<GivenLet> lets;
   std::optional<std::string> language;  // the name of the catalogue among the files
-  std::vector<std::string> lost;        // features of the film that a page does not show, a sentence each
+  std::vector<Pause> stops;             // where a speaker waits; seconds count from the film's beginning
+  Time begin;
+  std::vector<std::string> lost;  // features of the film that a page does not show, a sentence each
 };
 
 // Loads a script and collects its files for a page. Prints its errors and warnings; returns nullopt if the script has
@@ -44,6 +46,8 @@ struct PageOptions {
 // Returns the parts of the player that the film needs.
 PlayerParts needed_parts(const PageFilm&);
 std::string web_page(const std::vector<PageFilm>&, const PageOptions&);
+// A page that shows one film as a talk.
+std::string talk_page(const PageFilm&, const PageOptions&);
 std::string_view page_look();  // betwixt-page.css
 
 }  // namespace betwixt

@@ -88,6 +88,8 @@ Result<double> parse_shutter(std::string_view text, const Document& d) {
 
 Result<Time> parse_time(std::string_view text, const Document& d) {
   Cursor c = cursor(text, d);
+  const SectionTimes sections = [&](std::string_view name, bool end) { return section_edge(d.sections(), name, end); };
+  c.sections = &sections;
   Time t;
   if (c.time(t) && c.at_line_end() && c.at == c.end) return t;
   if (c.error) return *c.error;

@@ -241,7 +241,7 @@ void run(Scene& s, Script& script, std::size_t from = 0) {
     const bool done = line_within_limits(k, line_start, too_much);
     c.reaches(script.latest);
     if (done && !script.blocks.empty()) grow_section(s, script, c.latest);
-    if (done && script.options.counts) say_touched(script, line_start);
+    if (done && script.options.counts) say_touched(script, p);
     if (done && script.watch && script.depth == 0) script.watch->look(s, script.source, between(line_start, c.at));
     if (done && !script.failed.empty())  // its names exist now
       for (const std::string& name : names_made(between(line_start, c.at))) script.failed.erase(name);

@@ -260,6 +260,8 @@ std::string opener(const Scene&, const Sheet&, std::size_t margin);
 
 // Returns the beginning or the end of a section, for lines that speak of it.
 Result<Time> section_time(const Scene&, Script&, std::string_view name, bool end);
+// The same, of these sections.
+Result<Time> section_edge(const std::vector<Section>&, std::string_view name, bool end);
 // Takes the latest time of a line of a section's block into the section.
 void grow_section(Scene&, const Script&, Time latest);
 // Reports sections that overlap, at the end of a script.

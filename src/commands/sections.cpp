@@ -206,6 +206,13 @@ Result<Time> section_time(const Scene& s, Script& script, std::string_view name,
   return end ? found->end : found->begin;
 }
 
+Result<Time> section_edge(const std::vector<Section>& all, std::string_view name, bool end) {
+  if (const Section* const found = find_section(all, name)) return end ? found->end : found->begin;
+  std::vector<std::string_view> names;
+  for (const Section& one : all) names.push_back(one.name);
+  return unknown_name("section", name, did_you_mean(name, names));
+}
+
 void grow_section(Scene& s, const Script& script, Time latest) {
   for (const OpenBlock& block : script.blocks)
     if (block.grows && (*s.sections)[*block.grows].end < latest) s.sections.edit()[*block.grows].end = latest;

@@ -20,6 +20,7 @@
 #include "language/values.h"
 #include "scene/names.h"
 #include "scene/own_kinds.h"
+#include "scene/sections.h"
 
 namespace betwixt {
 namespace {
@@ -257,12 +258,15 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
     for (const auto& n : d.names()) ids.push_back(d.find(n));
   } else {
     ids = select(d.scene(), pattern);
-    if (ids.empty() && !is_pattern(pattern) && versions(d.scene(), pattern).empty() && !d.scene().kinds->find(pattern))
+    if (ids.empty() && !is_pattern(pattern) && !find_section(d.sections(), pattern) &&
+        versions(d.scene(), pattern).empty() && !d.scene().kinds->find(pattern))
       return no_object(d, pattern);
   }
   std::size_t wide = 0;
   for (ObjectId id : ids) wide = std::max(wide, d.name(id).size());
   const auto meant = [&](const std::string& name) { return pattern.empty() || matches(pattern, name); };
+  for (const Section& one : d.sections())
+    if (meant(one.name)) wide = std::max(wide, one.name.size());
   std::vector<std::string> lists;
   for (const std::string_view name : list_names(d.scene()))
     if (meant(std::string(name))) lists.emplace_back(name), wide = std::max(wide, name.size());
@@ -277,6 +281,10 @@ Result<std::string> list_objects(const Document& d, const std::string& pattern) 
     if (meant(kind.name))
       said += fmt::format("{:{}}  {:8}  like {}, {}\n", kind.name, wide, "kind", d.name(kind.model()),
                           counted(kind.instances.size(), "object"));
+  for (const Section& one : d.sections())
+    if (meant(one.name))
+      said += fmt::format("{:{}}  {:8}  {}..{}{}\n", one.name, wide, "section", format_time(one.begin, d),
+                          format_time(one.end, d), one.speed == 1 ? "" : " speed=" + write_number(one.speed));
   const auto laid = events_of_layers(d.scene());
   for (ObjectId id : ids) {
     Cancellation::check();

@@ -9,7 +9,7 @@
 
 namespace betwixt {
 
-Status write_jpeg(const std::string& path, const Picture& picture, int quality, bool overwrite) {
+Result<std::string> jpeg_of(const Picture& picture, int quality) {
   std::vector<std::uint8_t> rgb(picture.rgba.size() / 4 * 3);
   for (std::size_t i = 0; i < picture.rgba.size() / 4; ++i)
     for (std::size_t c = 0; c < 3; ++c)
@@ -20,7 +20,12 @@ Status write_jpeg(const std::string& path, const Picture& picture, int quality, 
   };
   if (!stbi_write_jpg_to_func(add, &file, picture.width, picture.height, 3, rgb.data(), quality))
     return fail(ErrorCode::machine, "the picture cannot be written as JPEG");
-  return write_whole(path, file, overwrite);
+  return file;
+}
+
+Status write_jpeg(const std::string& path, const Picture& picture, int quality, bool overwrite) {
+  const Result<std::string> file = jpeg_of(picture, quality);
+  return file ? write_whole(path, *file, overwrite) : Status(file.error());
 }
 
 }  // namespace betwixt

@@ -75,6 +75,7 @@ RenderJob render_job(const Program& program, const std::string& path, const Fram
   film.width = pictures.width, film.height = pictures.height;
   film.alpha = document.transparent();
   film.bits = bits;
+  film.chapters = chapters_of(document, frames.time(0), frames.time(frames.count - 1) + frames.rate.span(1));
   if (has_sounds(document) && takes_sound(path))
     film.sounds = [program, from = frames.time(0)](std::span<float> stereo) {
       return mix_sounds(program, from, stereo);

@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
@@ -49,10 +50,14 @@ Status Samples::make(const FilmOptions& o, const std::string& folder) {
   return filled;
 }
 
-Status Samples::make_captions(const FilmOptions& o, const std::string& folder) {
+Status Samples::make(std::string_view text, const FilmOptions& o, const std::string& folder) {
   file_ = nameless_file(folder);
-  if (file_ < 0) return system_error(errno, "keep the captions of", o.path);
-  if (const int failed = write_all(file_, o.captions)) return system_error(failed, "keep the captions of", o.path);
+  if (file_ < 0) return system_error(errno, "keep the texts of", o.path);
+  while (!text.empty()) {
+    const ssize_t n = ::write(file_, text.data(), text.size());
+    if (n < 0 && errno != EINTR) return system_error(errno, "keep the texts of", o.path);
+    text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  }
   return Nothing{};
 }
 

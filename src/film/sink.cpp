@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "betwixt/picture.h"
 #include "betwixt/sound.h"
+#include "film/chapters.h"
 #include "film/numbered.h"
 #include "film/partial.h"
 #include "film/samples.h"
@@ -32,10 +33,12 @@ class Movie final : public Sink {
     if (options_.sounds && !place_.format->sound.empty())
       if (Status s = samples_.make(options_, place_.folder); !s) return s;
     if (!options_.captions.empty() && !place_.format->captions.empty())
-      if (Status s = captions_.make_captions(options_, place_.folder); !s) return s;
+      if (Status s = captions_.make(options_.captions, options_, place_.folder); !s) return s;
+    if (!options_.chapters.empty() && !place_.format->sound.empty())  // formats with sound have chapters
+      if (Status s = chapters_.make(chapters_metadata(options_.chapters), options_, place_.folder); !s) return s;
     const auto path = [](const Samples& file) { return file.made() ? file.path() : std::string(); };
-    auto encoder =
-        Encoder::start(encoder_arguments(options_, *place_.format, partial_.path(), {path(samples_), path(captions_)}));
+    auto encoder = Encoder::start(encoder_arguments(options_, *place_.format, partial_.path(),
+                                                    {path(samples_), path(captions_), path(chapters_)}));
     if (!encoder) return encoder.error();
     encoder_ = *std::move(encoder);
     return Nothing{};
@@ -97,7 +100,7 @@ class Movie final : public Sink {
   FilmOptions options_;
   const Output place_;
   Partial partial_;
-  Samples samples_, captions_;
+  Samples samples_, captions_, chapters_;
   std::unique_ptr<Encoder> encoder_;  // destroyed first: it writes and reads the others
 };
 
@@ -176,7 +179,7 @@ Result<std::unique_ptr<Sink>> started(const FilmOptions& o, const Output& place)
 }  // namespace
 
 std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& format, const std::string& file,
-                                           const OtherInputs& others) {
+                                           const EncoderFiles& files) {
   const bool yuv = format.yuv;
   const int even = yuv ? 1 : 0;  // to_yuv420 has made the sizes even
   std::vector<std::string> a{"ffmpeg",  "-hide_banner", "-nostdin", "-loglevel", "error",
@@ -195,16 +198,20 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
   a.insert(a.end(), {"-framerate", fmt::format("{}/{}", o.rate.num, o.rate.den)});
   if (yuv) tags();
   add({"-i", "pipe:0"});
-  if (!others.samples.empty())
-    a.insert(a.end(), {"-f", "f32le", "-ar", std::to_string(sound_rate), "-ac", "2", "-i", "file:" + others.samples});
-  if (!others.captions.empty()) a.insert(a.end(), {"-f", "srt", "-i", "file:" + others.captions});
-  if (!others.samples.empty() || !others.captions.empty()) add({"-map", "0:v"});
-  if (!others.samples.empty()) {
+  const bool sound = !files.samples.empty(), captions = !files.captions.empty(), chapters = !files.chapters.empty();
+  if (sound)
+    a.insert(a.end(), {"-f", "f32le", "-ar", std::to_string(sound_rate), "-ac", "2", "-i", "file:" + files.samples});
+  if (captions) a.insert(a.end(), {"-f", "srt", "-i", "file:" + files.captions});
+  if (chapters) {
+    a.insert(a.end(), {"-f", "ffmetadata", "-i", "file:" + files.chapters});
+    a.insert(a.end(), {"-map_chapters", std::to_string(1 + sound + captions)});
+  }
+  if (sound || captions) add({"-map", "0:v"});
+  if (sound) {
     add({"-map", "1:a"});
     for (const auto word : std::views::split(format.sound, ' ')) a.emplace_back(word.begin(), word.end());
   }
-  if (!others.captions.empty())
-    a.insert(a.end(), {"-map", others.samples.empty() ? "1:s" : "2:s", "-c:s", std::string(format.captions)});
+  if (captions) a.insert(a.end(), {"-map", sound ? "2:s" : "1:s", "-c:s", std::string(format.captions)});
   if (yuv) tags();
   const std::vector<std::string> how = arguments_of(format, o);
   a.insert(a.end(), how.begin(), how.end());

@@ -33,12 +33,12 @@ class Sink {
 
 Result<std::unique_ptr<Sink>> make_sink(const FilmOptions&);
 
-// The files with a film's sound and its captions, or "".
-struct OtherInputs {
-  std::string samples, captions;
+// Files of what a film has besides its pictures; "" if it has none.
+struct EncoderFiles {
+  std::string samples, captions, chapters;
 };
 // Returns ffmpeg's arguments to make `file`. For tests.
 std::vector<std::string> encoder_arguments(const FilmOptions&, const Format&, const std::string& file,
-                                           const OtherInputs& = {});
+                                           const EncoderFiles& = {});
 
 }  // namespace betwixt
