@@ -29,25 +29,28 @@
     player.currentTime = time_of(at);
     show();
   };
-  // Waits at the next step. Never shows a picture behind it.
+  // Waits at the next step. Shows no picture behind it: a timer ends before the frame that would.
+  let timer = 0;
   const watch = () => {
-    if (!playing) return;
-    if (player.currentTime >= time_of(at + 1) || player.ended) return go_to(at + 1);
-    requestAnimationFrame(watch);
+    clearTimeout(timer);
+    if (!playing || player.paused) return;
+    const left = time_of(at + 1) - player.currentTime;
+    if (left <= 0.004 || player.ended) return go_to(at + 1);
+    timer = setTimeout(watch, Math.max(1, 1000 * left - 3));
   };
   const next = () => {
     if (playing) return go_to(at + 1);
     if (at + 1 >= stops.length) return;
+    playing = true;
     // The first picture that differs, at once.
     player.currentTime = Math.min(time_of(at) + 1 / player.film.fps, time_of(at + 1));
-    playing = true;
     player.play().catch(() => {});
-    requestAnimationFrame(watch);
+    watch();
   };
   const previous = () => go_to(playing ? at : at - 1);
   const hold = () => {
     if (!playing) return;
-    if (player.paused) player.play(), requestAnimationFrame(watch);
+    if (player.paused) player.play().catch(() => {}), watch();
     else player.pause();
   };
 
@@ -84,12 +87,16 @@
     show_next(coming);
   };
   // The picture of the next step is drawn by a small player of its own, and copied into the window.
-  const preview = player.cloneNode(true);
-  for (const name of ["controls", "autoplay", "loop"]) preview.removeAttribute(name);
+  const preview = document.createElement("betwixt-player");
   preview.setAttribute("aria-hidden", "true");
+  preview.setAttribute("loading", "eager");
   preview.className = "preview";
   const show_next = (coming) => {
-    if (!preview.isConnected) talk.prepend(preview);
+    if (!preview.isConnected) {
+      preview.files = player.files;
+      preview.script = player.script;
+      talk.prepend(preview);
+    }
     if (coming && preview.readyState > 2 && preview.currentTime !== coming.seconds) preview.currentTime = coming.seconds;
     const from = preview.shadowRoot?.querySelector("canvas"), to = part("next");
     to.hidden = !coming;
