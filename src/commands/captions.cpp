@@ -123,6 +123,9 @@ bool captions(Command& k) {
                   "create it with words=\"FILE\"; betwixt words makes the file");
   const std::string name = s.objects[id.index].name + "-captions";
   const ObjectId camera = first_camera(s);
+  if (!camera && !s.appearance.flat && call.position.empty())  // the usual camera sees everything, the captions too
+    return c.fail(ErrorCode::type, "captions need a camera above them, or a flat film", word,
+                  "create eye camera position=(0 4 15) look-at=(0 1 0), or film flat");
   const CaptionPlace place = place_of_captions(s, static_cast<bool>(camera), call.size);
   const auto metres = [](double v) { return write_metres(v); };
   std::string lines =

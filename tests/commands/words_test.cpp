@@ -240,6 +240,7 @@ TEST_F(Words, OfCaptionsCanBeWrong) {
   EXPECT_EQ(first("captions on voice size=0\n"), "3:24: size must be above 0");
   EXPECT_EQ(first("captions on voice color=\n"), "3:25: the value of color is missing here");
   EXPECT_NE(first("captions on voice color=nocolor\n"), "");
+  EXPECT_EQ(first("captions on voice\n"), "3:13: captions need a camera above them, or a flat film");
   EXPECT_EQ(first("create c sound file=\"talk.wav\"\ncaptions on c\n"), "4:13: 'c' has no words that are heard");
 }
 
