@@ -140,8 +140,6 @@ ObjectId add_child(Scene&, Object, ObjectId parent);
 
 // Reads a number, an angle, a length, a time, a vector, a pair, a colour or a text.
 bool let_item(Command&, LetItem& out);
-// Reads one, or several in brackets: two or three plain numbers are a vector, all other values are a list.
-bool let_value(Command&, Let& out);
 
 // ---- scenes.cpp
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "base/names.h"
 #include "base/utf8.h"
 #include "commands/command.h"
 #include "commands/connecting.h"

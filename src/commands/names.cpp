@@ -46,8 +46,6 @@ bool begins_list(const Cursor& c) {
   return c.peek() == '(' && !(formula(ahead, q) && ahead.at_line_end());
 }
 
-}  // namespace
-
 bool let(Command& k) {
   auto& [s, c, time, layer, script] = k;
   const bool again = c.accept_word("again");
@@ -175,8 +173,6 @@ bool let_value(Command& k, Let& out) {
   for (std::size_t i = 0; i < list.size(); ++i) v[static_cast<int>(i)] = std::get<Quantity>(list[i]).value;
   return out = v, true;
 }
-
-namespace {
 
 // Returns whether a pair follows whose second number has a sign: (3 -1) in a list is a vector, not 2.
 static bool signed_pair_follows(Cursor ahead) {

@@ -43,7 +43,9 @@ bool means_own(const Names& own, std::string_view name) {
 
 class Renaming {
  public:
-  Renaming(std::string_view lines, const std::string& self) : own_(names_in(lines)), self_(self) {}
+  Renaming(const Part& part, const std::string& self) : own_(names_in(part.lines)), self_(self) {
+    for (const PartParameter& p : part.parameters) parameters_.insert(p.name);
+  }
 
   std::string line(std::string_view text) const {
     std::string out;
@@ -58,7 +60,8 @@ class Renaming {
         const bool key = rest.starts_with('=') && words > 0;
         const bool kind = verb == "create" && words == 2 && before != "like";
         const bool is_verb = words == 0 && first_dot(piece) == piece.npos;
-        out += key || kind || is_verb ? std::string(piece) : word(piece);
+        const bool value = words > 1 && parameters_.contains(piece);  // also if an object has the same name
+        out += key || kind || is_verb || value ? std::string(piece) : word(piece);
         // `at TIME` and `on LAYER` come before the verb.
         if (is_verb && (piece == "at" || piece == "on"))
           words = 0, verb = {}, skip = true;
@@ -96,13 +99,15 @@ class Renaming {
   }
 
   const Names own_;
+  Names parameters_;
   const std::string& self_;
 };
 
 }  // namespace
 
-std::string lines_for(std::string_view lines, const std::string& self) {
-  const Renaming renaming(lines, self);
+std::string lines_for(const Part& part, const std::string& self) {
+  const Renaming renaming(part, self);
+  const std::string& lines = part.lines;
   std::string out;
   std::optional<std::size_t> margin;  // the indentation of the commands
   for (const char *at = lines.data(), *end = at + lines.size(); at < end;) {

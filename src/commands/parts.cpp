@@ -10,6 +10,7 @@
 
 #include "base/names.h"
 #include "commands/furnishing.h"
+#include "commands/given_lets.h"
 #include "language/formula.h"
 #include "scene/colors.h"
 #include "scene/own_kinds.h"
@@ -19,6 +20,7 @@ namespace betwixt {
 namespace {
 
 constexpr std::size_t most_parts = 1000, most_part_parameters = 30, deepest_part = 32;
+constexpr std::string_view too_deep_in_parts = "contains itself, or parts are more than 32 levels deep";
 
 bool name_of_part(Command& k, std::string_view& name) {
   auto& [s, c, time, layer, script] = k;
@@ -167,14 +169,15 @@ bool create_parts(Command& k, const std::vector<std::string>& names, const std::
     return c.fail(ErrorCode::syntax, fmt::format("the part '{}' has no lines", name), name,
                   "write them below its first line, indented");
   if (script.depth >= static_cast<int>(deepest_part))
-    return c.fail(ErrorCode::range, fmt::format("parts contain each other more than {} levels deep", deepest_part), name);
+    return c.fail(ErrorCode::range, fmt::format("the part '{}' {}", name, too_deep_in_parts), name);
   Rollback rollback(s);
   for (std::size_t i = 0; i < names.size(); ++i) {
     group.name = names[i];
     add_child(s, group, parents[i]);
     const OwnLets lets(s, values);
-    for (const Diagnostic& d : carried_out(k, lines_for(part.lines, names[i]))) {
+    for (const Diagnostic& d : carried_out(k, lines_for(part, names[i]))) {
       if (d.severity != Severity::error) continue;
+      if (d.what.message.ends_with(too_deep_in_parts)) return c.fail(d.what.code, d.what.message, name);
       const int line = d.what.place.line;
       const std::string where = part.at.line > 0 && !part.at.file.empty()
                                     ? fmt::format("{}:{}", part.at.file, part.at.line + line)

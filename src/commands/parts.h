@@ -31,6 +31,6 @@ bool create_parts(Command&, const std::vector<std::string>& names, const std::ve
 
 // Returns lines of a part for the object `self`: the names that the lines make are below it. In quoted texts `self/` and
 // 'self' stand for it.
-std::string lines_for(std::string_view lines, const std::string& self);
+std::string lines_for(const Part&, const std::string& self);
 
 }  // namespace betwixt

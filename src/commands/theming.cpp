@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/names.h"
 #include "commands/command.h"
 #include "language/values.h"
 #include "scene/axes_functions.h"

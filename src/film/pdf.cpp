@@ -28,7 +28,7 @@ std::string pdf_text(std::string_view text) {
 }
 
 // Writes objects one after the other, and remembers where each begins.
-class Objects {
+class PdfObjects {
  public:
   void put(std::size_t number, std::string_view content) {
     if (places_.size() < number) places_.resize(number);
@@ -63,10 +63,10 @@ Status PdfPages::add(const Picture& picture, int quality, const std::string& tit
   return Nothing{};
 }
 
-// Objects: 1 the catalogue, 2 the pages, 3 the bookmarks, 4 the title; then four for each page: itself, what it draws,
+// PdfObjects: 1 the catalogue, 2 the pages, 3 the bookmarks, 4 the title; then four for each page: itself, what it draws,
 // its picture and its bookmark.
 std::string PdfPages::document(const std::string& title) const {
-  Objects objects;
+  PdfObjects objects;
   const auto first = [](std::size_t page) { return 5 + 4 * page; };
   std::vector<std::size_t> marked;
   std::string kids;

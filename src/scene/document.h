@@ -171,7 +171,7 @@ struct Scene {
   Cow<Aliases> aliases;
   Cow<Lets> lets;                        // the names in formulas
   Cow<Tables> tables;                    // the data of the film, by name
-  Cow<Parts> parts;                      // lines that `create` carries out
+  Cow<PartsByName> parts;                      // lines that `create` carries out
   Cow<Tables> tables_read;               // all that were read, by what follows `data NAME`
   Cow<std::multimap<Time, Note>> notes;  // those of one time in the order in which they came
   Cow<std::vector<Section>> sections;    // as they are written

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Parts (`part`): lines with parameters that `create` carries out for each object, as if they were a kind.
+// PartsByName (`part`): lines with parameters that `create` carries out for each object, as if they were a kind.
 #pragma once
 
 #include <map>
@@ -25,7 +25,7 @@ struct Part {
   Place at;          // of its first line, for messages
   friend bool operator==(const Part& a, const Part& b) { return a.parameters == b.parameters && a.lines == b.lines; }
 };
-using Parts = std::map<std::string, Part, std::less<>>;
+using PartsByName = std::map<std::string, Part, std::less<>>;
 
 // Returns "lamp height=1 color=gold".
 std::string usage_of(const std::string& name, const Part&);
