@@ -54,18 +54,18 @@ std::string in_lines(std::string_view text, std::size_t letters) {
 }
 
 Status SpeakerPage::draw_words(const SpeakerView& v, int width, int height) {
-  const double high = 16.0 * height / width;  // the page is 16 wide
+  const double wide = 9.0 * width / height, left = -wide / 2 + 0.3;  // a flat film is 9 m high
   std::string note(v.note);
   if (count_characters(note) > most_note) note = std::string(first_characters(note, most_note)) + "…";
+  const auto letters = static_cast<std::size_t>(std::max(10.0, (wide - 0.6) / 0.19));
   const std::string script = fmt::format(
       "film flat\nsize {}x{}\nbackground #14181d\n"
-      "create clock text text={} size=0.7 align=left color=#ffffff position=(-7.7 {} 0)\n"
-      "create count text text={} size=0.4 align=left color=#9aa7b4 position=(-4.6 {} 0)\n"
-      "create title text text={} size=0.45 align=left color=#ffd166 position=(-7.7 {} 0)\n"
-      "create notes text text={} size=0.36 align=left color=#e6edf3 position=(-7.7 {} 0)\n",
-      width, height, write_text(v.clock), high / 2 - 0.8, write_text(v.count), high / 2 - 0.75,
-      write_text(std::string(first_characters(v.title, 60))), -high * 0.14, write_text(in_lines(note, 80)),
-      -high * 0.14 - 0.75);
+      "create clock text text={} size=0.6 align=left color=#ffffff position=({} 3.75 0)\n"
+      "create count text text={} size=0.35 align=left color=#9aa7b4 position=({} 3.75 0)\n"
+      "create title text text={} size=0.4 align=left color=#ffd166 position=({} -1.35 0)\n"
+      "create notes text text={} size=0.32 align=left color=#e6edf3 position=({} -2 0)\n",
+      width, height, write_text(v.clock), left, write_text(v.count), left + 2.6,
+      write_text(std::string(first_characters(v.title, 60))), left, write_text(in_lines(note, letters)), left);
   if (script == drawn_) return Nothing{};
   const Loaded page = load_text(script, "notes.bx");
   if (has_errors(page.diagnostics)) return page.diagnostics.front().what;

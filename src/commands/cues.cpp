@@ -61,8 +61,7 @@ constexpr Verb cues_rows[] = {
      "at 24f step \"The proof\" note=\"Ask who knows it\"", Verb::timed | Verb::aside | Verb::quick, step, "note=…"},
     {"describe", "at TIME describe \"TEXT\"",
      "Says what is to be seen from this time on, for people who cannot see the film.",
-     "at 48f describe \"The ball falls\"", Verb::timed | Verb::aside | Verb::quick | Verb::after_time, describe_film,
-     "NUMBER…"},
+     "at 48f describe \"The ball falls\"", Verb::timed | Verb::aside | Verb::quick | Verb::after_time, describe_film},
 };
 
 }  // namespace

@@ -99,9 +99,9 @@ bool read_section(Command& k, Said& said) {
   if (find_section(*s.sections, word))
     return c.fail(ErrorCode::name, fmt::format("there is a section '{}' already", word), word,
                   "two sections cannot have one name");
-  said.name = word;
   if (s.sections->size() >= most_sections)
     return c.fail(ErrorCode::range, fmt::format("a film can have at most {} sections", most_sections), word);
+  said.name = word;
   return options_of(k, said);
 }
 

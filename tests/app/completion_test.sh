@@ -42,7 +42,7 @@ mkdir folder
 touch ball.bx ball.txt
 completes 'betwixt re' render
 completes 'betwixt --v' --version
-completes 'betwixt render --s' --size --style --samples --shutter --subframes --stats
+completes 'betwixt render --s' --section --size --style --samples --shutter --subframes --stats
 completes 'betwixt play --o' --overwrite
 completes 'betwixt play --m' --mute
 completes 'betwixt tidy --l' --language --let --load
