@@ -164,6 +164,10 @@ class Tracks(unittest.TestCase):
         self.assertEqual((film.range, film.rate, film.size), ((1, 25), 24, None))
         self.assertEqual((film.notes, film.cuts), ([(13, "half")], [(5, "eye")]))
         self.assertEqual(betwixt.loads("create eye camera\nlook through eye").cuts, [(-math.inf, "eye")])
+        parts = betwixt.loads("create b sphere\nsection one at 1s speed=2\n  at 49f step \"x\" note=\"y\"\n  at 25f describe \"z\"")
+        self.assertEqual(parts.sections, [{"name": "one", "begin": 25, "end": 49, "speed": 2}])
+        self.assertEqual(parts.steps, [{"frame": 49, "text": "x", "note": "y"}])
+        self.assertEqual(parts.descriptions, [(37, "z")])
         self.assertEqual(film.kind("tip"), "sphere")
         self.assertEqual((film.time("0.5s"), film.seconds(13), film.time(7.5)), (13, 0.5, 7.5))
         with self.assertRaisesRegex(betwixt.Error, "no object 'nobody'"):
