@@ -137,7 +137,7 @@ constexpr Verb sections_rows[] = {
      "A part of the film with a name: the times in the lines that are indented below it count from its beginning. "
      "Without `after` and `at` it begins where the section above it ends.",
      "section intro for 2s\n  at 1f hide ball\nsection proof after intro speed=1.2\n  at 12f show ball",
-     Verb::opens_block, section, "NEW; after at for speed=…"},
+     Verb::opens_block, section, "NEW; after at for speed=; SECTION after at for speed=…"},
 };
 
 // Finds where each section begins, from its length and the section that it waits for.

@@ -268,6 +268,10 @@ constexpr ArgumentKind argument_kinds[] = {
        for (const OwnKind& k : o.d.scene().kinds->all) o.all.push_back(k.name);
        for (std::string& name : plugin_kinds()) o.all.push_back(std::move(name));
      }},
+    {"SECTION",
+     [](const Offer& o) {
+       for (const Section& s : o.d.sections()) o.all.push_back(s.name);
+     }},
     {"PARAMETER", [](const Offer& o) { parameters(o.d, o.b, o.all); }},
     {"TYPE",
      [](const Offer& o) {

@@ -27,6 +27,8 @@ TEST(Session, CompletesWhatIsBegun) {
   EXPECT_EQ(one("create x sph"), "sphere");
   EXPECT_EQ(one("at 5f ball.radius 1 bez"), "bezier");
   EXPECT_EQ(one("twerper ball.radius hol"), "hold");
+  EXPECT_TRUE(s.enter("section proof for 1s").done);
+  EXPECT_EQ(one("section end after pro"), "proof");
   EXPECT_EQ(one("set nobody.rad"), "0 of them");
   for (const char* numbers : {"eval ball.position at ", "undo ", "at ", "range ", "play "})
     EXPECT_EQ(one(numbers), "0 of them") << numbers;
