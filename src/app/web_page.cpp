@@ -238,10 +238,10 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
 // The same files and texts for which engine.js loads them.
 PlayerParts needed_parts(const PageFilm& film) {
   // Scripts, fonts, catalogues, tables and words; and sounds, which the browser decodes.
-  static constexpr std::string_view without[] = {
-      "bx",   "po",  "ttf",  "otf", "ttc", "csv", "tsv", "txt", "words", "vtt", "srt", "wav", "w64", "aif",  "aiff", "au",
-      "caf", "flac", "ogg", "oga", "opus", "mp3", "aac", "mov", "mp4",   "m4a", "mka", "mkv", "webm", "avi", "ac3",  "amr",
-      "wv"};
+  static constexpr std::string_view without[] = {"bx",  "po",   "ttf",  "otf", "ttc", "csv",  "tsv", "txt", "words",
+                                                 "vtt", "srt",  "wav",  "w64", "aif", "aiff", "au",  "caf", "flac",
+                                                 "ogg", "oga",  "opus", "mp3", "aac", "mov",  "mp4", "m4a", "mka",
+                                                 "mkv", "webm", "avi",  "ac3", "amr", "wv"};
   PlayerParts parts;
   const auto look_at = [&](const std::string& script) {
     parts.formulas |= has_word(script, "tex"), parts.code |= has_word(script, "code");

@@ -54,6 +54,7 @@ struct Verb {
     makes_parts = 8192,      // of objects below the thing that the word names
     after_time = 32768,      // only after `at TIME`; without it, the word is one of the shell
     opens_block = 16384,     // the commands that are indented below it belong to it
+    makes_kind = 32768,      // the word after it is a name of a kind that it makes
   };
   std::string_view word, usage, sentence;
   std::string_view example;  // lines that can be entered one after another
@@ -221,7 +222,8 @@ bool twerper(Command&, const Selected& to, Twerper& out, TwerperArguments&);
 // pattern.
 Result<std::shared_ptr<const Routine>> make_code(const Command&, std::string source, bool placed, Role = Role::value);
 // Carries out lines of the language inside a command. Changes the scene even if one of them fails.
-Diagnostics carried_out(Command&, std::string_view lines);
+// `in_block`: their times are those of the block of the command, not of the film.
+Diagnostics carried_out(Command&, std::string_view lines, bool in_block = false);
 // Runs a command of the author's own.
 bool own_command(Command&, const NamedProcedure&);
 

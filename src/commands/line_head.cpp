@@ -16,6 +16,7 @@ std::optional<NameKind> kind_made(const Verb& v) {
   if (v.flags & Verb::makes_let) return NameKind::let;
   if (v.flags & Verb::makes_function) return NameKind::function;
   if (v.flags & Verb::makes_procedure) return NameKind::procedure;
+  if (v.flags & Verb::makes_kind) return NameKind::kind;
   return std::nullopt;
 }
 

@@ -12,8 +12,9 @@ namespace betwixt {
 std::vector<std::string> names_missed(const Scene& s, std::string_view line) {
   auto names = names_made(line);
   std::erase_if(names, [&](const std::string& name) {
-    return s.names.find(name) || s.aliases->contains(name) || s.lets->contains(name) || s.tables->contains(name) || s.parts->contains(name) || s.lists->contains(name) ||
-           s.defined->find(name) || find_procedure(s, name) || s.kinds->find(name);
+    return s.names.find(name) || s.aliases->contains(name) || s.lets->contains(name) || s.tables->contains(name) ||
+           s.parts->contains(name) || s.lists->contains(name) || s.defined->find(name) || find_procedure(s, name) ||
+           s.kinds->find(name);
   });
   return names;
 }

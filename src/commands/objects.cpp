@@ -93,7 +93,9 @@ bool same_part(const Object& made, const Object& there) {
 std::string_view missing_table(const Scene& s, std::string_view pattern) {
   for (std::size_t open = pattern.find('{'); open != pattern.npos; open = pattern.find('{', open + 1)) {
     const std::string_view word = pattern.substr(open + 1, pattern.find_first_of("{}", open + 1) - open - 1);
-    if (is_name(word) && !s.tables->contains(word)) return word;
+    if (const auto table = s.tables->find(word);
+        is_name(word) && (table == s.tables->end() || table->second->keys.empty()))
+      return word;
   }
   return {};
 }
@@ -106,7 +108,10 @@ bool create(Command& k) {
   auto names = one ? Result<std::vector<std::string>>(std::vector{script.only->name})
                    : expand_braces(with_keys(*s.tables, word));
   if (!names) return c.fail(names.error(), word);
-  if (const std::string_view missing = missing_table(s, word); !missing.empty())
+  if (const std::string_view missing = missing_table(s, word); s.tables->contains(missing))
+    return c.fail(ErrorCode::type, fmt::format("the table '{}' has no keys, so it makes no names", missing), missing,
+                  fmt::format("name the column of the keys: data {} … key=COLUMN", missing));
+  else if (!missing.empty())
     return c.fail(unknown_name("table", missing, "data " + std::string(missing) + " from \"FILE.csv\" reads one"),
                   missing);
   if (!script.only && names->size() > 1) script.touched = names->size();

@@ -40,17 +40,19 @@ bool parameter_of_part(Command& k, Part& part) {
   const auto fits = [](char ch) { return is_letter(ch) || is_digit(ch) || ch == '_'; };
   if (name.empty() || !is_letter(name[0]) || name.size() > 100 || !std::all_of(name.begin(), name.end(), fits))
     return c.fail(ErrorCode::syntax,
-                  name.empty() ? "expected NAME=VALUE here" : fmt::format("'{}' cannot be a parameter's name", name.substr(0, 60)),
+                  name.empty() ? "expected NAME=VALUE here"
+                               : fmt::format("'{}' cannot be a parameter's name", name.substr(0, 60)),
                   name.empty() ? std::string_view(c.at, c.at < c.end ? 1 : 0) : name,
                   "a name is a letter, then letters, digits and '_'");
-  if (is_formula_word(name) || named_color(name))
+  if (is_formula_word(name) || named_color(name) || name == "self" || name == "row")
     return c.fail(ErrorCode::name, fmt::format("'{}' already has a meaning in formulas", name), name);
   for (const PartParameter& p : part.parameters)
     if (p.name == name) return c.fail(ErrorCode::name, fmt::format("there are two parameters '{}'", name), name);
   if (part.parameters.size() >= most_part_parameters)
     return c.fail(ErrorCode::range, fmt::format("a part can have at most {} parameters", most_part_parameters), name);
   if (!c.accept('='))
-    return c.fail_here(ErrorCode::syntax, fmt::format("the parameter '{}' needs a default", name), fmt::format("as in {}=1", name));
+    return c.fail_here(ErrorCode::syntax, fmt::format("the parameter '{}' needs a default", name),
+                       fmt::format("as in {}=1", name));
   c.space();
   const char* const start = c.at;
   PartParameter p{std::string(name), {}, {}};
@@ -93,7 +95,8 @@ bool arguments_of_part(Command& k, const Part& part, std::vector<PartParameter>&
   while (!c.at_line_end()) {
     Cursor ahead = c;
     const std::string_view key = ahead.word();
-    const auto p = std::find_if(values.begin(), values.end(), [&](const PartParameter& one) { return one.name == key; });
+    const auto p =
+        std::find_if(values.begin(), values.end(), [&](const PartParameter& one) { return one.name == key; });
     if (p != values.end() && ahead.accept('=')) {
       c = ahead;
       if (!let_value(k, p->value)) return false;
@@ -145,6 +148,17 @@ std::vector<std::string_view> part_names(const Scene& s) {
   return names;
 }
 
+std::optional<Part> part_called(const Scene& s, std::string_view name) {
+  if (const auto known = s.parts->find(name); known != s.parts->end()) return known->second;
+  Scene other;
+  Diagnostics said;
+  Script script(other, said, {});
+  Cursor c("");
+  Command k{other, c, {}, {}, script};
+  const Part* const row = find_part(k, name);
+  return row ? std::optional(*row) : std::nullopt;
+}
+
 const Part* find_part(Command& k, std::string_view name) {
   Scene& s = k.scene;
   if (const auto known = s.parts->find(name); known != s.parts->end()) return &known->second;
@@ -154,6 +168,10 @@ const Part* find_part(Command& k, std::string_view name) {
   const std::string text = fmt::format("part {}{}\n{}", row->name, row->head, row->lines);
   if (!carry_out_lines(k, text, name)) return nullptr;
   Part& part = s.parts.edit().find(name)->second;
+  // What has no ground of its own has the color of texts of the film's theme.
+  const auto ink = s.lets->find("ink");
+  for (PartParameter& p : part.parameters)
+    if (p.name == "ink" && row->on_background && ink != s.lets->end()) p.value = ink->second;
   part.help = row->sentence, part.at = {};
   return &part;
 }
@@ -175,7 +193,7 @@ bool create_parts(Command& k, const std::vector<std::string>& names, const std::
     group.name = names[i];
     add_child(s, group, parents[i]);
     const OwnLets lets(s, values);
-    for (const Diagnostic& d : carried_out(k, lines_for(part, names[i]))) {
+    for (const Diagnostic& d : carried_out(k, lines_for(part, names[i]), true)) {
       if (d.severity != Severity::error) continue;
       if (d.what.message.ends_with(too_deep_in_parts)) return c.fail(d.what.code, d.what.message, name);
       const int line = d.what.place.line;
@@ -190,11 +208,13 @@ bool create_parts(Command& k, const std::vector<std::string>& names, const std::
 
 static constexpr Verb parts_rows[] = {
     {"part", "part NAME [PARAMETER=DEFAULT] …, and its lines below, indented",
-     "Makes a kind of your own from lines. `create NAME PART` carries them out; what they create is below NAME, and the "
+     "Makes a kind of your own from lines. `create NAME PART` carries them out; what they create is below NAME, and "
+     "the "
      "parameters are names in their formulas. In the lines `self` is the object itself.",
-     "part lamp height=1 color=gold\n  create pole box size=(0.1 height 0.1) position=(0 height/2 0)\n  create bulb sphere "
+     "part lamp height=1 color=gold\n  create pole box size=(0.1 height 0.1) position=(0 height/2 0)\n  create bulb "
+     "sphere "
      "radius=0.2 position=(0 height 0) color=color\ncreate street{1..5} lamp height=i position=(2*i 0 0)",
-     Verb::opens_block, part, "NEW"},
+     Verb::opens_block | Verb::makes_kind, part, "NEW"},
 };
 std::span<const Verb> parts_verbs() { return parts_rows; }
 

@@ -305,7 +305,7 @@ bool own_command(Command& k, const NamedProcedure& p) {
   return c.fail(e.code, fmt::format("{}: {}", own.name, what), {start - own.name.size(), own.name.size()}, e.hint);
 }
 
-Diagnostics carried_out(Command& k, std::string_view lines) {
+Diagnostics carried_out(Command& k, std::string_view lines, bool in_block) {
   Diagnostics said;
   LoadOptions options = k.script.options;
   options.now.reset();  // they have no line in a history
@@ -320,8 +320,11 @@ Diagnostics carried_out(Command& k, std::string_view lines) {
   inner.depth = k.script.depth + 1;
   inner.root = k.script.root;
   inner.copied = k.script.copied;
+  inner.stems.swap(k.script.stems);
+  if (in_block) inner.clock = k.script.clock_now(), inner.in_section = k.script.in_section || !k.script.blocks.empty();
   read_text(k.scene, inner, lines, k.script.source.name);
   k.script.copied = inner.copied;
+  inner.stems.swap(k.script.stems);
   k.cursor.reaches(inner.latest);
   return said;
 }

@@ -92,13 +92,13 @@ struct OpenBlock {
 
 // The state that later lines need from earlier ones. It is a value, so that a copy of it serves undo.
 struct ReaderState {
-  bool frames_read = false, ticks_read = false;  // whether times have been given in these
-  int included = 0;                              // files
-  std::size_t copied = 0;                        // events made by copying
-  bool texts_shown = false;                      // texts that can be translated have been read
+  bool frames_read = false, ticks_read = false;      // whether times have been given in these
+  int included = 0;                                  // files
+  std::size_t copied = 0;                            // events made by copying
+  bool texts_shown = false;                          // texts that can be translated have been read
   std::shared_ptr<const Translations> translations;  // nullptr if texts stay as they are written
   std::shared_ptr<const OpenSheet> left;             // nullptr if no sheet is open
-  std::vector<OpenBlock> blocks;                 // that later lines may continue; the innermost is the last
+  std::vector<OpenBlock> blocks;                     // that later lines may continue; the innermost is the last
 
   // Returns the indentation of commands: deeper lines are rows.
   std::size_t margin() const { return blocks.empty() ? 0 : blocks.back().indent.value_or(blocks.back().outer); }
@@ -143,8 +143,8 @@ struct Script : ReaderState {
   std::size_t files_at_home = 0;                  // of them, while a live line itself is read
   int depth = 0;                                  // depth of the author's commands that run other commands
   bool live = false;                              // lines come one by one
-  bool whole = false;                              // a whole text is read, not one line of a live author
-  std::set<std::string, std::less<>> lets_given;   // those of the options that the script has
+  bool whole = false;                             // a whole text is read, not one line of a live author
+  std::set<std::string, std::less<>> lets_given;  // those of the options that the script has
   Source source;                                  // the text being read now
   std::filesystem::path folder;                   // of the source
   Sheet sheet;                                    // of the source

@@ -55,6 +55,10 @@ bool speed_of(Command& k, double& speed) {
 }
 
 // Reads [after OTHER | at TIME] [for LENGTH] [speed=N].
+bool twice(Cursor& c, std::string_view about) {
+  return c.fail(ErrorCode::syntax, "a section begins at one time", about, "write either after SECTION or at TIME");
+}
+
 bool options_of(Command& k, Said& said) {
   auto& [s, c, time, layer, script] = k;
   while (!c.at_line_end()) {
@@ -63,6 +67,7 @@ bool options_of(Command& k, Said& said) {
     if (key == "after") {
       const std::string_view other = c.next_word();
       if (other.empty()) return c.fail_here(ErrorCode::syntax, "the name of a section is missing after 'after'");
+      if (said.timed) return twice(c, {start, 5});
       said.after = other;
       if (const auto circle = script.ahead.circles.find(said.name); circle != script.ahead.circles.end())
         return c.fail(ErrorCode::range, "these sections wait for each other: " + circle->second, other,
@@ -73,6 +78,7 @@ bool options_of(Command& k, Said& said) {
       if (!before) return c.fail(before.error(), other);
       said.begin = before->end;
     } else if (key == "at") {
+      if (said.timed || !said.after.empty()) return twice(c, {start, 2});
       said.timed = true;
       if (!c.time(said.begin)) return false;
     } else if (key == "for") {
@@ -180,7 +186,12 @@ class Ordering {
   void circle(std::vector<std::size_t> of, SectionsAhead& next) {
     for (const std::size_t first : of) {
       std::string said = all_[first].name;
+      int count = 0;
       for (std::optional<std::size_t> at = before(first); at; at = before(*at)) {
+        if (++count > 5) {
+          said += " …";
+          break;
+        }
         said += " after " + all_[*at].name;
         if (*at == first) break;
       }

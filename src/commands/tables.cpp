@@ -315,7 +315,7 @@ bool fill(Command& k) {
     const PatternPlace place;
     ~Back() { c.place = place, c.cell_missing = false; }
   } const back{c, before};
-  c.place.table = table.get(), c.place.over = table->over;
+  c.place.table = table.get(), c.place.over = table->over, c.place.skips = true;
   // The rest of the line is read with the first row.
   Value first;
   if (!on.targets.empty() && !values(k).value(*on.spec, on.component, first, on.targets[0].function)) return false;

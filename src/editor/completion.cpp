@@ -9,8 +9,10 @@
 #include <algorithm>
 
 #include "commands/command.h"
+#include "commands/parts.h"
 #include "commands/plugins.h"
 #include "commands/verbs.h"
+#include "editor/completion_names.h"
 #include "editor/help.h"
 #include "editor/said_line.h"
 #include "editor/session_state.h"
@@ -23,8 +25,6 @@
 
 namespace betwixt {
 namespace {
-
-using Words = std::vector<std::string>;
 
 // A line, split into its last word and the words before it, without `at TIME` and `on LAYER`.
 struct Begun {
@@ -87,39 +87,6 @@ void parts_of_target(const Document& d, std::string_view last, bool asking, Word
     if (f && row_of(type).rate)
       all.push_back(fmt::format("{}.velocity", below ? last.substr(0, last.rfind('.')) : std::string_view(whole)));
   }
-}
-
-void own_words(const Scene& s, Role role, Words& all) {
-  for (const NamedProcedure& p : *s.procedures)
-    if (p.role == role) all.push_back(p.name);
-}
-
-void filters(const Scene& s, Words& all) {
-  all.emplace_back("none");
-  for (const FilterSpec& f : built_in_filters()) all.emplace_back(f.name);
-  own_words(s, Role::filter, all);
-}
-
-void files(const std::filesystem::path& folder, Words& all) {
-  std::error_code why;
-  for (const auto& e : std::filesystem::directory_iterator(folder, why)) all.push_back(e.path().filename().string());
-}
-
-void objects_of(const Scene& s, Kind kind, Words& all) {
-  for (std::size_t i = 0; i < s.objects.size(); ++i)
-    if (!s.objects[i].removed && s.objects[i].kind == kind) all.push_back(s.objects[i].name);
-}
-
-void columns_of_tables(const Scene& s, Words& all) {
-  for (const auto& [name, table] : *s.tables)
-    for (const std::string_view column : table->column_names()) all.push_back(name + "." + std::string(column));
-}
-
-// The names defined by `let`: those of colours, or all others.
-void let_names(const Scene& s, bool colors, Words& all) {
-  if (!colors) columns_of_tables(s, all);
-  for (const auto& [name, value] : *s.lets)
-    if (std::holds_alternative<Color>(value) == colors) all.push_back(name);
 }
 
 // The words with which a value of the function can begin.
@@ -217,6 +184,7 @@ void behind_key(const Document& d, const Begun& b, Words& all) {
 }
 
 void parameters(const Document& d, const Begun& b, Words& all) {
+  if (parameters_of_part(d.scene(), b.words.size() > 2 ? b.words[2] : "", all)) return;
   const auto kind = kind_before(d.scene(), b);
   if (!kind) return object_names(d, all);
   for (const auto name : function_names(d.scene(), *kind)) all.push_back(fmt::format("{}=", name));
@@ -267,6 +235,7 @@ constexpr ArgumentKind argument_kinds[] = {
        for (const KindRow& k : kinds()) o.all.emplace_back(k.name);
        for (const OwnKind& k : o.d.scene().kinds->all) o.all.push_back(k.name);
        for (std::string& name : plugin_kinds()) o.all.push_back(std::move(name));
+       for (const std::string_view name : part_names(o.d.scene())) o.all.emplace_back(name);
      }},
     {"SECTION",
      [](const Offer& o) {

@@ -14,6 +14,7 @@
 #include "commands/command_parameters.h"
 #include "commands/foreign_words.h"
 #include "commands/list_rows.h"
+#include "commands/parts.h"
 #include "commands/plugins.h"
 #include "commands/verbs.h"
 #include "scene/own_kinds.h"
@@ -204,13 +205,17 @@ std::string help_overview(const Scene& scene, bool of_the_shell) {
     out += "\n";
     list_group(group, out);
   }
-  if (!scene.defined->empty() || !scene.procedures->empty() || !scene.kinds->all.empty())
+  if (!scene.defined->empty() || !scene.procedures->empty() || !scene.kinds->all.empty() || !scene.parts->empty())
     out += "\nOf this film and of plug-ins\n";
   for (const OwnKind& kind : scene.kinds->all)
     out += fmt::format("  {:16} A kind, like {}.\n", kind.name, scene.objects[kind.model().index].name);
+  for (const auto& [name, part] : *scene.parts)
+    if (part.help.empty()) out += fmt::format("  {:16} A part: {}.\n", name, usage_of(name, part));
   for (const FunctionSpec& f : *scene.defined)
     out += fmt::format("  {:16} A function: {}.\n", f.name, to_string(f.type));
   for (const NamedProcedure& p : *scene.procedures) out += fmt::format("  {:16} {}\n", p.name, about(p));
+  out += "\nParts (create NAME PART …)\n";
+  for (const PartRow& part : part_rows()) out += fmt::format("  {:16} {}\n", part.name, part.sentence);
   return out +
          "\nhelp WORD explains a word and gives an example; help commands, help kinds, help twerpers … list a part of "
          "this.\n";
@@ -251,6 +256,11 @@ std::string help_text(std::string_view word, const Scene& scene, std::optional<K
   if (kind)
     out += fmt::format("{}, a kind of this film, like {}: describe {}\n  example: create NAME {}\n", word,
                        scene.objects[kind->model().index].name, word, word);
+  if (const auto part = part_called(scene, word))
+    out += fmt::format("{}, a part{}: {}\n  written: {}\n  example: create NAME {}\n", word,
+                       part->help.empty() ? " of this film" : "",
+                       part->help.empty() ? "create NAME PART carries out its lines." : part->help,
+                       usage_of(std::string(word), *part), word);
   for (const FunctionSpec& f : *scene.defined)
     if (f.name == word) out += fmt::format("{}, a function of this film: {}\n", f.name, to_string(f.type));
   for (const NamedProcedure& p : *scene.procedures) {

@@ -63,8 +63,8 @@ Status PdfPages::add(const Picture& picture, int quality, const std::string& tit
   return Nothing{};
 }
 
-// PdfObjects: 1 the catalogue, 2 the pages, 3 the bookmarks, 4 the title; then four for each page: itself, what it draws,
-// its picture and its bookmark.
+// PdfObjects: 1 the catalogue, 2 the pages, 3 the bookmarks, 4 the title; then four for each page: itself, what it
+// draws, its picture and its bookmark.
 std::string PdfPages::document(const std::string& title) const {
   PdfObjects objects;
   const auto first = [](std::size_t page) { return 5 + 4 * page; };

@@ -43,7 +43,7 @@ class Cursor {
   const Tables* tables = nullptr;
   const Scene* moments = nullptr;  // whose sounds have words that are times
   PatternPlace place;
-  bool cell_missing = false;  // a formula has read an empty cell of the place's row
+  bool cell_missing = false;               // a formula has read an empty cell of the place's row
   SectionClock clock;                      // that times and lengths are written in
   Time latest;                             // the latest time of the film that has been read
   std::optional<Time> last;                // the time that was read last in this line

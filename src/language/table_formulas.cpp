@@ -74,7 +74,7 @@ std::string place_in(const Table& t, std::size_t row) {
 }
 
 bool nothing_there(Cursor& c, const Said& said, std::size_t row) {
-  if (said.of == c.place.table && row == c.place.row) return c.cell_missing = true;
+  if (c.place.skips && said.of == c.place.table && row == c.place.row) return c.cell_missing = true;
   return c.fail(ErrorCode::range, fmt::format("{} has no {}", place_in(*said.of, row), said.column), said.whole);
 }
 
@@ -245,16 +245,18 @@ bool column_function(Cursor& c, std::string_view function, Quantity& out) {
   const double value = (*numbers)[f.gives == Gives::row ? c.place.row : 0];
   out = {Quantity::Of::number, std::isnan(value) ? 0 : value, 0, false};
   if (!std::isnan(value)) return true;
-  if (f.gives == Gives::row) return c.cell_missing = true;
+  if (f.gives == Gives::row && c.place.skips) return c.cell_missing = true;
+  if (f.gives == Gives::row)
+    return c.fail(ErrorCode::range, fmt::format("{} has no {}", place_in(t, c.place.row), about), about);
   return c.fail(ErrorCode::range, fmt::format("'{}' has no values", said.whole), said.whole);
 }
 
 bool column_list(Cursor& c, LetList& out) {
   c.space();
-  if (!cell_begins(c)) return false;
+  if (!cell_begins(c) || word_here(c.at, c.end) == "row") return false;
   Cursor ahead = c;
   Said said;
-  if (said_column(ahead, said) && ahead.peek() == '[') return false;
+  if (said_column(ahead, said) && (ahead.peek() == '[' || said.of == c.place.table)) return false;
   c.at = ahead.at;
   if (ahead.error) return c.error = ahead.error, c.where = ahead.where, false;
   const Table& t = *said.of;

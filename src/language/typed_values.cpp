@@ -118,7 +118,7 @@ struct TypedReader {
     } else if (spec.words.empty() && (values.looks_like_number() || formula_begins(c))) {
       double number = 0;  // its digits
       if (!values.scalar(number)) return false;
-      s = write_number(number);
+      s = fmt::format("{:.12g}", number);                // not 1.7000000000000002
     } else if (spec.words.empty() || c.peek() == '"') {  // a word may also be in quotes
       if (!c.text(s)) return false;
       if (spec.name == "tex" && !is_formula(c.since(start))) return false;

@@ -213,9 +213,7 @@ struct Writer {
       else
         out += as_comment(fmt::format("{} comes from the plug-in {}", p.name, p.code->source));
     for (const auto& [name, let] : *s.lets) out += fmt::format("let {} = {}\n", name, write_let(let));
-    for (const auto& [name, part] : *s.parts)
-      if (part.help.empty()) out += fmt::format("part {}\n{}", usage_of(name, part), part.lines);
-    for (const auto& [name, table] : *s.tables) out += fmt::format("data {} {}\n", name, table->command);
+    out += write_parts_and_tables(s);
     for (const FunctionSpec& f : *s.defined)
       out += fmt::format("define {} {} {}\n", f.name, row_of(f.type).word, value(f.rest, f, -1));
     for (const auto& [name, elements] : *s.aliases) {

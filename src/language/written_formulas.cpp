@@ -37,4 +37,12 @@ std::string write_quantity(const Quantity& q) {
   return out;
 }
 
+std::string write_parts_and_tables(const Scene& s) {
+  std::string out;
+  for (const auto& [name, part] : *s.parts)
+    if (part.help.empty()) out += "part " + usage_of(name, part) + "\n" + part.lines;
+  for (const auto& [name, table] : *s.tables) out += "data " + name + " " + table->command + "\n";
+  return out;
+}
+
 }  // namespace betwixt

@@ -19,8 +19,8 @@
 #include "scene/kinds.h"
 #include "scene/name_index.h"
 #include "scene/outline.h"
-#include "scene/part.h"
 #include "scene/own_functions.h"
+#include "scene/part.h"
 #include "scene/quantity.h"
 #include "scene/spoken_words.h"
 #include "scene/table.h"
@@ -171,7 +171,7 @@ struct Scene {
   Cow<Aliases> aliases;
   Cow<Lets> lets;                        // the names in formulas
   Cow<Tables> tables;                    // the data of the film, by name
-  Cow<PartsByName> parts;                      // lines that `create` carries out
+  Cow<PartsByName> parts;                // lines that `create` carries out
   Cow<Tables> tables_read;               // all that were read, by what follows `data NAME`
   Cow<std::multimap<Time, Note>> notes;  // those of one time in the order in which they came
   Cow<std::vector<Section>> sections;    // as they are written

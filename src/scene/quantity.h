@@ -43,6 +43,7 @@ struct PatternPlace {
   const Table* table = nullptr;         // of the row; nullptr if there is none
   std::size_t row = 0;
   std::optional<std::size_t> over = {};  // the column of its times
+  bool skips = false;                    // empty cells are no errors
 };
 
 }  // namespace betwixt
