@@ -37,6 +37,8 @@ class TimelineTest : public QObject {
   void a_note_is_dragged();
   void the_ends_of_the_film_are_dragged();
   void sounds_are_bars_with_their_loudness();
+  void sections_are_blocks_that_are_dragged();
+  void the_end_of_a_section_is_dragged();
   void what_is_called_off_changes_nothing();
   void a_double_click_writes_a_note();
   void a_note_of_several_gets_other_words();
@@ -186,6 +188,69 @@ void TimelineTest::sounds_are_bars_with_their_loudness() {
   sound.play_piece();
   QVERIFY(sound.plays());
   QVERIFY(QTest::qWaitFor([&] { return !sound.plays(); }, 2000));
+}
+
+namespace {
+
+// `intro` is at 1f..25f. `proof` has 48 frames of its own at twice the speed: 25f..49f.
+struct WithSections {
+  Film at{R"(rate 24
+range 1f 100f
+create ball sphere
+section intro for 24f
+  at 1f ball.color red
+section proof after intro speed=2  # the rest
+  at 49f ball.radius 2
+)"};
+  Timeline panel{at.workspace};
+  Ruler& ruler;
+  WithSections() : ruler(*panel.findChild<Ruler*>("ruler")) { show(panel, 1000, 200); }
+  QPoint place(std::size_t block, double frame) const {
+    const QRectF box = ruler.section_box(ruler.sections()[block]);
+    return {static_cast<int>(std::lround(ruler.x_of(at.frame(frame)))), static_cast<int>(box.center().y())};
+  }
+  bool has(const std::string& line) const { return at.workspace.text().find("\n" + line + "\n") != std::string::npos; }
+};
+
+}  // namespace
+
+void TimelineTest::sections_are_blocks_that_are_dragged() {
+  WithSections s;
+  QCOMPARE(s.ruler.sections().size(), std::size_t{2});
+  QCOMPARE(s.ruler.sections()[1].row, 0);
+  QTest::mouseClick(&s.ruler, Qt::LeftButton, Qt::NoModifier, s.place(1, 40));
+  QCOMPARE(s.at.workspace.time(), s.at.frame(25));
+  QVERIFY(s.at.said.empty());  // a click changes nothing
+  drag(s.ruler, s.place(1, 30), s.place(1, 42));
+  QVERIFY2(s.has("section proof at 37f speed=2  # the rest"), s.at.workspace.text().c_str());
+  QCOMPARE(s.ruler.sections()[1].section.end, s.at.frame(61));
+  QVERIFY(s.ruler.accessibleDescription().contains("section proof from 37f to 61f"));
+  s.at.workspace.undo();
+  QVERIFY(s.has("section proof after intro speed=2  # the rest"));
+  // The first one gets a beginning, and the one after it follows.
+  drag(s.ruler, s.place(0, 10), s.place(0, 15));
+  QVERIFY2(s.has("section intro at 6f for 24f"), s.at.workspace.text().c_str());
+  QCOMPARE(s.ruler.sections()[1].section.begin, s.at.frame(30));
+  // While it is held over another one, it overlaps; Escape puts it back.
+  drag(s.ruler, s.place(1, 40), s.place(1, 20), Qt::NoModifier, true);
+  QVERIFY(s.at.workspace.looks_ahead());
+  QCOMPARE(s.ruler.sections()[1].section.begin, s.at.frame(10));
+  QCOMPARE(s.ruler.sections()[1].row, 0);
+  QTest::keyClick(&s.ruler, Qt::Key_Escape);
+  QCOMPARE(s.ruler.sections()[1].section.begin, s.at.frame(30));
+}
+
+void TimelineTest::the_end_of_a_section_is_dragged() {
+  WithSections s;
+  const QPoint left(-2, 0);
+  drag(s.ruler, s.place(1, 49) + left, s.place(1, 73) + left);  // twice as long
+  QVERIFY2(s.has("section proof after intro speed=1  # the rest"), s.at.workspace.text().c_str());
+  QCOMPARE(s.ruler.sections()[1].section.end, s.at.frame(73));
+  drag(s.ruler, s.place(0, 25) + left, s.place(0, 37) + left);
+  QVERIFY2(s.has("section intro for 36f"), s.at.workspace.text().c_str());
+  QCOMPARE(s.ruler.sections()[1].section.begin, s.at.frame(37));
+  drag(s.ruler, s.place(0, 37) + left, s.place(0, 1) + left);  // no length
+  QVERIFY(s.has("section intro for 36f"));
 }
 
 void TimelineTest::what_is_called_off_changes_nothing() {

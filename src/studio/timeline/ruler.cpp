@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
+#include <cmath>
 
 #include "betwixt/object.h"
 #include "language/values.h"
@@ -23,22 +24,37 @@ namespace betwixt::studio {
 Ruler::Ruler(Workspace& workspace, QWidget* parent) : TimePane(workspace, parent) {
   setObjectName("ruler");
   setContextMenuPolicy(Qt::DefaultContextMenu);
-  connect(&workspace, &Workspace::document_changed, this, &Ruler::follow_sounds);
-  connect(&workspace, &Workspace::opened, this, &Ruler::follow_sounds);
+  connect(&workspace, &Workspace::document_changed, this, &Ruler::follow_film);
+  connect(&workspace, &Workspace::opened, this, &Ruler::follow_film);
   connect(&workspace, &Workspace::kept_changed, this, [this] { QWidget::update(); });
-  follow_sounds();
+  follow_film();
 }
 
-// The frame numbers, the part to play, cuts, notes and sounds.
-QSize Ruler::sizeHint() const {
+double Ruler::sounds_top() const {
+  int rows = 0;
+  for (const SectionBlock& block : sections_) rows = std::max(rows, block.row + 1);
+  return 2.5 + rows;
+}
+
+double Ruler::bottom() const {
   int rows = 0;
   for (const SoundBar& bar : sounds_) rows = std::max(rows, bar.row + 1);
-  return {20 * line_height(), ruler_height() + line_height() * 5 / 2 + rows * line_height() * 3 / 2};
+  return sounds_top() + 1.5 * rows;
 }
 
-void Ruler::follow_sounds() {
+// The frame numbers, the part to play, cuts, notes, sections and sounds.
+QSize Ruler::sizeHint() const {
+  return {20 * line_height(), ruler_height() + static_cast<int>(std::lround(line_height() * bottom()))};
+}
+
+void Ruler::follow_film() {
   const int before = sizeHint().height();
   sounds_ = sound_bars(workspace_.program());
+  std::vector<SectionBlock> blocks = section_blocks(workspace_.document().sections());
+  if (section_ && blocks.size() == sections_.size())  // while one is dragged, each stays in its row
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].row = sections_[i].row;
+  sections_ = std::move(blocks);
+  describe();
   if (sizeHint().height() != before) updateGeometry();
   update();
 }
@@ -57,7 +73,7 @@ Ruler::Edge Ruler::edge_at(const QPointF& at) const {
 
 QRectF Ruler::sound_box(const SoundBar& bar) const {
   const double a = x_of(bar.from), b = std::max(a + 3, x_of(bar.to));
-  return {a, ruler_height() + line_height() * (2.5 + 1.5 * bar.row), b - a, line_height() * 1.4};
+  return {a, ruler_height() + line_height() * (sounds_top() + 1.5 * bar.row), b - a, line_height() * 1.4};
 }
 
 std::optional<std::size_t> Ruler::sound_at(const QPointF& at) const {
@@ -71,7 +87,7 @@ void Ruler::paint_content(QPainter& p) {
   paint_ruler(p);
   paint_lines(p, ruler_height() + 1, height());
   p.setClipRect(time_box());
-  paint_part(p), paint_cuts(p), paint_notes(p), paint_sounds(p);
+  paint_part(p), paint_cuts(p), paint_notes(p), paint_sections(p), paint_sounds(p);
   p.setClipping(false);
   const QRect left(0, ruler_height(), axis_.gutter() - 6, height() - ruler_height());
   p.setPen(colors().dim);
@@ -81,7 +97,8 @@ void Ruler::paint_content(QPainter& p) {
   if (!workspace_.document().cuts().empty()) lane(ruler_height() + line_height() * 0.4, tr("cameras"));
   if (!workspace_.document().notes(earliest_time, latest_time).empty())
     lane(ruler_height() + line_height() * 1.4, tr("notes"));
-  if (!sounds_.empty()) lane(ruler_height() + line_height() * 2.6, tr("sounds"));
+  if (!sections_.empty()) lane(ruler_height() + line_height() * 2.5, tr("sections"));
+  if (!sounds_.empty()) lane(ruler_height() + line_height() * (sounds_top() + 0.1), tr("sounds"));
 }
 
 void Ruler::paint_part(QPainter& p) const {
@@ -164,6 +181,9 @@ void Ruler::press(QMouseEvent* e) {
     sound_ = sounds_[*i].id, sound_from_ = sounds_[*i].from;
     workspace_.select({*sound_});
   }
+  section_.reset();
+  if (const auto i = block_at(from_); i && !note_ && edge_ == Edge::none)
+    section_ = sections_[*i].section, stretches_ = at_section_end(sections_[*i], from_);
   if (part_box().contains(from_.toPoint()) && e->modifiers() & Qt::AltModifier) note_.reset();
   update();
 }
@@ -187,6 +207,7 @@ std::string Ruler::moving(const QMouseEvent& e) const {
     if (!(e.modifiers() & Qt::ControlModifier)) to = nearest_frame(to);
     return to == sound_from_ ? "" : fmt::format("set {}.at {}", workspace_.name(*sound_), workspace_.when(to));
   }
+  if (section_) return section_moving(e);
   if (!note_) return {};
   Time to = *note_ + (time_at(e.position().x()) - time_at(from_.x()));
   if (!(e.modifiers() & Qt::ControlModifier)) to = nearest_frame(to);
@@ -208,13 +229,16 @@ void Ruler::drag(QMouseEvent* e) {
 void Ruler::release(QMouseEvent* e) {
   const bool moved = (e->position() - from_).manhattanLength() >= 3;
   const std::string line = moved ? moving(*e) : "";
+  const std::optional<Section> section = std::exchange(section_, {});
   workspace_.look_back();
   edge_ = Edge::none, edge_to_.reset(), sound_.reset();
+  if (section && !moved) workspace_.pause(), workspace_.go_to(section->begin);
   if (line.empty()) return;
   if (workspace_.say(line)) note_.reset();
 }
 
 void Ruler::call_off() {
+  section_.reset();
   workspace_.look_back();
   note_.reset(), edge_ = Edge::none, edge_to_.reset(), sound_.reset();
 }
@@ -222,8 +246,11 @@ void Ruler::call_off() {
 void Ruler::hover(QMouseEvent* e) {
   const auto note = note_at(e->position());
   const Edge edge = edge_at(e->position());
-  setCursor(edge == Edge::none ? Qt::ArrowCursor : Qt::SizeHorCursor);
+  const auto section = block_at(e->position());
+  const bool sizes = edge != Edge::none || (section && at_section_end(sections_[*section], e->position()));
+  setCursor(sizes ? Qt::SizeHorCursor : Qt::ArrowCursor);
   QString words;
+  if (section) words = section_tip(sections_[*section], e->position());
   if (edge != Edge::none)
     words = edge == Edge::first ? tr("the film's first frame: drag it") : tr("the film's last frame: drag it");
   if (note)

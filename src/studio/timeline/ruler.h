@@ -14,6 +14,13 @@ class QMenu;
 
 namespace betwixt::studio {
 
+// A section as a block. Sections that overlap are in different rows.
+struct SectionBlock {
+  Section section;
+  int row = 0;
+};
+std::vector<SectionBlock> section_blocks(const std::vector<Section>&);
+
 class Ruler : public TimePane {
   Q_OBJECT
  public:
@@ -23,6 +30,8 @@ class Ruler : public TimePane {
   // Return the boxes for painting and for the mouse.
   QRectF sound_box(const SoundBar&) const;
   const std::vector<SoundBar>& sounds() const { return sounds_; }
+  QRectF section_box(const SectionBlock&) const;
+  const std::vector<SectionBlock>& sections() const { return sections_; }
   QRectF note_box(Time) const;
   QRect part_box() const;
   void add_note();  // at the playhead: opens a field for its text
@@ -44,8 +53,17 @@ class Ruler : public TimePane {
   void paint_cuts(QPainter&) const;
   void paint_notes(QPainter&) const;
   void paint_sounds(QPainter&) const;
-  void follow_sounds();
+  void paint_sections(QPainter&) const;
+  void follow_film();
+  void describe();  // for screen readers
+  // The tops of the lanes whose number depends on the film, in lines.
+  double sounds_top() const;
+  double bottom() const;
   std::optional<std::size_t> sound_at(const QPointF&) const;
+  std::optional<std::size_t> block_at(const QPointF&) const;
+  bool at_section_end(const SectionBlock&, const QPointF&) const;
+  std::string section_moving(const QMouseEvent&) const;
+  QString section_tip(const SectionBlock&, const QPointF&) const;
   std::optional<Time> note_at(const QPointF&) const;
   enum class Edge : std::uint8_t { none, first, last };
   Edge edge_at(const QPointF&) const;  // of the film's range
@@ -54,14 +72,17 @@ class Ruler : public TimePane {
   // Edits the notes at a time. Without `which` it appends one.
   void write_note(Time, std::optional<std::size_t> which);
   Time edge_time(const QMouseEvent&) const;
-  std::string moving(const QMouseEvent&) const;  // the line for the dragged note or edge; "" if it would not move
+  std::string moving(const QMouseEvent&) const;  // the line for what is dragged; "" if it would not move
 
   std::optional<Time> note_;  // the selected one
   std::vector<SoundBar> sounds_;
   std::optional<ObjectId> sound_;  // the dragged one
   Time sound_from_;                // where it began
-  Edge edge_ = Edge::none;         // the dragged one
-  std::optional<Time> edge_to_;    // where it is dragged to
+  std::vector<SectionBlock> sections_;
+  std::optional<Section> section_;  // the dragged one, as it was
+  bool stretches_ = false;          // its end is dragged
+  Edge edge_ = Edge::none;          // the dragged one
+  std::optional<Time> edge_to_;     // where it is dragged to
   QPointF from_;
   QLineEdit* words_ = nullptr;
 };

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sections of the film on the ruler: blocks that the user drags and stretches.
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "studio/shell/text_of.h"
+#include "studio/shell/theme.h"
+#include "studio/timeline/ruler.h"
+#include "studio/timeline/section_lines.h"
+#include "studio/timeline/time_words.h"
+
+namespace betwixt::studio {
+namespace {
+
+constexpr int most_section_rows = 4;  // what overlaps more than that shares the last row
+
+QColor section_color(std::size_t number) {
+  const Colors& c = colors();
+  const QColor all[] = {c.accent, c.note, c.cut, c.z};
+  return all[number % std::size(all)];
+}
+
+}  // namespace
+
+std::vector<SectionBlock> section_blocks(const std::vector<Section>& sections) {
+  std::vector<SectionBlock> blocks;
+  std::vector<std::size_t> order;
+  for (const Section& s : sections) order.push_back(blocks.size()), blocks.push_back({s});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return blocks[i].section.begin; });
+  std::vector<Time> ends;  // of the last block in each row
+  for (const std::size_t i : order) {
+    const Section& s = blocks[i].section;
+    auto free = std::ranges::find_if(ends, [&](Time end) { return end <= s.begin; });
+    if (free == ends.end() && ends.size() < most_section_rows) free = ends.insert(free, s.end);
+    if (free == ends.end()) --free;
+    blocks[i].row = static_cast<int>(free - ends.begin());
+    *free = std::max(*free, s.end);
+  }
+  return blocks;
+}
+
+QRectF Ruler::section_box(const SectionBlock& block) const {
+  const double a = x_of(block.section.begin), b = std::max(a + 3, x_of(block.section.end));
+  return {a, ruler_height() + line_height() * (2.5 + block.row), b - a, line_height() * 0.9};
+}
+
+std::optional<std::size_t> Ruler::block_at(const QPointF& at) const {
+  for (std::size_t i = sections_.size(); i-- > 0;)
+    if (section_box(sections_[i]).contains(at)) return i;
+  return std::nullopt;
+}
+
+// A narrow block has no edge, so that it can be moved.
+bool Ruler::at_section_end(const SectionBlock& block, const QPointF& at) const {
+  const QRectF box = section_box(block);
+  const double near = line_height() * 0.3;
+  return block.section.end > block.section.begin && box.width() > 3 * near && at.x() > box.right() - near;
+}
+
+void Ruler::paint_sections(QPainter& p) const {
+  const Colors& c = colors();
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    const QRectF box = section_box(sections_[i]);
+    if (box.right() < axis_.gutter() || box.left() > width()) continue;
+    const bool dragged = section_ && section_->name == sections_[i].section.name;
+    p.fillRect(box.adjusted(0, 0, -1, 0), faint(section_color(i), dragged ? 0.6F : 0.3F));
+    p.fillRect(QRectF(box.left(), box.top(), 2, box.height()), section_color(i));
+    p.setPen(dragged ? c.selected : c.text);
+    // The name stays in view while the beginning of the block is not.
+    const QRectF words = QRectF(box).adjusted(std::max(0.0, axis_.gutter() - box.left()) + 6, 0, -4, 0);
+    if (words.width() < fontMetrics().averageCharWidth()) continue;
+    p.drawText(
+        words, Qt::AlignVCenter,
+        fontMetrics().elidedText(text_of(sections_[i].section.name), Qt::ElideRight, static_cast<int>(words.width())));
+  }
+}
+
+void Ruler::describe() {
+  constexpr std::size_t most = 20;
+  QStringList said;
+  for (std::size_t i = 0; i < std::min(most, sections_.size()); ++i)
+    said += tr("section %1 from %2 to %3")
+                .arg(text_of(sections_[i].section.name), text_of(workspace_.when(sections_[i].section.begin)),
+                     text_of(workspace_.when(sections_[i].section.end)));
+  setAccessibleDescription(said.join(", "));
+}
+
+// Returns the line that writes the opener of the dragged section anew; "" if it says the same.
+std::string Ruler::section_moving(const QMouseEvent& e) const {
+  const std::optional<SectionLine> line = section_line(workspace_.text(), section_->name);
+  if (!line) return {};
+  const Time edge = stretches_ ? section_->end : section_->begin;
+  Time to = edge + (time_at(e.position().x()) - time_at(from_.x()));
+  if (!(e.modifiers() & Qt::ControlModifier)) to = nearest_frame(to);
+  if (to == edge || (stretches_ && to <= section_->begin)) return {};
+  const double length = static_cast<double>((to - section_->begin).flicks);
+  std::string now;
+  if (!stretches_) {
+    now = section_at(line->text, workspace_.when(to));
+  } else if (section_has_length(line->text)) {
+    now = section_for(line->text, length_words(workspace_, Time{std::llround(length * section_->speed)}));
+  } else {
+    const double before = static_cast<double>((section_->end - section_->begin).flicks);
+    now = section_speed(line->text, std::clamp(section_->speed * before / length, 0.001, 1000.0));
+  }
+  return now == line->text ? "" : Session::rewrite_line(line->number, line->number, now);
+}
+
+QString Ruler::section_tip(const SectionBlock& block, const QPointF& at) const {
+  if (at_section_end(block, at)) return tr("the end of the section: drag it");
+  return tr("section %1 from %2 to %3")
+             .arg(text_of(block.section.name), text_of(workspace_.when(block.section.begin)),
+                  text_of(workspace_.when(block.section.end))) +
+         "\n" + tr("click it to go there, drag it to move it");
+}
+
+}  // namespace betwixt::studio
