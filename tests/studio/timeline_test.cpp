@@ -39,6 +39,7 @@ class TimelineTest : public QObject {
   void sounds_are_bars_with_their_loudness();
   void sections_are_blocks_that_are_dragged();
   void the_end_of_a_section_is_dragged();
+  void steps_are_marks_with_their_texts();
   void what_is_called_off_changes_nothing();
   void a_double_click_writes_a_note();
   void a_note_of_several_gets_other_words();
@@ -251,6 +252,32 @@ void TimelineTest::the_end_of_a_section_is_dragged() {
   QCOMPARE(s.ruler.sections()[1].section.begin, s.at.frame(37));
   drag(s.ruler, s.place(0, 37) + left, s.place(0, 1) + left);  // no length
   QVERIFY(s.has("section intro for 36f"));
+}
+
+void TimelineTest::steps_are_marks_with_their_texts() {
+  Film at(R"(rate 24
+range 1f 100f
+section one for 24f
+  step "A first question" note="wait"
+section two for 48f
+  at 25f step "An answer"
+)");
+  Timeline panel(at.workspace);
+  Ruler& ruler = *panel.findChild<Ruler*>("ruler");
+  show(panel, 1000, 200);
+  QCOMPARE(ruler.steps().size(), std::size_t{2});
+  QVERIFY(ruler.step_box(0).top() >= ruler.section_box(ruler.sections()[0]).bottom());
+  const QPoint second = ruler.step_box(1).center().toPoint(), first = ruler.step_box(0).center().toPoint();
+  QTest::mouseClick(&ruler, Qt::LeftButton, Qt::NoModifier, second);
+  QCOMPARE(at.workspace.time(), at.frame(49));  // 24 frames after the section's beginning at 25f
+  QTest::mouseMove(&ruler, first);
+  QTRY_VERIFY(ruler.toolTip().contains("A first question") && ruler.toolTip().contains("wait"));
+  QVERIFY(ruler.accessibleDescription().contains("An answer"));
+  // Without steps the lane is not there.
+  const int before = ruler.sizeHint().height();
+  QVERIFY(at.workspace.say(Session::rewrite_line(4, 4, "  # no step")));
+  QVERIFY(at.workspace.say(Session::rewrite_line(6, 6, "  # no step")));
+  QVERIFY(ruler.steps().empty() && ruler.sizeHint().height() < before);
 }
 
 void TimelineTest::what_is_called_off_changes_nothing() {

@@ -30,11 +30,13 @@ Ruler::Ruler(Workspace& workspace, QWidget* parent) : TimePane(workspace, parent
   follow_film();
 }
 
-double Ruler::sounds_top() const {
+double Ruler::steps_top() const {
   int rows = 0;
   for (const SectionBlock& block : sections_) rows = std::max(rows, block.row + 1);
   return 2.5 + rows;
 }
+
+double Ruler::sounds_top() const { return steps_top() + (steps_.empty() ? 0 : 1); }
 
 double Ruler::bottom() const {
   int rows = 0;
@@ -42,7 +44,7 @@ double Ruler::bottom() const {
   return sounds_top() + 1.5 * rows;
 }
 
-// The frame numbers, the part to play, cuts, notes, sections and sounds.
+// The frame numbers, the part to play, cuts, notes, sections, steps and sounds.
 QSize Ruler::sizeHint() const {
   return {20 * line_height(), ruler_height() + static_cast<int>(std::lround(line_height() * bottom()))};
 }
@@ -54,6 +56,7 @@ void Ruler::follow_film() {
   if (section_ && blocks.size() == sections_.size())  // while one is dragged, each stays in its row
     for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].row = sections_[i].row;
   sections_ = std::move(blocks);
+  steps_ = workspace_.document().pauses();
   describe();
   if (sizeHint().height() != before) updateGeometry();
   update();
@@ -87,7 +90,7 @@ void Ruler::paint_content(QPainter& p) {
   paint_ruler(p);
   paint_lines(p, ruler_height() + 1, height());
   p.setClipRect(time_box());
-  paint_part(p), paint_cuts(p), paint_notes(p), paint_sections(p), paint_sounds(p);
+  paint_part(p), paint_cuts(p), paint_notes(p), paint_sections(p), paint_steps(p), paint_sounds(p);
   p.setClipping(false);
   const QRect left(0, ruler_height(), axis_.gutter() - 6, height() - ruler_height());
   p.setPen(colors().dim);
@@ -98,6 +101,7 @@ void Ruler::paint_content(QPainter& p) {
   if (!workspace_.document().notes(earliest_time, latest_time).empty())
     lane(ruler_height() + line_height() * 1.4, tr("notes"));
   if (!sections_.empty()) lane(ruler_height() + line_height() * 2.5, tr("sections"));
+  if (!steps_.empty()) lane(ruler_height() + line_height() * steps_top(), tr("steps"));
   if (!sounds_.empty()) lane(ruler_height() + line_height() * (sounds_top() + 0.1), tr("sounds"));
 }
 
@@ -181,9 +185,10 @@ void Ruler::press(QMouseEvent* e) {
     sound_ = sounds_[*i].id, sound_from_ = sounds_[*i].from;
     workspace_.select({*sound_});
   }
-  section_.reset();
+  section_.reset(), clicked_.reset();
   if (const auto i = block_at(from_); i && !note_ && edge_ == Edge::none)
-    section_ = sections_[*i].section, stretches_ = at_section_end(sections_[*i], from_);
+    section_ = sections_[*i].section, stretches_ = at_section_end(sections_[*i], from_), clicked_ = section_->begin;
+  if (const auto i = step_at(from_)) clicked_ = steps_[*i].time;
   if (part_box().contains(from_.toPoint()) && e->modifiers() & Qt::AltModifier) note_.reset();
   update();
 }
@@ -229,10 +234,10 @@ void Ruler::drag(QMouseEvent* e) {
 void Ruler::release(QMouseEvent* e) {
   const bool moved = (e->position() - from_).manhattanLength() >= 3;
   const std::string line = moved ? moving(*e) : "";
-  const std::optional<Section> section = std::exchange(section_, {});
+  section_.reset();
   workspace_.look_back();
   edge_ = Edge::none, edge_to_.reset(), sound_.reset();
-  if (section && !moved) workspace_.pause(), workspace_.go_to(section->begin);
+  if (clicked_ && !moved) workspace_.pause(), workspace_.go_to(*clicked_);
   if (line.empty()) return;
   if (workspace_.say(line)) note_.reset();
 }
@@ -253,6 +258,7 @@ void Ruler::hover(QMouseEvent* e) {
   if (section) words = section_tip(sections_[*section], e->position());
   if (edge != Edge::none)
     words = edge == Edge::first ? tr("the film's first frame: drag it") : tr("the film's last frame: drag it");
+  if (const auto step = step_at(e->position())) words = step_tip(steps_[*step]);
   if (note)
     for (const Note& n : workspace_.document().notes(*note, *note))
       words += QString::fromStdString(note_line(n) + "\n");

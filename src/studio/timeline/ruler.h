@@ -32,6 +32,8 @@ class Ruler : public TimePane {
   const std::vector<SoundBar>& sounds() const { return sounds_; }
   QRectF section_box(const SectionBlock&) const;
   const std::vector<SectionBlock>& sections() const { return sections_; }
+  QRectF step_box(std::size_t) const;
+  const std::vector<Pause>& steps() const { return steps_; }
   QRectF note_box(Time) const;
   QRect part_box() const;
   void add_note();  // at the playhead: opens a field for its text
@@ -54,9 +56,11 @@ class Ruler : public TimePane {
   void paint_notes(QPainter&) const;
   void paint_sounds(QPainter&) const;
   void paint_sections(QPainter&) const;
+  void paint_steps(QPainter&) const;
   void follow_film();
   void describe();  // for screen readers
   // The tops of the lanes whose number depends on the film, in lines.
+  double steps_top() const;
   double sounds_top() const;
   double bottom() const;
   std::optional<std::size_t> sound_at(const QPointF&) const;
@@ -64,6 +68,8 @@ class Ruler : public TimePane {
   bool at_section_end(const SectionBlock&, const QPointF&) const;
   std::string section_moving(const QMouseEvent&) const;
   QString section_tip(const SectionBlock&, const QPointF&) const;
+  QString step_tip(const Pause&) const;
+  std::optional<std::size_t> step_at(const QPointF&) const;
   std::optional<Time> note_at(const QPointF&) const;
   enum class Edge : std::uint8_t { none, first, last };
   Edge edge_at(const QPointF&) const;  // of the film's range
@@ -81,8 +87,10 @@ class Ruler : public TimePane {
   std::vector<SectionBlock> sections_;
   std::optional<Section> section_;  // the dragged one, as it was
   bool stretches_ = false;          // its end is dragged
-  Edge edge_ = Edge::none;          // the dragged one
-  std::optional<Time> edge_to_;     // where it is dragged to
+  std::vector<Pause> steps_;
+  std::optional<Time> clicked_;  // where a click goes to
+  Edge edge_ = Edge::none;       // the dragged one
+  std::optional<Time> edge_to_;  // where it is dragged to
   QPointF from_;
   QLineEdit* words_ = nullptr;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sections of the film on the ruler: blocks that the user drags and stretches.
+// The sections of the film on the ruler, blocks that the user drags and stretches, and the steps of a talk.
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -86,7 +86,52 @@ void Ruler::describe() {
     said += tr("section %1 from %2 to %3")
                 .arg(text_of(sections_[i].section.name), text_of(workspace_.when(sections_[i].section.begin)),
                      text_of(workspace_.when(sections_[i].section.end)));
+  for (std::size_t i = 0; i < std::min(most, steps_.size()); ++i)
+    said += tr("step %1 at %2").arg(text_of(steps_[i].text), text_of(workspace_.when(steps_[i].time)));
   setAccessibleDescription(said.join(", "));
+}
+
+// A step's box ends at the next one.
+QRectF Ruler::step_box(std::size_t i) const {
+  const double x = x_of(steps_[i].time), flag = line_height() * 0.5;
+  const double words = steps_[i].text.empty() ? 0 : fontMetrics().horizontalAdvance(text_of(steps_[i].text)) + 6;
+  double w = flag + words;
+  if (i + 1 < steps_.size()) w = std::min(w, std::max(3.0, x_of(steps_[i + 1].time) - x - 2));
+  return {x, ruler_height() + line_height() * steps_top(), w, line_height() * 0.9};
+}
+
+std::optional<std::size_t> Ruler::step_at(const QPointF& at) const {
+  const auto behind = std::ranges::upper_bound(steps_, time_at(at.x() + 2), {}, &Pause::time);
+  if (behind == steps_.begin()) return std::nullopt;
+  const auto i = static_cast<std::size_t>(behind - steps_.begin() - 1);
+  return step_box(i).adjusted(-2, 0, 0, 0).contains(at) ? std::optional(i) : std::nullopt;
+}
+
+void Ruler::paint_steps(QPainter& p) const {
+  const Colors& c = colors();
+  const auto first = std::ranges::lower_bound(steps_, time_at(-width()), {}, &Pause::time);
+  double free = -1e9;  // of steps that overlap, paint the first
+  for (auto step = first; step != steps_.end() && x_of(step->time) <= width(); ++step) {
+    const QRectF box = step_box(static_cast<std::size_t>(step - steps_.begin()));
+    if (box.left() < free) continue;
+    free = box.left() + 3;
+    const double flag = std::min(line_height() * 0.45, box.width());
+    p.fillRect(QRectF(box.left() - 1, box.top(), 2, box.height()), c.event);
+    p.setPen(Qt::NoPen), p.setBrush(c.event);
+    p.drawPolygon(
+        QPolygonF({box.topLeft(), box.topLeft() + QPointF(flag, flag / 2), box.topLeft() + QPointF(0, flag)}));
+    p.setBrush(Qt::NoBrush), p.setPen(c.text);
+    const QRectF words = box.adjusted(flag + 3, 0, 0, 0);
+    if (words.width() >= fontMetrics().averageCharWidth())
+      p.drawText(words, Qt::AlignVCenter | Qt::TextSingleLine,
+                 fontMetrics().elidedText(text_of(step->text).simplified(), Qt::ElideRight,
+                                          static_cast<int>(std::ceil(words.width()))));
+  }
+}
+
+QString Ruler::step_tip(const Pause& step) const {
+  const QString name = step.text.empty() ? tr("a step") : tr("step: %1").arg(text_of(step.text));
+  return step.note.empty() ? name : name + "\n" + text_of(step.note);
 }
 
 // Returns the line that writes the opener of the dragged section anew; "" if it says the same.
