@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/timeline/timeline.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QFile>
 #include <QLineEdit>
 #include <QTemporaryDir>
@@ -40,6 +43,7 @@ class TimelineTest : public QObject {
   void sections_are_blocks_that_are_dragged();
   void the_end_of_a_section_is_dragged();
   void steps_are_marks_with_their_texts();
+  void words_are_below_their_sound();
   void what_is_called_off_changes_nothing();
   void a_double_click_writes_a_note();
   void a_note_of_several_gets_other_words();
@@ -278,6 +282,55 @@ section two for 48f
   QVERIFY(at.workspace.say(Session::rewrite_line(4, 4, "  # no step")));
   QVERIFY(at.workspace.say(Session::rewrite_line(6, 6, "  # no step")));
   QVERIFY(ruler.steps().empty() && ruler.sizeHint().height() < before);
+}
+
+// The sound begins at 25f and half a second into the file, so a word at second 1.5 of the file is at second 2.
+void TimelineTest::words_are_below_their_sound() {
+  QTemporaryDir folder;
+  constexpr int samples = 4 * 8000;
+  const auto number = [](std::uint32_t n) { return QByteArray(reinterpret_cast<const char*>(&n), 4); };
+  const QByteArray wav = "RIFF" + number(36 + 2 * samples) + "WAVEfmt " + number(16) + QByteArray("\1\0\1\0", 4) +
+                         number(8000) + number(16000) + QByteArray("\2\0\20\0", 4) + "data" + number(2 * samples) +
+                         QByteArray(2 * samples, '\0');
+  const auto put = [&](const QString& name, const QByteArray& bytes) {
+    QFile f(folder.filePath(name));
+    QVERIFY(f.open(QIODevice::WriteOnly));
+    f.write(bytes);
+  };
+  put("a.wav", wav);
+  put("a.words", "0.1 0.4 square\n0.6 0.9 The\n1.0 1.4 Square,\n1.5 1.9 and\n2.5 2.9 square.\n");
+  put("film.bx",
+      "rate 24\nrange 1f 121f\ncreate voice sound file=\"a.wav\" words=\"a.words\" at=25f from=0.5s\n"
+      "create other sound file=\"a.wav\" at=31f\n");
+  Workspace workspace;
+  QVERIFY2(workspace.open(folder.filePath("film.bx")), workspace.last_said().c_str());
+  Timeline panel(workspace);
+  show(panel, 1000, 250);
+  Ruler& ruler = *panel.findChild<Ruler*>("ruler");
+  const SoundBar& voice = ruler.sounds()[0];
+  QVERIFY(voice.words);
+  QCOMPARE(voice.heard_words(), std::pair(std::size_t{1}, std::size_t{5}));
+  QVERIFY(ruler.word_box(voice, 3).top() >= ruler.sound_box(voice).bottom());
+  QVERIFY(ruler.word_box(voice, 3).bottom() <= ruler.sound_box(ruler.sounds()[1]).top());
+  QTest::mouseClick(&ruler, Qt::LeftButton, Qt::NoModifier, ruler.word_box(voice, 3).center().toPoint());
+  QVERIFY(std::abs(workspace.time().seconds() - 2) < 1e-6);
+  const auto copied = [&](std::size_t word) {
+    const QPoint at = ruler.word_box(ruler.sounds()[0], word).center().toPoint();
+    QContextMenuEvent e(QContextMenuEvent::Mouse, at, ruler.mapToGlobal(at));
+    QApplication::sendEvent(&ruler, &e);
+    return QApplication::clipboard()->text();
+  };
+  QCOMPARE(copied(3), "voice:\"and\"");
+  QCOMPARE(copied(2), "voice:\"Square\"");  // the one before is cut off
+  QCOMPARE(copied(4), "voice:\"square\"#2");
+  // The language means the same times.
+  for (const std::size_t word : {1, 2, 3, 4}) {
+    const Time at = ruler.sounds()[0].time_of_word(word);
+    QVERIFY2(workspace.say("at " + copied(word).toStdString() + " note \"here\""), workspace.last_said().c_str());
+    QCOMPARE(workspace.document().notes(at, at).size(), std::size_t{1});
+  }
+  QTest::mouseMove(&ruler, ruler.word_box(ruler.sounds()[0], 4).center().toPoint());
+  QTRY_COMPARE(ruler.toolTip(), "voice:\"square\"#2");
 }
 
 void TimelineTest::what_is_called_off_changes_nothing() {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <QApplication>
+#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QLineEdit>
 #include <QMenu>
@@ -38,10 +40,14 @@ double Ruler::steps_top() const {
 
 double Ruler::sounds_top() const { return steps_top() + (steps_.empty() ? 0 : 1); }
 
+double Ruler::sound_pitch() const {
+  return std::ranges::any_of(sounds_, [](const SoundBar& s) { return s.words != nullptr; }) ? 2.4 : 1.5;
+}
+
 double Ruler::bottom() const {
   int rows = 0;
   for (const SoundBar& bar : sounds_) rows = std::max(rows, bar.row + 1);
-  return sounds_top() + 1.5 * rows;
+  return sounds_top() + sound_pitch() * rows;
 }
 
 // The frame numbers, the part to play, cuts, notes, sections, steps and sounds.
@@ -76,7 +82,7 @@ Ruler::Edge Ruler::edge_at(const QPointF& at) const {
 
 QRectF Ruler::sound_box(const SoundBar& bar) const {
   const double a = x_of(bar.from), b = std::max(a + 3, x_of(bar.to));
-  return {a, ruler_height() + line_height() * (sounds_top() + 1.5 * bar.row), b - a, line_height() * 1.4};
+  return {a, ruler_height() + line_height() * (sounds_top() + sound_pitch() * bar.row), b - a, line_height() * 1.4};
 }
 
 std::optional<std::size_t> Ruler::sound_at(const QPointF& at) const {
@@ -173,6 +179,7 @@ void Ruler::paint_sounds(QPainter& p) const {
     p.setPen(selected ? c.selected : c.text);
     p.drawText(QRectF(std::max<double>(left, box.left()) + 4, box.top(), box.width(), line_height()), Qt::AlignVCenter,
                QString::fromStdString(bar.name));
+    if (bar.words) paint_words(p, bar);
   }
 }
 
@@ -189,6 +196,7 @@ void Ruler::press(QMouseEvent* e) {
   if (const auto i = block_at(from_); i && !note_ && edge_ == Edge::none)
     section_ = sections_[*i].section, stretches_ = at_section_end(sections_[*i], from_), clicked_ = section_->begin;
   if (const auto i = step_at(from_)) clicked_ = steps_[*i].time;
+  if (const auto at = word_at(from_)) clicked_ = sounds_[at->bar].time_of_word(at->word);
   if (part_box().contains(from_.toPoint()) && e->modifiers() & Qt::AltModifier) note_.reset();
   update();
 }
@@ -259,6 +267,7 @@ void Ruler::hover(QMouseEvent* e) {
   if (edge != Edge::none)
     words = edge == Edge::first ? tr("the film's first frame: drag it") : tr("the film's last frame: drag it");
   if (const auto step = step_at(e->position())) words = step_tip(steps_[*step]);
+  if (const auto at = word_at(e->position())) words = text_of(sounds_[at->bar].moment_of_word(at->word));
   if (note)
     for (const Note& n : workspace_.document().notes(*note, *note))
       words += QString::fromStdString(note_line(n) + "\n");
@@ -280,6 +289,12 @@ void Ruler::mouseDoubleClickEvent(QMouseEvent* e) {
 }
 
 void Ruler::contextMenuEvent(QContextMenuEvent* e) {
+  if (const auto at = word_at(e->pos())) {
+    const QString moment = text_of(sounds_[at->bar].moment_of_word(at->word));
+    if (moment.isEmpty()) return;
+    QApplication::clipboard()->setText(moment);
+    return QToolTip::showText(e->globalPos(), tip_of(tr("copied: %1").arg(moment)), this);
+  }
   const Time t = nearest_frame(time_at(e->pos().x()));
   const auto note = note_at(e->pos());
   QMenu menu;

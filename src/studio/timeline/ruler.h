@@ -30,6 +30,7 @@ class Ruler : public TimePane {
   // Return the boxes for painting and for the mouse.
   QRectF sound_box(const SoundBar&) const;
   const std::vector<SoundBar>& sounds() const { return sounds_; }
+  QRectF word_box(const SoundBar&, std::size_t word) const;
   QRectF section_box(const SectionBlock&) const;
   const std::vector<SectionBlock>& sections() const { return sections_; }
   QRectF step_box(std::size_t) const;
@@ -57,13 +58,19 @@ class Ruler : public TimePane {
   void paint_sounds(QPainter&) const;
   void paint_sections(QPainter&) const;
   void paint_steps(QPainter&) const;
+  void paint_words(QPainter&, const SoundBar&) const;
   void follow_film();
   void describe();  // for screen readers
   // The tops of the lanes whose number depends on the film, in lines.
   double steps_top() const;
   double sounds_top() const;
+  double sound_pitch() const;  // between the rows of sounds
   double bottom() const;
   std::optional<std::size_t> sound_at(const QPointF&) const;
+  struct WordAt {
+    std::size_t bar, word;
+  };
+  std::optional<WordAt> word_at(const QPointF&) const;
   std::optional<std::size_t> block_at(const QPointF&) const;
   bool at_section_end(const SectionBlock&, const QPointF&) const;
   std::string section_moving(const QMouseEvent&) const;

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/timeline/sound_bars.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "betwixt/object.h"
+#include "language/values.h"
 #include "program/audible_part.h"
 #include "scene/document.h"
 
@@ -21,6 +24,29 @@ double SoundBar::loudness(Time a, Time b) const {
   return loudest;
 }
 
+Time SoundBar::time_of_word(std::size_t i) const {
+  return from_seconds(from.seconds() + (words->words[i].start - own));
+}
+
+std::pair<std::size_t, std::size_t> SoundBar::heard_words() const {
+  if (!words) return {0, 0};
+  const auto place = [&](double second) {
+    const auto at = std::ranges::lower_bound(words->words, second, {}, &SpokenWord::start);
+    return static_cast<std::size_t>(at - words->words.begin());
+  };
+  return {place(own), place(own + (to - from).seconds())};
+}
+
+std::string SoundBar::moment_of_word(std::size_t i) const {
+  const std::string word = spelt(*words, {i, i}), letters = letters_of(word);
+  if (letters.empty()) return {};
+  const auto [first, end] = heard_words();
+  std::size_t which = 0;  // the language counts those that are heard
+  for (const SpokenRun& run : find_spoken(*words, letters))
+    if (run.first >= first && run.first <= i) ++which;
+  return fmt::format("{}:{}{}", name, write_text(word), which > 1 ? fmt::format("#{}", which) : "");
+}
+
 std::vector<SoundBar> sound_bars(const Program& program) {
   std::vector<SoundBar> all;
   const Document& d = program.document();
@@ -34,6 +60,9 @@ std::vector<SoundBar> sound_bars(const Program& program) {
     const double from = part.at, to = part.at + (part.end() - part.from);
     if (!(to > from)) continue;
     all.push_back({id, d.name(id), known->second, from_seconds(from), from_seconds(to), part.from});
+    const Value words = program.read(Target(id, fn::sound_words), Time{});
+    if (const auto spoken = d.scene().words->find(*std::get<Text>(words)); spoken != d.scene().words->end())
+      all.back().words = spoken->second;
     for (double at = part.from; at < part.end(); at += 0.02)
       all.back().peak = std::max(all.back().peak, known->second->loudness(at));
   }
