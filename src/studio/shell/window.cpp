@@ -27,6 +27,7 @@
 #include "studio/course/course_panel.h"
 #include "studio/curves/curves.h"
 #include "studio/objects/creating.h"
+#include "studio/panels/data_panel.h"
 #include "studio/panels/history_panel.h"
 #include "studio/panels/live_panel.h"
 #include "studio/panels/outliner.h"
@@ -193,7 +194,8 @@ void Window::add_panels() {
           [this](const QString& file) { viewport_->import_file(file, viewport_->rect().center()); });
   splitDockWidget(timeline, sheet, Qt::Vertical);
   tabifyDockWidget(sheet, curves), sheet->raise();
-  tabifyDockWidget(properties, script), script->raise();
+  tabifyDockWidget(properties, script);
+  tabifyDockWidget(script, add(new DataPanel(workspace_), Qt::RightDockWidgetArea)), script->raise();
 }
 
 Viewport& Window::viewport() { return views_->active(); }
