@@ -42,6 +42,7 @@ class TimelineTest : public QObject {
   void sounds_are_bars_with_their_loudness();
   void sections_are_blocks_that_are_dragged();
   void the_end_of_a_section_is_dragged();
+  void only_the_line_of_a_section_changes();
   void steps_are_marks_with_their_texts();
   void words_are_below_their_sound();
   void what_is_called_off_changes_nothing();
@@ -256,6 +257,32 @@ void TimelineTest::the_end_of_a_section_is_dragged() {
   QCOMPARE(s.ruler.sections()[1].section.begin, s.at.frame(37));
   drag(s.ruler, s.place(0, 37) + left, s.place(0, 1) + left);  // no length
   QVERIFY(s.has("section intro for 36f"));
+}
+
+// What looks like the line but is in a text, and lines that end as in Windows, stay as they are.
+void TimelineTest::only_the_line_of_a_section_changes() {
+  const std::string before =
+      "rate 24\r\nrange 1f 100f\r\ncreate t text text=\"\"\"\r\nsection one\r\n\"\"\"\r\n"
+      "create ball sphere\r\nsection one  for 24f speed = 2\r\n  at 1f ball.color red\r\n";
+  Film at(before);
+  Timeline panel(at.workspace);
+  Ruler& ruler = *panel.findChild<Ruler*>("ruler");
+  show(panel, 1000, 200);
+  const auto box = [&] { return ruler.section_box(ruler.sections().at(0)); };
+  const int frames = static_cast<int>(std::lround(ruler.x_of(at.frame(13)) - ruler.x_of(at.frame(1))));
+  drag(ruler, box().center().toPoint(), box().center().toPoint() + QPoint(frames, 0));
+  std::string after = before;
+  after.replace(after.find("one  for"), 8, "one at 13f  for");
+  QCOMPARE(QByteArray::fromStdString(at.workspace.text()).replace("\r", ""),
+           QByteArray::fromStdString(after).replace("\r", ""));
+  // A section of another file has no line here.
+  std::ofstream(at.folder.path().toStdString() + "/part.bx") << "section two for 24f\n  at 1f ball.color blue\n";
+  QVERIFY2(at.workspace.say(std::string("use \"part.bx\"")), at.workspace.last_said().c_str());
+  QCOMPARE(ruler.sections().size(), std::size_t{2});
+  const std::string used = at.workspace.text();
+  const QPoint two = ruler.section_box(ruler.sections()[1]).center().toPoint();
+  drag(ruler, two, two + QPoint(frames, 0));
+  QCOMPARE(at.workspace.text(), used);
 }
 
 void TimelineTest::steps_are_marks_with_their_texts() {

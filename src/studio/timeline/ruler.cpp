@@ -19,6 +19,7 @@
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
 #include "studio/timeline/event_actions.h"
+#include "studio/timeline/section_lines.h"
 #include "studio/timeline/time_words.h"
 
 namespace betwixt::studio {
@@ -32,17 +33,10 @@ Ruler::Ruler(Workspace& workspace, QWidget* parent) : TimePane(workspace, parent
   follow_film();
 }
 
-double Ruler::steps_top() const {
-  int rows = 0;
-  for (const SectionBlock& block : sections_) rows = std::max(rows, block.row + 1);
-  return 2.5 + rows;
-}
-
+double Ruler::steps_top() const { return 2.5 + section_rows_; }
 double Ruler::sounds_top() const { return steps_top() + (steps_.empty() ? 0 : 1); }
 
-double Ruler::sound_pitch() const {
-  return std::ranges::any_of(sounds_, [](const SoundBar& s) { return s.words != nullptr; }) ? 2.4 : 1.5;
-}
+double Ruler::sound_pitch() const { return words_shown_ ? 2.4 : 1.5; }
 
 double Ruler::bottom() const {
   int rows = 0;
@@ -62,6 +56,9 @@ void Ruler::follow_film() {
   if (section_ && blocks.size() == sections_.size())  // while one is dragged, each stays in its row
     for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].row = sections_[i].row;
   sections_ = std::move(blocks);
+  section_rows_ = 0;
+  for (const SectionBlock& block : sections_) section_rows_ = std::max(section_rows_, block.row + 1);
+  words_shown_ = std::ranges::any_of(sounds_, [](const SoundBar& s) { return s.words != nullptr; });
   steps_ = workspace_.document().pauses();
   describe();
   if (sizeHint().height() != before) updateGeometry();
@@ -242,6 +239,8 @@ void Ruler::drag(QMouseEvent* e) {
 void Ruler::release(QMouseEvent* e) {
   const bool moved = (e->position() - from_).manhattanLength() >= 3;
   const std::string line = moved ? moving(*e) : "";
+  if (moved && section_ && line.empty() && !section_line(workspace_.text(), section_->name))
+    QToolTip::showText(e->globalPosition().toPoint(), tr("the section is in a file that the script uses"), this);
   section_.reset();
   workspace_.look_back();
   edge_ = Edge::none, edge_to_.reset(), sound_.reset();

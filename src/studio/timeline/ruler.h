@@ -94,6 +94,8 @@ class Ruler : public TimePane {
   std::vector<SectionBlock> sections_;
   std::optional<Section> section_;  // the dragged one, as it was
   bool stretches_ = false;          // its end is dragged
+  int section_rows_ = 0;
+  bool words_shown_ = false;  // below a sound
   std::vector<Pause> steps_;
   std::optional<Time> clicked_;  // where a click goes to
   Edge edge_ = Edge::none;       // the dragged one

@@ -112,8 +112,8 @@ void Ruler::paint_steps(QPainter& p) const {
   const auto first = std::ranges::lower_bound(steps_, time_at(-width()), {}, &Pause::time);
   double free = -1e9;  // of steps that overlap, paint the first
   for (auto step = first; step != steps_.end() && x_of(step->time) <= width(); ++step) {
+    if (x_of(step->time) < free) continue;
     const QRectF box = step_box(static_cast<std::size_t>(step - steps_.begin()));
-    if (box.left() < free) continue;
     free = box.left() + 3;
     const double flag = std::min(line_height() * 0.45, box.width());
     p.fillRect(QRectF(box.left() - 1, box.top(), 2, box.height()), c.event);
