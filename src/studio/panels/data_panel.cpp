@@ -96,7 +96,7 @@ DataPanel::DataPanel(Workspace& workspace, QWidget* parent)
   view_->setObjectName("data_rows"), view_->setAccessibleName(tr("Rows of the table"));
   view_->setModel(&rows_);
   view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  view_->setTabKeyNavigation(false);  // Tab leaves the panel
+  view_->setTabKeyNavigation(false), view_->setCornerButtonEnabled(false);  // Tab leaves the panel
   view_->setFrameShape(QFrame::NoFrame), view_->setAlternatingRowColors(true);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 0);
@@ -132,7 +132,7 @@ void DataPanel::show_table() {
   const std::string name = names_->currentText().toStdString();
   const auto found = tables_.find(name);
   const std::shared_ptr<const Table> table = found == tables_.end() ? nullptr : found->second;
-  names_->setVisible(table != nullptr), view_->setVisible(table != nullptr);
+  names_->setVisible(table != nullptr);
   about_->setText(table ? about_table(*table)
                         : tr("The film has no tables. A line such as this one reads one:\ndata pop from \"pop.csv\""));
   rows_.show(name, table);
