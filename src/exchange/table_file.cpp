@@ -156,7 +156,8 @@ Status sound_text(std::string& text, const std::string& name) {
 
 // Finds the type of a column by all its cells, and reads them.
 void settle(TableColumn& column, bool comma) {
-  auto& [name, of, numbers, cells] = column;
+  auto& numbers = column.numbers;
+  auto& cells = column.cells;
   const auto all = [&](const auto& read) {
     numbers.assign(cells.size(), none);
     bool any = false;
@@ -169,12 +170,12 @@ void settle(TableColumn& column, bool comma) {
   };
   Cancellation::check();
   if (all([&](std::string_view s, double& out) { return read_cell_number(s, comma, out); })) {
-    of = TableColumn::Of::number;
+    column.of = TableColumn::Of::number;
     cells = {};
   } else if (all(read_date)) {
-    of = TableColumn::Of::date;
+    column.of = TableColumn::Of::date;
   } else {
-    of = TableColumn::Of::text;
+    column.of = TableColumn::Of::text;
     numbers = {};
   }
 }

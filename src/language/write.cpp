@@ -388,8 +388,7 @@ std::string write_event(const Document& document, const Target& target, Time tim
 
 std::string write_besides(const Document& document, const Target& target) {
   Writer w{document.scene(), document, {}, true};
-  w.besides(target);
-  return std::move(w.out);
+  return w.besides(target), std::move(w.out);
 }
 
 std::string write(const Document& document) {
