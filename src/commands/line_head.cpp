@@ -44,8 +44,8 @@ std::string_view kind_word(const LineHead& head) {
 Opens opens(const LineHead& head) {
   if (!head.alone()) return Opens::nothing;
   if (head.verb) return head.verb->flags & Verb::opens_sheet && !head.name.empty() ? Opens::list : Opens::nothing;
-  const bool target =
-      first_dot(head.word) != std::string_view::npos && !starts_like_time(head.word[0]) && head.word[0] != '"';
+  const bool target = first_dot(head.word) != std::string_view::npos && !starts_like_time(head.word[0]) &&
+                      std::string_view("\"=@").find(head.word[0]) == std::string_view::npos;
   return target && head.time.empty() && head.name.empty() ? Opens::sheet : Opens::nothing;
 }
 

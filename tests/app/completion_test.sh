@@ -18,7 +18,7 @@ command -v groff >/dev/null && is 'the manual page' "$(groff -man -ww -z manual 
 
 # All of them know the options of --help.
 commands=$("$program" help | sed -nE '/^Commands/,/^$/s/^  ([a-z]+) .*/\1/p')
-is 'commands' "$(wc -w <<<"$commands")" 23
+is 'commands' "$(wc -w <<<"$commands")" 24
 for command in $commands; do
   for option in $("$program" "$command" --help | sed -nE 's/^  (-[a-z],)?(--[a-z-]+).*/\2/p'); do
     for what in bash zsh fish manual; do

@@ -114,6 +114,8 @@ class ConsoleTest : public QObject {
     QTest::keyClick(&s.line, Qt::Key_Down);
     QCOMPARE(s.words().currentItem()->text(0), "sound");
     QTest::keyClick(&s.line, Qt::Key_Down);
+    QCOMPARE(s.words().currentItem()->text(0), "speech-bubble");
+    QTest::keyClick(&s.line, Qt::Key_Down);
     QCOMPARE(s.words().currentItem()->text(0), "sphere");
     QTest::keyClick(&s.line, Qt::Key_Return);
     QCOMPARE(s.line.toPlainText(), "create b sphere");
