@@ -44,8 +44,10 @@ std::string_view kind_word(const LineHead& head) {
 Opens opens(const LineHead& head) {
   if (!head.alone()) return Opens::nothing;
   if (head.verb) return head.verb->flags & Verb::opens_sheet && !head.name.empty() ? Opens::list : Opens::nothing;
+  // A single word: neither "ler(0.5)" nor "=o.x" opens a sheet, however they are spaced.
+  const char* const end = head.word.data() + head.word.size();
   const bool target = first_dot(head.word) != std::string_view::npos && !starts_like_time(head.word[0]) &&
-                      std::string_view("\"=@").find(head.word[0]) == std::string_view::npos;
+                      word_end(head.word.data(), end) == end;
   return target && head.time.empty() && head.name.empty() ? Opens::sheet : Opens::nothing;
 }
 
