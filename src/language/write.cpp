@@ -216,11 +216,11 @@ struct Writer {
     out += write_parts_and_tables(s);
     for (const FunctionSpec& f : *s.defined)
       out += fmt::format("define {} {} {}\n", f.name, row_of(f.type).word, value(f.rest, f, -1));
-    for (const auto& [name, elements] : *s.aliases) {
-      out += "alias " + name + " =";
-      for (const auto& e : elements) out += " " + e;
-      out += "\n";
-    }
+  }
+
+  // Behind the names that objects have only for a moment: a rename changes aliases.
+  void aliases() {
+    for (const auto& [name, all] : *s.aliases) out += fmt::format("alias {} = {}\n", name, fmt::join(all, " "));
   }
 
   bool refers(const Slot& slot) const {
@@ -393,7 +393,7 @@ std::string write_besides(const Document& document, const Target& target) {
 
 std::string write(const Document& document) {
   Writer w{document.scene(), document, {}};
-  w.settings(), w.objects(), w.out += write_theme(w.s), w.rest(), w.out += write_cues(w.s);
+  w.settings(), w.objects(), w.aliases(), w.out += write_theme(w.s), w.rest(), w.out += write_cues(w.s);
   return std::move(w.out);
 }
 
