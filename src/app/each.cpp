@@ -272,11 +272,11 @@ int render_each(RenderCall& call) {
 }
 
 std::vector<Parameter> each_parameters(RenderCall& call) {
-  Parameter each =
-      file_option("--each", "TABLE",
-                  "makes one film for each row of this table, .csv or .tsv: its columns are values for the "
-                  "`let`s of their names, and -o \"out/{name}.mp4\" names the films by a column",
-                  &call.each);
+  Parameter each = file_option(
+      "--each", "TABLE",
+      "makes one film for each row of this table, .csv, .tsv, .json or SQLite: its columns are values for the "
+      "`let`s of their names, and -o \"out/{name}.mp4\" names the films by a column",
+      &call.each);
   Parameter rows = option("--rows", "A..B", "with --each: only these rows, counted from 1, both ends included",
                           ReadValue([&call](const std::string& text) {
                             return read_span(text, "..", call.rows, "a span of rows such as 1..250, 251.. or 7");

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The rows of a table for `betwixt render --each`: CSV (RFC 4180) or TSV, with the names of the columns in its first
-// row.
+// The rows of a table for `betwixt render --each`, as texts with their places. The files are those of `data`.
 #pragma once
 
 #include <string>

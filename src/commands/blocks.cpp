@@ -38,23 +38,4 @@ bool Script::leave_blocks(std::size_t indent) {
   return between_both;
 }
 
-// The command can stand behind `at TIME`, so its line begins further left.
-std::string_view take_block(Command& k) {
-  Cursor& c = k.cursor;
-  c.at = line_end(c.at, c.end);
-  const char* const first = c.at < c.end ? c.at + 1 : c.end;
-  const char *start = k.script.verb, *behind = first;
-  while (start > k.script.source.text.data() && start[-1] != '\n') --start;
-  const std::size_t outer = indentation(between(start, c.end));
-  for (const char* at = first; at < c.end;) {
-    const LogicalLine one = logical_line(between(at, c.end));
-    const std::string_view there = between(at, one.end);
-    if (!empty_line(there) && indentation(there) <= outer) break;
-    at = one.next(c.end);
-    if (!empty_line(there)) behind = at;
-  }
-  if (behind > first) c.at = behind - (behind[-1] == '\n');
-  return between(first, behind);
-}
-
 }  // namespace betwixt

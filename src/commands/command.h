@@ -84,11 +84,6 @@ bool pass_over(Command&, const char* from);
 
 // ---- blocks.cpp
 
-// Takes the block below a command that has been read to the end of its line, as it is written. The cursor is behind it
-// then, so that its lines are not run. For verbs that keep their block, such as models; others open one
-// (Script::block).
-std::string_view take_block(Command&);
-
 // ---- places.cpp
 
 // Returns the objects that a pattern names. If the command runs once for each of them, returns only the current one.

@@ -115,6 +115,15 @@ std::string said_again(std::string_view words, std::string_view path_at, const s
   return std::string(words.substr(0, at)) + write_text(path) + std::string(words.substr(at + path_at.size()));
 }
 
+// Moves the place in a table to the message, because the error is about the line of the script.
+Error with_place_in_table(Error e) {
+  const auto [file, line, column, length] = e.place;
+  if (line > 0)
+    e.message = fmt::format("line {}, column {} of {}: {}", line, column,
+                            file.empty() ? "the table" : fmt::format("'{}'", file), e.message);
+  return e;
+}
+
 bool data(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::string_view name;
@@ -149,7 +158,7 @@ bool data(Command& k) {
       return std::shared_ptr<const Table>(*made);
     };
     const auto read_once = KeptResults::get("table", where.string() + '\0' + command, make);
-    if (!read_once) return c.fail(read_once.error(), about.empty() ? text_at : about);
+    if (!read_once) return c.fail(with_place_in_table(read_once.error()), about.empty() ? text_at : about);
     table = *read_once;
     ContentBytes bytes;
     bytes.add(table);

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "base/cancellation.h"
+#include "base/counted.h"
 #include "base/files.h"
 #include "base/names.h"
 #include "base/utf8.h"
@@ -24,8 +25,10 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string shown_name(const std::string& name) { return name.empty() ? "the table" : fmt::format("'{}'", name); }
-Error bad_file(const std::string& name, std::size_t line, std::string what, Hint hint = {}) {
-  return fail(ErrorCode::file, fmt::format("line {} of {} {}", line, shown_name(name), what), std::move(hint));
+Error at_place(Place place, std::string message, Hint hint = {}) {
+  Error e = fail(ErrorCode::file, std::move(message), std::move(hint));
+  e.place = std::move(place);
+  return e;
 }
 
 bool digits(std::string_view s, std::size_t least, std::size_t most, int& out) {
@@ -47,111 +50,9 @@ double days_since_1970(int year, int month, int day) {
   return era * 146097.0 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
 }
 
-std::string_view without_blanks(std::string_view s) {
-  while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) s.remove_prefix(1);
-  while (!s.empty() && (s.back() == ' ' || s.back() == '\t')) s.remove_suffix(1);
-  return s;
-}
-
 bool means_nothing(std::string_view s) {
   constexpr std::array<std::string_view, 9> words{"", "NA", "N/A", "n/a", "NaN", "nan", "null", "NULL", "-"};
   return std::find(words.begin(), words.end(), s) != words.end();
-}
-
-// Cuts a text into cells, row by row.
-class CellReader {
- public:
-  CellReader(Table& t, const std::string& name) : t_(t), name_(name), at_(t.text.data()), end_(at_ + t.text.size()) {
-    separator_ = most_frequent();
-  }
-  char separator() const { return separator_; }
-  std::size_t line() const { return line_; }
-  bool more() const { return at_ < end_; }
-
-  // Reads the next row. A line without anything has none.
-  Status row(std::vector<std::string_view>& cells) {
-    cells.clear();
-    first_line_ = line_;
-    for (;;) {
-      if (cells.size() > most_columns)
-        return bad_file(name_, line_, fmt::format("has more than {} cells", most_columns));
-      std::string_view cell;
-      if (const Status read = this->cell(cell); !read) return read;
-      cells.push_back(cell);
-      if (at_ == end_) return Nothing{};
-      const char c = *at_++;
-      if (c == separator_) continue;
-      if (c == '\r' && at_ < end_ && *at_ == '\n') ++at_;
-      ++line_;
-      return Nothing{};
-    }
-  }
-  std::size_t first_line() const { return first_line_; }
-
- private:
-  char most_frequent() const {
-    const auto line = std::string_view(at_, static_cast<std::size_t>(end_ - at_));
-    const auto first = line.substr(0, line.find_first_of("\r\n"));
-    char best = ',';
-    for (const char c : {';', '\t'})
-      if (std::count(first.begin(), first.end(), c) > std::count(first.begin(), first.end(), best)) best = c;
-    return best;
-  }
-  Status cell(std::string_view& out) {
-    if (at_ < end_ && *at_ == '"') return quoted(out);
-    const char* const start = at_;
-    while (at_ < end_ && *at_ != separator_ && *at_ != '\n' && *at_ != '\r') ++at_;
-    out = without_blanks({start, static_cast<std::size_t>(at_ - start)});
-    return Nothing{};
-  }
-  // "He said ""no"""
-  Status quoted(std::string_view& out) {
-    const std::size_t opened = line_;
-    const char* const start = ++at_;
-    std::string* piece = nullptr;
-    const char* copied = start;
-    for (;; ++at_) {
-      if (at_ == end_) return bad_file(name_, opened, "has a quotation mark that is never closed");
-      if (*at_ == '\n') ++line_;
-      if (*at_ != '"') continue;
-      if (at_ + 1 == end_ || at_[1] != '"') break;
-      if (!piece) piece = &t_.pieces.emplace_back();
-      piece->append(copied, ++at_), copied = at_ + 1, *piece += '"';
-    }
-    out = {start, static_cast<std::size_t>(at_ - start)};
-    if (piece) out = piece->append(copied, at_);
-    ++at_;
-    while (at_ < end_ && *at_ == ' ') ++at_;
-    if (at_ < end_ && *at_ != separator_ && *at_ != '\n' && *at_ != '\r')
-      return bad_file(name_, line_, "has more text after a closing quotation mark",
-                      "inside quotation marks, write \"\" for one \"");
-    return Nothing{};
-  }
-
-  Table& t_;
-  const std::string& name_;
-  const char* at_;
-  const char* const end_;
-  char separator_ = ',';
-  std::size_t line_ = 1, first_line_ = 1;
-};
-
-Status sound_text(std::string& text, const std::string& name) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    return fail(ErrorCode::file, fmt::format("'{}' is UTF-16, not UTF-8", name), "save it as UTF-8");
-  std::size_t line = 1;
-  for (std::size_t i = 0; i < text.size();) {
-    if (static_cast<unsigned char>(text[i]) < 0x80) {
-      if (text[i] == '\0') return bad_file(name, line, "has a zero byte: this is no table");
-      line += text[i++] == '\n';
-    } else if (const std::size_t n = character_length(text, i); n > 0) {
-      i += n;
-    } else {
-      return bad_file(name, line, "is not UTF-8", "save it as UTF-8; it may be in Latin-1 or Windows-1252 now");
-    }
-  }
-  return Nothing{};
 }
 
 // Finds the type of a column by all its cells, and reads them.
@@ -180,13 +81,14 @@ void settle(TableColumn& column, bool comma) {
   }
 }
 
-Status name_columns(Table& t, const std::vector<std::string_view>& titles, const std::string& name) {
+Status name_columns(Table& t, const std::vector<std::string_view>& titles, const CellReader& reader) {
   std::set<std::string> taken;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     TableColumn column;
     column.name = column_word(titles[i], i + 1);
     if (!taken.insert(column.name).second)
-      return bad_file(name, 1, fmt::format("has two columns '{}'", column.name), "give each column a name of its own");
+      return at_place(reader.place(i), fmt::format("there are two columns '{}'", column.name),
+                      "give each column a name of its own");
     t.columns.push_back(std::move(column));
   }
   return Nothing{};
@@ -252,35 +154,30 @@ bool read_cell_number(std::string_view s, bool comma, double& out) {
 }
 
 Result<std::shared_ptr<Table>> parse_table(std::string text, const std::string& name) {
-  if (const Status sound = sound_text(text, name); !sound) return sound.error();
+  if (const Status sound = sound_table(text, name); !sound) return sound.error();
   const auto out = std::make_shared<Table>();
   Table& t = *out;
   t.file = name, t.text = std::move(text);
-  if (without_blanks(t.text).find_first_not_of("\r\n") == std::string_view::npos)
-    return fail(ErrorCode::file, fmt::format("{} is empty", shown_name(name)),
-                "its first line has the names of the columns");
-  CellReader reader(t, name);
+  CellReader reader(t.text, name, t.pieces);
   std::vector<std::string_view> cells;
   if (const Status read = reader.row(cells); !read) return read.error();
-  if (const Status named = name_columns(t, cells, name); !named) return named.error();
+  if (cells.empty())
+    return fail(ErrorCode::file, fmt::format("{} is empty", shown_name(name)),
+                "its first line has the names of the columns");
+  if (const Status named = name_columns(t, cells, reader); !named) return named.error();
   const auto rows = static_cast<std::size_t>(std::count(t.text.begin(), t.text.end(), '\n')) + 1;
-  if (rows > most_table_rows)
-    return fail(ErrorCode::range, fmt::format("'{}' has more than {} rows", name, most_table_rows));
-  if (rows * t.columns.size() > 4 * most_table_rows)
-    return fail(ErrorCode::range, fmt::format("'{}' has more than {} cells", name, 4 * most_table_rows));
+  if (rows > most_table_rows || rows * t.columns.size() > 4 * most_table_rows)
+    return fail(ErrorCode::range, fmt::format("{} has more than {} rows or {} cells", shown_name(name), most_table_rows,
+                                              4 * most_table_rows));
   for (TableColumn& c : t.columns) c.cells.reserve(rows);
   t.lines.reserve(rows);
   while (reader.more()) {
     if (t.lines.size() % 4096 == 0) Cancellation::check();
     if (const Status read = reader.row(cells); !read) return read.error();
-    if (cells.size() == 1 && cells[0].empty()) continue;  // an empty line
-    if (cells.size() != t.columns.size())
-      return bad_file(name, reader.first_line(),
-                      fmt::format("has {} cell{}, but there are {} columns", cells.size(), cells.size() == 1 ? "" : "s",
-                                  t.columns.size()),
-                      "a cell with a comma in it needs quotation marks");
+    if (cells.empty()) break;
+    if (const Status fits = as_many_cells(reader, cells.size(), t.columns.size()); !fits) return fits.error();
     for (std::size_t i = 0; i < cells.size(); ++i) t.columns[i].cells.push_back(cells[i]);
-    t.lines.push_back(static_cast<std::uint32_t>(reader.first_line()));
+    t.lines.push_back(static_cast<std::uint32_t>(reader.line()));
   }
   if (t.lines.empty())
     return fail(ErrorCode::file, fmt::format("{} has no rows below its first line", shown_name(name)));
@@ -299,19 +196,32 @@ Result<std::shared_ptr<const TableText>> parse_table_text(const std::string& pat
   return std::make_shared<const TableText>(TableText{*std::move(text)});
 }
 
-Result<std::shared_ptr<Table>> read_table(const std::string& path, const std::string& name, const std::string& inside) {
+Result<std::string> table_text(const std::string& path, const std::string& name, const std::string& inside) {
   const std::string kind = ending(path);
   if (kind == "json" || kind == "db" || kind == "sqlite" || kind == "sqlite3") {
-    auto text = parsed_table(path, inside);
+    const auto text = parsed_table(path, inside);
     if (!text) return text.error();
-    return parse_table((*text)->text, name);
+    return (*text)->text;
   }
   if (!inside.empty()) return fail(ErrorCode::file, fmt::format("'{}' is one table, so it has none inside", name));
   FileContents in = read_contents(path, {});
   if (in.problem == ReadProblem::missing) return no_file(name);
   if (in.problem == ReadProblem::folder) return fail(ErrorCode::file, fmt::format("'{}' is a folder", name));
   if (in.problem != ReadProblem::none) return fail(ErrorCode::file, fmt::format("'{}' cannot be read", name));
-  return parse_table(std::move(in.text), name);
+  return std::move(in.text);
+}
+
+Status as_many_cells(const CellReader& reader, std::size_t cells, std::size_t columns) {
+  if (cells == columns) return Nothing{};
+  return at_place(reader.place(std::min(cells - 1, columns)),
+                  fmt::format("this row has {}, but there are {}", counted(cells, "cell"), counted(columns, "column")),
+                  "a cell with a comma in it needs quotation marks");
+}
+
+Result<std::shared_ptr<Table>> read_table(const std::string& path, const std::string& name, const std::string& inside) {
+  auto text = table_text(path, name, inside);
+  if (!text) return text.error();
+  return parse_table(*std::move(text), name);
 }
 
 }  // namespace betwixt

@@ -9,17 +9,24 @@
 #include <string>
 
 #include "betwixt/result.h"
+#include "exchange/table_cells.h"
 #include "scene/table.h"
 
 namespace betwixt {
 
 struct TableText;  // exchange/table_text.h
 
-inline constexpr std::size_t most_columns = 10'000, most_table_rows = 50'000'000;
+inline constexpr std::size_t most_table_rows = 50'000'000;
+
+// Returns the text of a table in a file; see read_table().
+Result<std::string> table_text(const std::string& path, const std::string& name, const std::string& inside);
+// Fails, with the place, unless a row has as many cells as there are columns.
+Status as_many_cells(const CellReader&, std::size_t cells, std::size_t columns);
 
 // Reads a text whose first row has the names of the columns. The cells are separated by the character that its first
 // line has most of: a comma, a semicolon or a tab. `name` is that of the file, for messages.
-// Errors: file (no UTF-8, ragged rows, a quote that is not closed, two columns of one name), range (too large).
+// Errors: file (no UTF-8, ragged rows, a quotation mark that is not closed, two columns of one name), range (too
+// large); most with the place in the table.
 Result<std::shared_ptr<Table>> parse_table(std::string text, const std::string& name);
 // Reads a file: .csv .tsv .txt, .json (a list of objects, or an object of lists), .sqlite .db (see `inside`).
 // `inside`: the name of a table of a database, or a query that begins with `select`; "" for its only table.

@@ -42,7 +42,7 @@ is 'all parts are the whole' "$(made part)" '1.gif 2.gif 3.gif '
 
 # Cells are values, never code.
 printf 'name\tsize\n=1+1\t4\n"; create evil sphere\t5\n' >cells.tsv
-check 'a quote that begins a cell' 1 'cells.tsv:3:1: error: the quotes of this cell are never closed' render invite.bx --each cells.tsv -o 'c/{row}.gif'
+check 'a quote that begins a cell' 1 'cells.tsv:3:1: error: this quotation mark is never closed' render invite.bx --each cells.tsv -o 'c/{row}.gif'
 printf 'name;size;shade\n=1+1;2*3;red\nx;sqrt(4);red\ny;2;"red\ncreate evil sphere"\nz;;red\nw;1;teal\n' >cells.csv
 said=$(each cells.csv -o 'c/{name}.gif')
 is 'some fail' $? 1
@@ -61,7 +61,7 @@ wrong() { # NAME TABLE ERROR [OUT]
   check "$1" "${5:-1}" "$3" render invite.bx --each t.csv -o "$out"
   is "$1: nothing is made" "$(made w)" ''
 }
-wrong 'a ragged row' 'name,size\na,1\nb\n' 't.csv:3:1: error: this row has 1 cell, and the first row names 2 columns'
+wrong 'a ragged row' 'name,size\na,1\nb\n' 't.csv:3:1: error: this row has 1 cell, but there are 2 columns'
 wrong 'a long row' 'name,size\na,1,7\n' 't.csv:2:5: error: this row has 3 cells'
 wrong 'two films of one name' 'name,size\na,1\nA,2\n' 't.csv:3:1: error: two films would have the name w/A.gif'
 wrong 'an empty name' 'name,size\n,1\n' 't.csv:2:1: error: the film has no name'
@@ -70,8 +70,8 @@ has 'its nearest' "$said" "did you mean 'name'"
 wrong 'no column of the script' 'nama,x\na,1\n' "no column has the name of a 'let'" 'w/{x}.gif'
 wrong 'no column in the name' 'name\na\n' 'all films would have one name' 'w/film.gif'
 wrong 'two columns of one name' 'name,name\na,b\n' "t.csv:1:6: error: two columns are called 'name'"
-wrong 'an open quote' 'name\n"a\n' 't.csv:2:1: error: the quotes of this cell are never closed'
-wrong 'behind a quote' 'name\n"a"b\n' 't.csv:2:4: error: there is more behind the quotes'
+wrong 'an open quote' 'name\n"a\n' 't.csv:2:1: error: this quotation mark is never closed'
+wrong 'behind a quote' 'name\n"a"b\n' 't.csv:2:4: error: there is more behind the closing quotation mark'
 wrong 'no UTF-8' 'name\na\xffb\n' 't.csv:2:2: error'
 wrong 'an empty table' '' 't.csv:1:1: error: the table is empty'
 wrong 'pictures' 'name\na\n' 'not numbered pictures' 'w/{name}-%04d.png' 2

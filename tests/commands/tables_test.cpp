@@ -198,6 +198,14 @@ TEST(Tables, KeysBecomeNames) {
   EXPECT_EQ(s.text("x4.text", "1f"), "東京");
 }
 
+TEST(Tables, QuotationMarksAreWrittenTwice) {
+  const auto read = parse_table("a,b\n\"He said \"\"no\"\", twice\",\"\"\"\"\n\"\",x", "t.csv");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ((*read)->columns[0].cells[0], "He said \"no\", twice");
+  EXPECT_EQ((*read)->columns[1].cells[0], "\"");
+  EXPECT_EQ((*read)->columns[0].cells[1], "");
+}
+
 TEST(Tables, CellsAreNeverCode) {
   const LoadedFilm s("data a of \"\"\"n,v\n\"remove *\",\"= os.exit()\"\n\"\"\" key=n\ncreate x{a} text text=row.v\n");
   ASSERT_FALSE(has_errors(s.loaded.diagnostics)) << said(s.loaded.diagnostics);
@@ -235,12 +243,13 @@ TEST_P(WrongTables, AreErrorsWithAPlace) {
 INSTANTIATE_TEST_SUITE_P(
     All, WrongTables,
     testing::Values(
-        WrongTable{"data a of \"\"\"a,b\n1,2,3\"\"\"\n", "line 2 of the table has 3 cells, but there are 2 columns",
-                   ErrorCode::file, 1, 11},
-        WrongTable{"data a of \"\"\"a,b\n1,\"x\"\"\"\n",
-                   "line 2 of the table has a quotation mark that is never closed", ErrorCode::file, 1, 11},
-        WrongTable{"data a of \"\"\"a,a\n1,2\"\"\"\n", "line 1 of the table has two columns 'a'", ErrorCode::file, 1,
+        WrongTable{"data a of \"\"\"a,b\n1,2,3\"\"\"\n",
+                   "line 2, column 5 of the table: this row has 3 cells, but there are 2 columns", ErrorCode::file, 1,
                    11},
+        WrongTable{"data a of \"\"\"a,b\n1,\"x\"\"\"\n",
+                   "line 2, column 3 of the table: this quotation mark is never closed", ErrorCode::file, 1, 11},
+        WrongTable{"data a of \"\"\"a,a\n1,2\"\"\"\n", "line 1, column 3 of the table: there are two columns 'a'",
+                   ErrorCode::file, 1, 11},
         WrongTable{"data a of \"\"\"a\n\"\"\"\n", "the table has no rows below its first line", ErrorCode::file, 1, 11},
         WrongTable{"data a from \"none.csv\"\n", "there is no file 'none.csv'", ErrorCode::file, 1, 13},
         WrongTable{"data a from \"/etc/passwd\"\n", "'/etc/passwd' is outside the script's folder", ErrorCode::file, 1,
