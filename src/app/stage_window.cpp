@@ -4,13 +4,13 @@
 
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
-#include <X11/Xutil.h>
 #include <X11/keysym.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <optional>
+
+#include "app/x_display.h"
 
 namespace betwixt {
 namespace {
@@ -42,13 +42,9 @@ class XStage final : public StageWindow {
  public:
   XStage(Display* display, const std::string& title, int width, int height, bool fills)
       : display_(display), width_(width), height_(height) {
-    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
-    XSetIOErrorHandler([](Display*) { return 0; });
-    XSetIOErrorExitHandler(
-        display_, [](Display*, void* gone) { *static_cast<bool*>(gone) = true; }, &gone_);
+    outlive(display_, gone_);
     const int screen = DefaultScreen(display_);
     visual_ = DefaultVisual(display_, screen);
-    depth_ = DefaultDepth(display_, screen);
     window_ = XCreateSimpleWindow(display_, RootWindow(display_, screen), 0, 0, static_cast<unsigned>(width),
                                   static_cast<unsigned>(height), 0, 0, 0);
     XStoreName(display_, window_, title.c_str());
@@ -89,25 +85,13 @@ class XStage final : public StageWindow {
 
   void show(const Picture& p) override {
     if (gone_ || p.width <= 0 || p.height <= 0) return;
-    const auto place = [](std::uint8_t v, unsigned long mask) {
-      return static_cast<std::uint32_t>(v) << std::countr_zero(mask);
-    };
-    pixels_.resize(static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height));
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      const std::uint8_t* rgba = &p.rgba[4 * i];
-      pixels_[i] =
-          place(rgba[0], visual_->red_mask) | place(rgba[1], visual_->green_mask) | place(rgba[2], visual_->blue_mask);
-    }
-    XImage* const image = XCreateImage(display_, visual_, static_cast<unsigned>(depth_), ZPixmap, 0,
-                                       reinterpret_cast<char*>(pixels_.data()), static_cast<unsigned>(p.width),
-                                       static_cast<unsigned>(p.height), 32, 0);
+    to_pixels(p, *visual_, pixels_);
+    XImage* const image = image_of(display_, pixels_, p.width, p.height);
     if (!image) return;
-    image->byte_order = std::endian::native == std::endian::little ? LSBFirst : MSBFirst;
     XPutImage(display_, window_, DefaultGC(display_, DefaultScreen(display_)), image, 0, 0,
               std::max(0, (width_ - p.width) / 2), std::max(0, (height_ - p.height) / 2),
               static_cast<unsigned>(p.width), static_cast<unsigned>(p.height));
-    image->data = nullptr;  // the pixels are ours
-    XDestroyImage(image);
+    end_image(image);
     if (!gone_) XSync(display_, False);
   }
 
@@ -139,7 +123,7 @@ class XStage final : public StageWindow {
   Atom atom(const char* name) const { return XInternAtom(display_, name, False); }
 
   Display* display_;
-  int width_, height_, depth_ = 24;
+  int width_, height_;
   bool gone_ = false;
   Visual* visual_ = nullptr;
   ::Window window_ = 0;
@@ -151,14 +135,10 @@ class XStage final : public StageWindow {
 
 Result<std::unique_ptr<StageWindow>> StageWindow::open(const std::string& title, int width, int height,
                                                        bool fills_screen) {
-  Display* display = XOpenDisplay(nullptr);
-  if (!display) return fail(ErrorCode::machine, "a talk needs a display", "set DISPLAY, or write --pdf OUT.pdf");
+  const auto opened = open_display("a talk", "set DISPLAY, or write --pdf OUT.pdf");
+  if (!opened) return opened.error();
+  Display* const display = *opened;
   const int screen = DefaultScreen(display);
-  const Visual* visual = DefaultVisual(display, screen);
-  if (DefaultDepth(display, screen) < 24 || !visual->red_mask || !visual->green_mask || !visual->blue_mask) {
-    XCloseDisplay(display);
-    return fail(ErrorCode::machine, "the display must have 24-bit colours");
-  }
   if (fills_screen) width = DisplayWidth(display, screen), height = DisplayHeight(display, screen);
   return std::unique_ptr<StageWindow>(std::make_unique<XStage>(display, title, width, height, fills_screen));
 }

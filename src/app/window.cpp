@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window.h"
 
-#include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
-#include <bit>
 #include <cstdint>
 #include <vector>
+
+#include "app/x_display.h"
 
 namespace betwixt {
 namespace {
@@ -16,11 +16,7 @@ class XWindow final : public Window {
  public:
   XWindow(Display* display, const std::string& title, int width, int height)
       : display_(display), width_(width), height_(height) {
-    // Xlib would end the program if the display disappears or another program closes the window.
-    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
-    XSetIOErrorHandler([](Display*) { return 0; });
-    XSetIOErrorExitHandler(
-        display_, [](Display*, void* gone) { *static_cast<bool*>(gone) = true; }, &gone_);
+    outlive(display_, gone_);
     const int screen = DefaultScreen(display_);
     visual_ = DefaultVisual(display_, screen);
     depth_ = DefaultDepth(display_, screen);
@@ -38,17 +34,11 @@ class XWindow final : public Window {
                             static_cast<unsigned>(depth_));
     XMapWindow(display_, window_);
     pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    image_ = XCreateImage(display_, visual_, static_cast<unsigned>(depth_), ZPixmap, 0,
-                          reinterpret_cast<char*>(pixels_.data()), static_cast<unsigned>(width),
-                          static_cast<unsigned>(height), 32, 0);
-    if (image_) image_->byte_order = std::endian::native == std::endian::little ? LSBFirst : MSBFirst;
+    image_ = image_of(display_, pixels_, width, height);
     XFlush(display_);
   }
   ~XWindow() override {
-    if (image_) {
-      image_->data = nullptr;  // the pixels are ours
-      XDestroyImage(image_);
-    }
+    end_image(image_);
     if (gone_) return;  // the connection is closed
     XFreePixmap(display_, pixmap_);
     XDestroyWindow(display_, window_);
@@ -56,15 +46,7 @@ class XWindow final : public Window {
   }
 
   void draw(const Picture& p) override {
-    if (p.width != width_ || p.height != height_) return;
-    const auto place = [](std::uint8_t v, unsigned long mask) {
-      return static_cast<std::uint32_t>(v) << std::countr_zero(mask);
-    };
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      const std::uint8_t* rgba = &p.rgba[4 * i];
-      pixels_[i] =
-          place(rgba[0], visual_->red_mask) | place(rgba[1], visual_->green_mask) | place(rgba[2], visual_->blue_mask);
-    }
+    if (p.width == width_ && p.height == height_) to_pixels(p, *visual_, pixels_);
   }
   void show() override {
     if (closed() || !image_) return;
@@ -106,17 +88,9 @@ bool Window::has_display() {
 }
 
 Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
-  Display* display = XOpenDisplay(nullptr);
-  if (!display)
-    return fail(ErrorCode::machine, "a window needs a display", "set DISPLAY, or use the terminal, a film or a ring");
-  const int screen = DefaultScreen(display);
-  const Visual* visual = DefaultVisual(display, screen);
-  const bool full = DefaultDepth(display, screen) >= 24 && visual->red_mask && visual->green_mask && visual->blue_mask;
-  if (!full) {
-    XCloseDisplay(display);
-    return fail(ErrorCode::machine, "the display must have 24-bit colours");
-  }
-  return std::unique_ptr<Window>(std::make_unique<XWindow>(display, title, width, height));
+  const auto display = open_display("a window", "set DISPLAY, or use the terminal, a film or a ring");
+  if (!display) return display.error();
+  return std::unique_ptr<Window>(std::make_unique<XWindow>(*display, title, width, height));
 }
 
 }  // namespace betwixt

@@ -134,12 +134,6 @@ bool take_part_line(Command& k, const char* start) {
   return c.at = end, true;
 }
 
-std::string usage_of(const std::string& name, const Part& part) {
-  std::string out = name;
-  for (const PartParameter& p : part.parameters) out += fmt::format(" {}={}", p.name, p.said);
-  return out;
-}
-
 std::vector<std::string_view> part_names(const Scene& s) {
   std::vector<std::string_view> names;
   for (const auto& [name, part] : *s.parts) names.push_back(name);

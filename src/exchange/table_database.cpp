@@ -43,15 +43,6 @@ Result<Statement> prepared(sqlite3* db, const std::string& sql, const std::strin
   return statement;
 }
 
-void add_quoted(std::string& out, std::string_view text) {
-  out += '"';
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  out += '"';
-}
-
 std::string_view text_of(sqlite3_stmt* s, int column) {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(s, column));
   return text ? std::string_view(text, static_cast<std::size_t>(sqlite3_column_bytes(s, column))) : std::string_view();
@@ -65,7 +56,7 @@ Result<std::string> rows_of(sqlite3* db, const std::string& sql, const std::stri
   std::string out;
   for (int i = 0; i < columns; ++i) {
     if (i > 0) out += ',';
-    add_quoted(out, sqlite3_column_name(s, i));
+    add_quoted_cell(out, sqlite3_column_name(s, i));
   }
   out += '\n';
   int code;
@@ -77,7 +68,7 @@ Result<std::string> rows_of(sqlite3* db, const std::string& sql, const std::stri
         return fail(ErrorCode::file,
                     fmt::format("'{}' has bytes in the column '{}', not text", name, sqlite3_column_name(s, i)));
       if (type == SQLITE_TEXT)
-        add_quoted(out, text_of(s, i));
+        add_quoted_cell(out, text_of(s, i));
       else
         out += text_of(s, i);
     }
@@ -119,7 +110,7 @@ Result<std::string> query_for(sqlite3* db, const std::string& name, std::string_
   if (std::find(names->begin(), names->end(), wanted) == names->end())
     return fail(ErrorCode::name, fmt::format("'{}' has no table '{}'", name, first_characters(wanted, 40)), all);
   std::string sql = "select * from ";
-  add_quoted(sql, wanted);
+  add_quoted_cell(sql, wanted);
   return sql;
 }
 

@@ -27,10 +27,7 @@ void add_cell(std::string& out, const Json& value) {
     out += value.dump();
     return;
   }
-  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-  out += '"';
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  out += '"';
+  add_quoted_cell(out, value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 std::string add_row(const std::vector<const Json*>& cells) {

@@ -17,6 +17,16 @@ struct TableText {
   std::string text;  // as parse_table() reads it
 };
 
+// Adds a cell in quotation marks.
+inline void add_quoted_cell(std::string& out, std::string_view text) {
+  out += '"';
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  out += '"';
+}
+
 // Reads .json, .sqlite, .sqlite3 and .db. `inside`: see read_table().
 // Errors: file, name (nothing inside has this name), range (too large).
 Result<std::shared_ptr<const TableText>> parse_table_text(const std::string& path, FileSource&,
