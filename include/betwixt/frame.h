@@ -11,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "betwixt/finish.h"
 #include "betwixt/problem.h"
+#include "betwixt/setting.h"
 #include "betwixt/shape.h"
 #include "betwixt/time.h"
 
@@ -30,6 +32,8 @@ struct Item {
   Material material = Material::plastic;
   bool casts = true;                       // whether it casts shadows
   std::shared_ptr<const Picture> texture;  // null if it has none, or only that of its mesh file
+  // Its physical finish; null: shininess and material say how it looks. With a finish, these two are an approximation.
+  std::shared_ptr<const Finish> finish;
   // The body that it belongs to. For an attached object, this is the drawn object that you reach last if you go from
   // parent to parent. For a part by name it is the whole (car for car/wheel). Otherwise it is the object itself.
   ObjectId body;
@@ -39,14 +43,24 @@ struct Item {
 // most four lights, the strongest of those that cast shadows.
 enum class Casting : std::uint8_t { strongest, off, on, soft };
 
+enum class LightShape : std::uint8_t { point, disc, rectangle };
+
+// A lamp that is a disc or a rectangle shines from its front alone. Its light becomes less with the square of the
+// distance; at a quarter of the range it is as bright as that of a sun with the same colour.
 struct Light {
   ObjectId id;
   bool sun = false;     // parallel rays along `direction`, without a range
   Vec3 position;        // in the world
-  Vec3 direction;       // in the world, unit length, away from the light (suns)
+  Vec3 direction;       // in the world, unit length, away from the light (suns, areas, cones)
   Vec3 color{1, 1, 1};  // linear light, intensity included
   double range = 20;    // metres at which the light has faded smoothly to nothing
   Casting casting = Casting::strongest;
+  LightShape shape = LightShape::point;
+  Vec3 across{1, 0, 0};                    // of areas and cones: the direction of `width`, unit length
+  double width = 1, height = 1;            // of areas, metres
+  double cone = 0;                         // whole angle in radians; 0: it shines everywhere
+  double cone_edge = 0.2;                  // how much of the cone is its soft edge, 0 to 1
+  std::shared_ptr<const Picture> picture;  // projected by a cone; null if it has none
 };
 
 struct Camera {
@@ -76,7 +90,9 @@ struct Surroundings {
   double exposure = 0;          // in stops: all light is multiplied by 2 to this power
   std::optional<Fog> fog;
   std::optional<Vec3> ground;  // colour of an infinite floor at y = 0; nullopt: no floor
-  bool sky = false;
+  bool sky = false;            // the simple blue sky
+  Sky environment;             // visible if there is no background
+  Grade grade;
   bool clear = false;    // a transparent background; black in pictures without alpha
   bool contact = false;  // darkens places where objects meet (ambient occlusion)
   friend bool operator==(const Surroundings&, const Surroundings&) = default;

@@ -165,8 +165,6 @@ bool ground(Command& k) {
   return true;
 }
 
-bool sky(Command& k) { return on_or_off(k.cursor, "the sky must be on or off", k.scene.appearance.sky); }
-
 bool contact(Command& k) {
   return on_or_off(k.cursor, "contact shading must be on or off", k.scene.appearance.contact);
 }
@@ -202,8 +200,6 @@ constexpr Verb appearance_rows[] = {
      "fog lightsteelblue from 10 to 60", Verb::once | Verb::aside, fog, "off COLOR; from; NUMBER; to; NUMBER"},
     {"ground", "ground on|off|COLOR", "An endless floor at y = 0 that takes shadows and fades into the background.",
      "ground on", Verb::once | Verb::aside, ground, "on off COLOR"},
-    {"sky", "sky on|off", "A blue sky with a pale horizon behind everything, and its light.", "sky on",
-     Verb::once | Verb::aside, sky, "on off"},
     {"contact", "contact on|off",
      "Ambient occlusion: darkens corners, and places where things meet each other and the ground. (For collisions see "
      "`NAME.touching`.)",

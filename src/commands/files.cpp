@@ -242,7 +242,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   }
   static const FunctionId tex = *find_built_in(Kind::text, "tex");
   if (f == tex) return path.empty() || tex_formula(k, path, about);
-  const bool named = f == fn::file || f == fn::texture || f == fn::sound_file || f == fn::sound_words || f == fn::font;
+  const bool named = f == fn::file || is_picture(f) || f == fn::sound_file || f == fn::sound_words || f == fn::font;
   if (!named || path.empty()) return true;
   if (f == fn::file && path.find('#') != path.npos) return part_of_scene(k, path, about);
   fs::path where;
@@ -318,6 +318,22 @@ bool keep_meshes(Command& k, const std::string& path, const SceneFile& scene, st
   return true;
 }
 
+bool read_sky(Command& k, std::string& path, std::string_view about, std::shared_ptr<const LinearPicture>& light) {
+  fs::path where;
+  if (!may_use(k, path, about, where)) return false;
+  const auto read = KeptResults::get("sky", where.string(), [&]() -> Result<std::shared_ptr<const LinearPicture>> {
+    auto picture = read_linear_picture(where.string());
+    if (!picture) return picture.error();
+    return std::make_shared<const LinearPicture>(*std::move(picture));
+  });
+  if (!read) return k.cursor.fail(read.error(), about);
+  ContentBytes bytes;
+  bytes.add(*read);
+  if (!has_room(k, bytes, about)) return false;
+  light = *read;
+  return true;
+}
+
 ValueReader values(Command& k) {
   return {k.cursor, k.scene,
           [&k](FunctionId f, std::string& path, std::string_view about) { return asset(k, f, path, about); },
@@ -364,7 +380,7 @@ std::vector<std::string> files_like(const Script& script, const std::string& nam
 }  // namespace
 
 bool files_in_code(Command& k, FunctionId f, const std::string& source, std::string_view about) {
-  if (f != fn::texture && f != fn::file && f != fn::font) return true;
+  if (!is_picture(f) && f != fn::file && f != fn::font) return true;
   for (const std::string& text : quoted_texts(source))
     for (const std::string& name : files_like(k.script, text)) {
       const fs::path where = k.script.folder / name.substr(0, name.find('#'));
@@ -375,7 +391,7 @@ bool files_in_code(Command& k, FunctionId f, const std::string& source, std::str
       if (path == name) continue;  // else the code of an included script uses a name of its own
       if (f == fn::font)
         k.scene.fonts.edit()[name] = k.scene.fonts->at(path);
-      else if (f == fn::texture)
+      else if (is_picture(f))
         k.scene.pictures.edit()[name] = k.scene.pictures->at(path);
       else
         k.scene.meshes.edit()[name] = k.scene.meshes->at(path);

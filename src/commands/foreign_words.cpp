@@ -68,7 +68,12 @@ constexpr std::string_view to_change =
     "a change from one to the other is events on both: at 24f a.transparency 0 linear, at 36f a.transparency 1; at 36f "
     "look through eye2 is a cut";
 constexpr std::string_view to_shine =
-    "glow shines by itself, without a halo: set lamp.material glow; exposure brightens";
+    "set lamp.emission orange makes it shine, bloom 0.3 gives it a halo; material=glow shows a color without light";
+constexpr std::string_view to_sky =
+    "sky \"studio.hdr\" lights the scene with a picture of the whole sky; sky studio and sky day need no file";
+constexpr std::string_view to_grade = "view agx or view filmic compresses bright light; exposure 1 doubles all light";
+constexpr std::string_view to_material =
+    "material=oak, material=gold … name finishes; metalness, roughness, clearcoat and others change them";
 constexpr std::string_view to_wait =
     "times are absolute, so there is no wait: at 48f sets a time, range 1f 96f the length of the film";
 constexpr std::string_view to_reach =
@@ -163,8 +168,13 @@ constexpr ForeignWord all_foreign_words[] = {
     {"blend", to_blend, "twerper layer"},
     {"transition", to_change, "transparency look"},
     {"crossfade", to_change, "transparency look"},
-    {"bloom", to_shine, "material exposure"},
-    {"emissive", to_shine, "material exposure"},
+    {"emissive", to_shine, "emission bloom"},
+    {"hdri", to_sky, "sky"},
+    {"environment-map", to_sky, "sky"},
+    {"tone-mapping", to_grade, "view exposure"},
+    {"tonemap", to_grade, "view exposure"},
+    {"pbr", to_material, "metalness roughness material"},
+    {"shader", to_material, "metalness roughness material"},
     {"ambient-occlusion", to_occlude, "contact"},
     {"wait", to_wait, "at range"},
     {"sleep", to_wait, "at range"},

@@ -8,26 +8,26 @@
 namespace betwixt {
 
 using Rows = std::span<const Verb>;
-Rows settings_verbs(), appearance_verbs(), environments_verbs(), objects_verbs(), renaming_verbs(), names_verbs(),
-    tracks_verbs(), attachments_verbs(), showing_verbs(), notes_verbs(), copying_verbs(), segments_verbs(),
-    clearing_verbs(), groups_verbs(), baking_verbs(), reaching_verbs(), arranging_verbs(), filters_verbs(),
-    layers_verbs(), procedures_verbs(), fall_verbs(), dials_verbs(), files_verbs(), display_lists_verbs(),
-    texts_verbs(), entrances_verbs(), annotations_verbs(), connecting_verbs(), callouts_verbs(), diagrams_verbs(),
-    theming_verbs(), own_kinds_verbs(), dimensioning_verbs(), tables_verbs(), translating_verbs(), sections_verbs(),
-    cues_verbs(), parts_verbs(), captions_verbs();
+Rows settings_verbs(), appearance_verbs(), skies_verbs(), environments_verbs(), objects_verbs(), renaming_verbs(),
+    names_verbs(), tracks_verbs(), attachments_verbs(), showing_verbs(), notes_verbs(), copying_verbs(),
+    segments_verbs(), clearing_verbs(), groups_verbs(), baking_verbs(), reaching_verbs(), arranging_verbs(),
+    filters_verbs(), layers_verbs(), procedures_verbs(), fall_verbs(), dials_verbs(), files_verbs(),
+    display_lists_verbs(), texts_verbs(), entrances_verbs(), annotations_verbs(), connecting_verbs(), callouts_verbs(),
+    diagrams_verbs(), theming_verbs(), own_kinds_verbs(), dimensioning_verbs(), tables_verbs(), translating_verbs(),
+    sections_verbs(), cues_verbs(), parts_verbs(), captions_verbs();
 
 const std::vector<Verb>& verbs() {
   static const std::vector<Verb> all = [] {
     std::vector<Verb> rows;
     for (const Rows family :
-         {settings_verbs(),  appearance_verbs(),  environments_verbs(), objects_verbs(),       renaming_verbs(),
-          tracks_verbs(),    attachments_verbs(), showing_verbs(),      notes_verbs(),         copying_verbs(),
-          segments_verbs(),  clearing_verbs(),    groups_verbs(),       baking_verbs(),        arranging_verbs(),
-          texts_verbs(),     filters_verbs(),     layers_verbs(),       procedures_verbs(),    fall_verbs(),
-          dials_verbs(),     names_verbs(),       files_verbs(),        display_lists_verbs(), reaching_verbs(),
-          own_kinds_verbs(), entrances_verbs(),   annotations_verbs(),  connecting_verbs(),    callouts_verbs(),
-          diagrams_verbs(),  theming_verbs(),     dimensioning_verbs(), tables_verbs(),        translating_verbs(),
-          sections_verbs(),  cues_verbs(),        parts_verbs(),        captions_verbs()})
+         {settings_verbs(),    appearance_verbs(), skies_verbs(),       environments_verbs(), objects_verbs(),
+          renaming_verbs(),    tracks_verbs(),     attachments_verbs(), showing_verbs(),      notes_verbs(),
+          copying_verbs(),     segments_verbs(),   clearing_verbs(),    groups_verbs(),       baking_verbs(),
+          arranging_verbs(),   texts_verbs(),      filters_verbs(),     layers_verbs(),       procedures_verbs(),
+          fall_verbs(),        dials_verbs(),      names_verbs(),       files_verbs(),        display_lists_verbs(),
+          reaching_verbs(),    own_kinds_verbs(),  entrances_verbs(),   annotations_verbs(),  connecting_verbs(),
+          callouts_verbs(),    diagrams_verbs(),   theming_verbs(),     dimensioning_verbs(), tables_verbs(),
+          translating_verbs(), sections_verbs(),   cues_verbs(),        parts_verbs(),        captions_verbs()})
       rows.insert(rows.end(), family.begin(), family.end());
     return rows;
   }();

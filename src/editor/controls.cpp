@@ -99,7 +99,8 @@ bool writable(const std::string& text) {
 }
 
 Result<Value> text_value(const FunctionSpec& spec, const Dial& dial, const std::string& text) {
-  if (spec.name == "file" || spec.name == "texture" || spec.name == "font")
+  const bool picture = spec.name == "texture" || spec.name == "picture" || spec.name.ends_with("-map");
+  if (spec.name == "file" || picture || spec.name == "font")
     return fail(ErrorCode::type,
                 fmt::format("{}: {} is a file name, and live input cannot open files", dial.address, spec.name));
   if (!writable(text))

@@ -6,6 +6,9 @@
 #include <spng.h>
 #include <stb_image.h>
 
+#include <algorithm>
+#include <climits>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -177,6 +180,38 @@ Status write_png(const std::string& path, const LinearPicture& picture, bool ove
   return write(path, to_png(picture.width, picture.height, 16, std::as_bytes(std::span(shown))), overwrite);
 }
 
+namespace {
+
+// Radiance: RGB with a common exponent. Light that is infinite or no number becomes the most that is kept, or none.
+Result<LinearPicture> decode_hdr(std::span<const std::uint8_t> bytes, const std::string& name) {
+  int width = 0, height = 0, channels = 0;
+  const int length = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
+  if (stbi_info_from_memory(bytes.data(), length, &width, &height, &channels) == 0)
+    return broken(name, stbi_failure_reason() != nullptr ? stbi_failure_reason() : "no reason given");
+  if (const Status size = check_size(name, width, height); !size) return size.error();
+  const std::size_t numbers = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (const Status fits = unpack(numbers * sizeof(float), name); !fits) return fits.error();
+  struct FreeFloats {
+    void operator()(float* p) const { stbi_image_free(p); }
+  };
+  const std::unique_ptr<float, FreeFloats> light(
+      stbi_loadf_from_memory(bytes.data(), length, &width, &height, &channels, 4));
+  if (!light) return broken(name, stbi_failure_reason() != nullptr ? stbi_failure_reason() : "no reason given");
+  constexpr float most = 65504;  // as in OpenEXR's half floats
+  LinearPicture picture{width, height, std::vector<float>(light.get(), light.get() + numbers)};
+  for (float& c : picture.rgba) c = std::isnan(c) ? 0 : std::clamp(c, 0.0F, most);
+  return picture;
+}
+
+LinearPicture as_light(const Picture& p) {
+  std::vector<std::uint16_t> wide(p.rgba.size());
+  std::transform(p.rgba.begin(), p.rgba.end(), wide.begin(),
+                 [](std::uint8_t byte) { return static_cast<std::uint16_t>(257 * byte); });
+  return to_light(p.width, p.height, wide);
+}
+
+}  // namespace
+
 Result<std::shared_ptr<const LinearPicture>> parse_linear_picture(const std::string& path, FileSource& files) {
   const auto bytes = files.read(path);
   if (!bytes) return bytes.error();
@@ -186,9 +221,19 @@ Result<std::shared_ptr<const LinearPicture>> parse_linear_picture(const std::str
     if (!read) return read.error();
     return shared(*std::move(read));
   }
+  if (begins(as_bytes(*bytes), "#?")) {
+    auto read = decode_hdr(as_bytes(*bytes), path);
+    if (!read) return read.error();
+    return shared(*std::move(read));
+  }
+  if (begins(as_bytes(*bytes), "\xff\xd8")) {
+    const auto read = decode_picture(as_bytes(*bytes), path);
+    if (!read) return read.error();
+    return shared(as_light(**read));
+  }
   if (!begins(as_bytes(*bytes), "\x89PNG"))
     return fail(ErrorCode::file, fmt::format("the picture format of {} is not supported", path),
-                "supported: PNG and OpenEXR");
+                "supported: PNG, OpenEXR, Radiance (.hdr) and JPEG");
   auto raw = read_png<std::uint16_t>(as_bytes(*bytes), path);
   if (!raw) return raw.error();
   return shared(to_light(raw->width, raw->height, raw->rgba));

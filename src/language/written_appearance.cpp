@@ -18,6 +18,28 @@ std::string write_background(const Scene& s) {
                  : fmt::format("background {}\n", write_color(*s.background));
 }
 
+std::string write_sky(const Appearance& a) {
+  const Sky &sky = a.environment, plain;
+  if (sky.kind == Sky::none) return {};
+  std::string out = "sky ";
+  out += sky.kind == Sky::picture ? write_text(a.sky_file) : std::string(sky_names[sky.kind]);
+  if (sky.kind == Sky::day && sky.hour != plain.hour) out += " hour=" + write_number(sky.hour);
+  if (sky.turn != 0) out += " turn=" + write_angle(sky.turn);
+  if (sky.strength != 1) out += " strength=" + write_number(sky.strength);
+  return out + "\n";
+}
+
+std::string write_grade(const Grade& g) {
+  const Grade plain;
+  std::string out;
+  if (g.view != plain.view) out += fmt::format("view {}\n", view_names[g.view]);
+  if (g.white_balance != plain.white_balance) out += fmt::format("white-balance {}\n", write_number(g.white_balance));
+  if (g.bloom != 0) out += fmt::format("bloom {}\n", write_number(g.bloom));
+  if (g.vignette != 0) out += fmt::format("vignette {}\n", write_number(g.vignette));
+  if (g.grain != 0) out += fmt::format("grain {}\n", write_number(g.grain));
+  return out;
+}
+
 }  // namespace
 
 std::string write_appearance(const Scene& s) {
@@ -37,6 +59,7 @@ std::string write_appearance(const Scene& s) {
   if (a.ground_color) out += fmt::format("ground {}\n", write_color(*a.ground_color));
   if (a.ground != a.ground_color.has_value()) out += a.ground ? "ground on\n" : "ground off\n";
   if (a.sky) out += "sky on\n";
+  out += write_sky(a) + write_grade(a.grade);
   if (a.contact) out += "contact on\n";
   return out;
 }

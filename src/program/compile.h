@@ -21,6 +21,8 @@ void compile_nodes(Program::Compiled&, const CompiledFilm* before);
 // Compiles the drawables and when each value changes. Nodes, attachments and motions exist, but not the transforms that
 // they keep.
 void compile_schedule(Program::Compiled&, const CompiledFilm* before);
+// Returns what of a finish an object has, or nullopt if it never needs one. `made_of` of the drawable is known.
+std::optional<FinishUse> finish_use(const CompiledFilm&, std::uint32_t object, const Drawable&);
 // Returns the skin of a drawable whose mesh has an animated rig, or nullopt.
 std::optional<Skin> compile_skin(const CompiledFilm&, std::uint32_t drawable);
 // Marks all nodes that inverse kinematics may turn at any time.

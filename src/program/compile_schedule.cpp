@@ -16,6 +16,7 @@ using Compiled = Program::Compiled;
 
 std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
   if (spec.shape || f == fn::geometry) return affects::form;
+  if (is_of_finish(f)) return affects::look;
   switch (f) {
     case fn::color:
       return affects::look | affects::other;  // the colour of a light, too
@@ -40,6 +41,11 @@ std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
     case fn::intensity:
     case fn::shines:
     case fn::casting:
+    case fn::light_shape:
+    case fn::light_size:
+    case fn::cone:
+    case fn::cone_edge:
+    case fn::light_picture:
     case fn::lens:
     case fn::fov:
     case fn::camera_height:
@@ -269,7 +275,11 @@ struct ScheduleCompiler {
         d.shape = shape_number(n.object);
       d.plain = !d.material->varies() && !d.texture->varies();
       if (d.plain)
-        d.material_number = material_of(d.material->constant), d.texture_number = compiled.texture(d.texture->constant);
+        d.made_of = &material_of(d.material->constant), d.texture_number = compiled.texture(d.texture->constant);
+      if (auto use = finish_use(compiled, n.object, d)) {
+        d.finish = static_cast<std::int32_t>(compiled.finishes.size());
+        compiled.finishes.push_back(*use);
+      }
       if (d.geometry != &compiled.defaults[fn::geometry]) compiled.borrowers.push_back(i);
       compiled.drawables.push_back(d);
     }

@@ -21,13 +21,7 @@ const Binding& CompiledFilm::find(std::uint32_t object, FunctionId f) const {
   return at != last && at->function == f ? *at : defaults[f];
 }
 
-Material material_of(const Value& v) {
-  const std::string& word = *std::get<Text>(v);
-  return word == "matte"   ? Material::matte
-         : word == "metal" ? Material::metal
-         : word == "glow"  ? Material::glow
-                           : Material::plastic;
-}
+const MaterialRow& material_of(const Value& v) { return material_row(*std::get<Text>(v)); }
 
 std::uint32_t CompiledFilm::texture(const Value& v) const {
   const auto& pictures = *document.scene().pictures;

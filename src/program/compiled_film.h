@@ -13,6 +13,7 @@
 #include "betwixt/evaluation.h"
 #include "program/playing.h"
 #include "scene/document.h"
+#include "scene/materials.h"
 #include "scene/rig.h"
 #include "track/reign.h"
 
@@ -163,7 +164,16 @@ struct FormulaPiece {
   Text key;
 };
 
-Material material_of(const Value&);
+const MaterialRow& material_of(const Value&);
+
+// The functions that an object has of those that make a finish.
+struct FinishUse {
+  static constexpr std::size_t count = fn::texture_turn - fn::metalness + 1;
+  std::array<const Binding*, count> bound{};  // null if it has its default
+  bool colored = false;                       // whether it has a colour of its own, in place of the material's
+  const Binding* at(FunctionId f) const { return bound[f - fn::metalness]; }
+};
+
 // A node that is drawn, or may be; it has the node's number.
 struct Drawable {
   std::uint32_t transparency = 0, shininess = 0, casts = 0;  // offsets into the numbers
@@ -174,7 +184,8 @@ struct Drawable {
   std::int32_t skin = -1;
   std::int32_t slow = -1;   // index into CompiledFilm::slow_shapes
   std::int32_t blend = -1;  // index into CompiledFilm::slow_blends
-  Material material_number = Material::plastic;
+  const MaterialRow* made_of = nullptr;
+  std::int32_t finish = -1;  // index into CompiledFilm::finishes
   std::uint32_t texture_number = 0;
   std::int32_t whole = -1;  // of a part of a formula: the node of the formula
   bool matches = false;     // its text may turn into another one, sign by sign
@@ -262,6 +273,7 @@ struct CompiledFilm {
   std::vector<Drawable> drawables;
   std::vector<Skin> skins;
   std::vector<std::shared_ptr<const Shape>> shapes;  // constant shapes, each once
+  std::vector<FinishUse> finishes;
   std::vector<std::shared_ptr<const Picture>> textures;
   std::vector<std::uint32_t> lights, eyes;                   // nodes; eyes: those that look at or reach for something
   std::map<std::uint32_t, FormulaPiece> pieces_of_formulas;  // by the object of the part

@@ -176,6 +176,10 @@ void Evaluation::State::compare() {
     };
     if (picture(is, a.texture) != picture(was, b.texture)) return false;
     a.texture = b.texture;
+    if (a.finish == Look::none || b.finish == Look::none ? a.finish != b.finish
+                                                         : !(*is.finish(a.finish) == *was.finish(b.finish)))
+      return false;
+    a.finish = b.finish;
     return a == b;
   };
   if (now.drawables == before->drawables) is.unchanged_if(same);
@@ -199,6 +203,9 @@ const std::shared_ptr<const Shape>& Evaluation::shape(std::uint32_t number) cons
 }
 const std::shared_ptr<const Picture>& Evaluation::texture(std::uint32_t number) const {
   return state_->now.program.compiled().textures[number];
+}
+const std::shared_ptr<const Finish>& Evaluation::finish(std::uint32_t number) const {
+  return state_->evaluator().finish(number);
 }
 std::span<const std::uint32_t> Evaluation::changed() const { return state_->evaluator().changed; }
 Evaluation::Revision Evaluation::revision() const { return state_->revision; }

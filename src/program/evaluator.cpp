@@ -364,6 +364,7 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
   const Drawable& d = compiled_.drawables[i];
   const Node& n = compiled_.nodes[i];
   Looks now;
+  bool refinished = false;
   const auto whole = static_cast<std::size_t>(d.whole);  // of a part of a formula
   now.visible = numbers_[n.display] != 0 && (d.whole < 0 || numbers_[compiled_.nodes[whole].display] != 0);
   if (now.visible) {
@@ -377,15 +378,17 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
       }
       now.shininess = std::clamp(numbers_[d.shininess], 0.0, 1.0);
       now.casts = numbers_[d.casts] != 0;
-      now.material = d.plain ? d.material_number : material_of(compiled_.value(*d.material, now_, asking));
+      const MaterialRow& made_of = d.plain ? *d.made_of : material_of(compiled_.value(*d.material, now_, asking));
+      now.material = made_of.old;
       now.texture = d.plain ? d.texture_number : compiled_.texture(compiled_.value(*d.texture, now_, asking));
+      if (d.finish >= 0) refinished = take_finish(i, made_of, now, asking);
     }
   }
   // A drawable that borrows a new shape changes too.
   const auto renewed = [&](std::uint32_t shape) {
     return shape != nothing && shape >= compiled_.shapes.size() && renewed_[shape - compiled_.shapes.size()] == turn_;
   };
-  if (!(now == looks[i]) || renewed(now.shape) || renewed(now.toward)) flags_.add(i, true);
+  if (!(now == looks[i]) || refinished || renewed(now.shape) || renewed(now.toward)) flags_.add(i, true);
   looks[i] = now;
 }
 

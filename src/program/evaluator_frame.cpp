@@ -20,7 +20,24 @@ Casting casting_of(const std::string& word) {
                           : Casting::strongest;
 }
 
+LightShape area_of(const std::string& word) {
+  return word == "disc" ? LightShape::disc : word == "rectangle" ? LightShape::rectangle : LightShape::point;
+}
+
 }  // namespace
+
+// Sets what only lamps with a front have.
+void Evaluator::aim_light(Light& l, std::uint32_t node, Asking& asking) const {
+  const auto find = [&](FunctionId f) -> const Binding& { return compiled_.find(compiled_.nodes[node].object, f); };
+  const Mat4 m = world(node);
+  l.direction = normalize(transform_vector(m, {0, 0, -1}), {0, -1, 0});
+  const Vec3 across = transform_vector(m, {1, 0, 0});
+  l.across = normalize(across - dot(across, l.direction) * l.direction, {1, 0, 0});
+  const double* const size = &numbers_[find(fn::light_size).offset];
+  l.width = size[0] * length(across), l.height = size[1] * length(transform_vector(m, {0, 1, 0}));
+  const std::uint32_t picture = compiled_.texture(compiled_.value(find(fn::light_picture), now_, asking));
+  if (picture != nothing) l.picture = compiled_.textures[picture];
+}
 
 void Evaluator::add_items(Frame& frame) const {
   for (std::size_t i = 0; i < looks.size(); ++i) {
@@ -36,6 +53,7 @@ void Evaluator::add_items(Frame& frame) const {
     item.color = l.color, item.transparency = l.transparency, item.shininess = l.shininess;
     item.material = l.material, item.casts = l.casts;
     if (l.texture != nothing) item.texture = compiled_.textures[l.texture];
+    if (l.finish != nothing) item.finish = finish(l.finish);
     frame.items.push_back(std::move(item));
   }
 }
@@ -57,6 +75,9 @@ std::vector<Light> Evaluator::lights(Asking& asking) const {
     const Vec3 own = vec3(&numbers_[n.scale]);
     // A light's range scales with its own scale, not with its parents'.
     l.range = numbers_[find(fn::range).offset] * std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)});
+    l.shape = area_of(*std::get<Text>(compiled_.value(find(fn::light_shape), now_, asking)));
+    l.cone = numbers_[find(fn::cone).offset], l.cone_edge = numbers_[find(fn::cone_edge).offset];
+    if (l.shape != LightShape::point || l.cone > 0) aim_light(l, node, asking);
     out.push_back(l);
   }
   return out;

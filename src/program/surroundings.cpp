@@ -24,6 +24,7 @@ Surroundings surroundings_of(const Scene& s) {
   const Appearance& a = s.appearance;
   Surroundings r;
   r.flat = a.flat, r.below = light(a.below), r.ambient = light(a.ambient), r.exposure = a.exposure, r.sky = a.sky;
+  r.environment = a.environment, r.grade = a.grade;
   r.clear = a.clear, r.contact = a.contact;
   if (a.fog) r.fog = {to_linear(a.fog->color), a.fog->from, a.fog->to};
   if (a.ground) r.ground = to_linear(a.ground_color.value_or(floor_color));

@@ -133,6 +133,7 @@ class Mixed {
       if (place.shape) looks_[i].shape = number;
       if (place.toward) looks_[i].toward = number + 1;
       if (place.texture) looks_[i].texture = number;
+      if (place.finish) looks_[i].finish = number;
       number += 2;
     }
   }
@@ -145,10 +146,14 @@ class Mixed {
     const auto texture = [this](std::uint32_t n) -> const std::shared_ptr<const Picture>& {
       return n < first ? now_.texture(n) : held_.places[(n - first) / 2].second.texture;
     };
+    const auto finish = [this](std::uint32_t n) -> const std::shared_ptr<const Finish>& {
+      return n < first ? now_.finish(n) : held_.places[(n - first) / 2].second.finish;
+    };
     return {.worlds = worlds_,
             .looks = looks_,
             .shape = shape,
             .texture = texture,
+            .finish = finish,
             .changed = {},
             .lights = lights_,
             .camera = camera_,

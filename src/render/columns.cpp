@@ -11,7 +11,9 @@ namespace {
 
 bool same_light(const Light& a, const Light& b) {
   return a.sun == b.sun && a.position == b.position && a.direction == b.direction && a.color == b.color &&
-         a.range == b.range && a.casting == b.casting;
+         a.range == b.range && a.casting == b.casting && a.shape == b.shape && a.across == b.across &&
+         a.width == b.width && a.height == b.height && a.cone == b.cone && a.cone_edge == b.cone_edge &&
+         a.picture == b.picture;
 }
 
 // Returns the number of the last element, after adding the value if it is a new one.
@@ -29,6 +31,7 @@ Columns columns_of(const Evaluation& e) {
   return {.worlds = e.worlds(), .looks = e.looks(), .shape = [&e](std::uint32_t n) -> const auto& {return e.shape(n);
 }
 , .texture = [&e](std::uint32_t n) -> const auto& { return e.texture(n); }
+, .finish = [&e](std::uint32_t n) -> const auto& { return e.finish(n); }
 , .changed = {}, .lights = e.lights(), .camera = e.camera(), .background = background_of(scene),
   .surroundings = surroundings_of(scene)
 };  // namespace betwixt
@@ -36,8 +39,13 @@ Columns columns_of(const Evaluation& e) {
 
 Content content_of(const Columns& c, std::uint32_t i) {
   const Evaluation::Look& l = c.looks[i];
-  Content p{c.worlds[i], l, found(l.shape, c.shape), found(l.toward, c.shape), found(l.texture, c.texture)};
-  p.look.shape = p.look.toward = p.look.texture = Evaluation::Look::none;
+  Content p{c.worlds[i],
+            l,
+            found(l.shape, c.shape),
+            found(l.toward, c.shape),
+            found(l.texture, c.texture),
+            found(l.finish, c.finish)};
+  p.look.shape = p.look.toward = p.look.texture = p.look.finish = Evaluation::Look::none;
   return p;
 }
 
@@ -59,6 +67,7 @@ FrameColumns::FrameColumns(const Frame& frame) : frame_(frame) {
                       .shape = number_of(shapes_, i.shape),
                       .toward = number_of(shapes_, i.toward),
                       .texture = number_of(textures_, i.texture),
+                      .finish = number_of(finishes_, i.finish),
                       .material = i.material,
                       .visible = true,
                       .casts = i.casts});
@@ -69,6 +78,7 @@ Columns FrameColumns::columns() const {
   return {.worlds = worlds_, .looks = looks_, .shape = [this](std::uint32_t n) -> const auto& {return shapes_[n];
 }
 , .texture = [this](std::uint32_t n) -> const auto& { return textures_[n]; }
+, .finish = [this](std::uint32_t n) -> const auto& { return finishes_[n]; }
 , .changed = {}, .lights = frame_.lights, .camera = frame_.camera, .background = frame_.background,
   .surroundings = frame_.surroundings
 }

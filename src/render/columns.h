@@ -16,6 +16,7 @@ struct Columns {
   std::span<const Evaluation::Look> looks;
   std::function<const std::shared_ptr<const Shape>&(std::uint32_t)> shape;  // the shape of a number
   std::function<const std::shared_ptr<const Picture>&(std::uint32_t)> texture;
+  std::function<const std::shared_ptr<const Finish>&(std::uint32_t)> finish;
   // The places that differ from the previous picture; nullopt: unknown.
   std::optional<std::span<const std::uint32_t>> changed;
   const std::vector<Light>& lights;
@@ -39,6 +40,7 @@ struct Content {
   Evaluation::Look look;
   std::shared_ptr<const Shape> shape, toward;
   std::shared_ptr<const Picture> texture;
+  std::shared_ptr<const Finish> finish;
   friend bool operator==(const Content&, const Content&) = default;
 };
 Content content_of(const Columns&, std::uint32_t);
@@ -64,6 +66,7 @@ class FrameColumns {
   std::vector<Evaluation::Look> looks_;
   std::vector<std::shared_ptr<const Shape>> shapes_;
   std::vector<std::shared_ptr<const Picture>> textures_;
+  std::vector<std::shared_ptr<const Finish>> finishes_;
 };
 
 }  // namespace betwixt

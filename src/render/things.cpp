@@ -24,7 +24,7 @@ bool same_camera(const Camera& a, const Camera& b) {
 
 // Compares all but the shapes and textures of the numbers.
 bool same_look(Evaluation::Look a, const Evaluation::Look& b) {
-  a.shape = b.shape, a.toward = b.toward, a.texture = b.texture;
+  a.shape = b.shape, a.toward = b.toward, a.texture = b.texture, a.finish = b.finish;
   return a == b;
 }
 
@@ -76,7 +76,8 @@ Instance instance_of(const Thing& t, const Mat4& m) {
 bool Things::same(const Thing& t, const Columns& c, std::uint32_t i) const {
   const Evaluation::Look& l = c.looks[i];
   return same_bits(t.world, c.worlds[i]) && same_look(t.look, l) && t.shape == found(l.shape, c.shape) &&
-         t.toward == found(l.toward, c.shape) && t.picture == found(l.texture, c.texture);
+         t.toward == found(l.toward, c.shape) && t.picture == found(l.texture, c.texture) &&
+         t.finish == found(l.finish, c.finish);
 }
 
 void Things::find_changed(const Columns& c) {
@@ -127,6 +128,7 @@ void Things::adopt(Thing& t, const Columns& c, std::uint32_t i) {
   if (t.picture != picture) t.texture = picture ? store_.texture(picture) : nullptr;
   t.world = c.worlds[i], t.look = l;
   t.shape = std::move(shape), t.toward = std::move(toward), t.picture = std::move(picture);
+  t.finish = found(l.finish, c.finish);
   t.there = t.casts = false;
   if (usable(t)) place(t);
   if (t.casts) ++casters_;

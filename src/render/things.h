@@ -29,6 +29,7 @@ struct Thing {
   Evaluation::Look look;
   std::shared_ptr<const Shape> shape, toward;
   std::shared_ptr<const Picture> picture;
+  std::shared_ptr<const Finish> finish;  // null if it has none
 
   bool there = false;  // whether it can be drawn; if not, the rest has no meaning
   std::shared_ptr<Form> form;

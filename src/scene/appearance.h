@@ -5,9 +5,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "betwixt/setting.h"
 #include "betwixt/value.h"
 #include "scene/theme.h"
 
@@ -33,6 +35,9 @@ struct Appearance {
   bool ground = false;
   std::optional<Color> ground_color;  // nullopt: the default
   bool sky = false;
+  Sky environment;
+  std::string sky_file;  // of a picture, as in the script
+  Grade grade;
   bool contact = false;
   Shared<Theme> theme;
   friend bool operator==(const Appearance&, const Appearance&) = default;

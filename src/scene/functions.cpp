@@ -11,8 +11,10 @@
 #include "scene/chart_functions.h"
 #include "scene/collision_functions.h"
 #include "scene/document.h"
+#include "scene/finish_functions.h"
 #include "scene/flat_functions.h"
 #include "scene/kinds.h"
+#include "scene/materials.h"
 #include "scene/own_font.h"
 #include "scene/rig_functions.h"
 #include "scene/sound_functions.h"
@@ -116,10 +118,10 @@ const FunctionSpec function_rows[] = {
     {.name = "material",
      .type = Type::text,
      .rest = Text(std::string("plastic")),
-     .words = "plastic|matte|metal|glow",
-     .sentence =
-         "How its surface reflects light: as plastic, matte or metal. `glow`: it shows its own color, without light.",
-     .written = "\"plastic\", \"matte\", \"metal\" or \"glow\"",
+     .words = material_words(),
+     .sentence = "What it is made of. `glow`: it shows its own color, without light. A material from `gold` on has a "
+                 "color, a roughness and a pattern of its own; what you set yourself replaces these.",
+     .written = "plastic, gold, glass, oak …",
      .example = "set ball.material \"metal\""},
     {.name = "texture",
      .type = Type::text,
@@ -350,7 +352,10 @@ std::vector<FunctionSpec> make_functions() {
   made.insert(made.end(), std::begin(camera_functions), std::end(camera_functions));
   made.insert(made.end(), std::begin(rig_functions), std::end(rig_functions));
   made.insert(made.end(), std::begin(collision_functions), std::end(collision_functions));
-  made.insert(made.end(), std::begin(axes_functions), std::end(axes_functions));
+  constexpr std::ptrdiff_t named = 3;  // of the rows of axes, those that `fn` has
+  made.insert(made.end(), std::begin(axes_functions), std::begin(axes_functions) + named);
+  made.insert(made.end(), std::begin(finish_functions), std::end(finish_functions));
+  made.insert(made.end(), std::begin(axes_functions) + named, std::end(axes_functions));
   made.insert(made.end(), std::begin(chart_functions), std::end(chart_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   made.insert(made.end(), std::begin(text_functions), std::end(text_functions));

@@ -133,8 +133,41 @@ enum : FunctionId {
   on_axes,
   placed,
   bare,
+  metalness,  // the finish, up to texture_turn
+  roughness,
+  emission,
+  emission_strength,
+  clearcoat,
+  clearcoat_roughness,
+  sheen,
+  sheen_roughness,
+  transmission,
+  ior,
+  thickness,
+  normal_strength,
+  normal_map,
+  roughness_map,
+  metalness_map,
+  occlusion_map,
+  emission_map,
+  texture_projection,
+  texture_tile,
+  texture_move,
+  texture_turn,
+  light_shape,
+  light_size,
+  cone,
+  cone_edge,
+  light_picture,
   count
 };
+}
+
+// The functions that make a finish.
+inline bool is_of_finish(FunctionId f) { return f >= fn::metalness && f <= fn::texture_turn; }
+// Those whose value is the file of a picture.
+inline bool is_picture(FunctionId f) {
+  return f == fn::texture || (f >= fn::normal_map && f <= fn::emission_map) || f == fn::light_picture;
 }
 
 }  // namespace betwixt

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "betwixt/document.h"
+#include "betwixt/linear_picture.h"
 #include "betwixt/mesh.h"
 #include "betwixt/sound.h"
 #include "scene/outline.h"
@@ -33,6 +34,7 @@ class ContentBytes {
  public:
   void add(const std::shared_ptr<const Mesh>&);  // with its pictures and its rig
   void add(const std::shared_ptr<const Picture>&);
+  void add(const std::shared_ptr<const LinearPicture>&);
   void add(const std::shared_ptr<const Sound>&);
   void add(const std::shared_ptr<const SpokenWords>&);
   void add(const std::shared_ptr<const OwnFont>&);

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sky around a scene, and how its light becomes a picture.
+//
+// Room: scene
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "betwixt/linear_picture.h"
+
+namespace betwixt {
+
+// Light that arrives from all directions. All skies but `none` light the objects and are mirrored by them.
+struct Sky {
+  enum Kind : std::uint8_t { none, studio, day, overcast, sunset, picture } kind = none;
+  double hour = 13;     // of `day`: the sun rises at 6, is highest at 12 and sets at 18
+  double turn = 0;      // radians, about the vertical
+  double strength = 1;  // factor of its light
+  // Of `picture`: the whole sky (equirectangular: longitudes across, latitudes down).
+  std::shared_ptr<const LinearPicture> light;
+  friend bool operator==(const Sky&, const Sky&) = default;
+};
+// In the order of Sky::Kind.
+inline constexpr std::array<std::string_view, 6> sky_names{"off", "studio", "day", "overcast", "sunset", "picture"};
+
+// How linear light becomes a picture. Light that is not graded rolls off towards white (`neutral`).
+struct Grade {
+  enum View : std::uint8_t { neutral, plain, filmic, agx } view = neutral;
+  double white_balance = 6500;  // kelvin, of the light that becomes white
+  double bloom = 0;             // how much bright light spreads, 0 to 1
+  double vignette = 0;          // how much darker the corners are, 0 to 1
+  double grain = 0;             // how strong the grain of the film is, 0 to 1
+  friend bool operator==(const Grade&, const Grade&) = default;
+};
+// In the order of Grade::View.
+inline constexpr std::array<std::string_view, 4> view_names{"neutral", "plain", "filmic", "agx"};
+
+}  // namespace betwixt

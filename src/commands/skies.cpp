@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The commands sky, view, white-balance, bloom, vignette and grain.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/names.h"
+#include "betwixt/picture.h"
+#include "commands/command.h"
+
+namespace betwixt {
+namespace {
+
+// Reads a number within bounds.
+bool bounded(Command& k, const char* what, double low, double high, double& out) {
+  Cursor& c = k.cursor;
+  c.space();
+  const char* const start = c.at;
+  if (!values(k).scalar(out)) return false;
+  if (out >= low && out <= high) return true;
+  return c.fail(ErrorCode::range, fmt::format("{} must be from {} to {}", what, low, high), c.since(start));
+}
+
+bool sky_option(Command& k, std::string_view key, Sky& sky) {
+  Cursor& c = k.cursor;
+  if (key == "strength") return bounded(k, "the strength of a sky", 0, 1000, sky.strength);
+  if (key == "turn") return values(k).angle(sky.turn);
+  if (key == "hour" && sky.kind == Sky::day) return bounded(k, "the hour", 0, 24, sky.hour);
+  if (key == "hour") return c.fail(ErrorCode::syntax, "only the sky 'day' has an hour", key, "as in sky day hour=17");
+  return c.fail(ErrorCode::name, fmt::format("a sky has no '{}'", key.substr(0, 40)), key,
+                did_you_mean(key, {"turn", "strength", "hour"}));
+}
+
+// Reads "FILE" or the name of a sky; `plain`: `sky on`.
+bool which_sky(Command& k, Sky& sky, std::string& file, bool& plain) {
+  Cursor& c = k.cursor;
+  c.space();
+  if (c.peek() == '"') {
+    sky.kind = Sky::picture;
+    const char* const start = c.at;
+    return c.text(file) && read_sky(k, file, c.since(start), sky.light);
+  }
+  const std::string_view w = c.next_word();
+  plain = w == "on";
+  const auto* const at = std::find(sky_names.begin(), sky_names.end() - 1, w);
+  if (at == sky_names.end() - 1 && !plain)
+    return no_choice(c, w, "a sky must be on, off, studio, day, overcast, sunset or a \"FILE\"",
+                     did_you_mean(w, {"on", "off", "studio", "day", "overcast", "sunset"}));
+  sky.kind = plain ? Sky::none : static_cast<Sky::Kind>(at - sky_names.begin());
+  return true;
+}
+
+bool sky(Command& k) {
+  Cursor& c = k.cursor;
+  Sky sky;
+  std::string file;
+  bool plain = false;
+  if (!which_sky(k, sky, file, plain)) return false;
+  while (sky.kind != Sky::none && !c.at_line_end()) {
+    const std::string_view key = c.word();
+    if (key.empty() || c.peek() != '=') return finish(c) && false;
+    ++c.at;
+    if (!sky_option(k, key, sky)) return false;
+  }
+  if (!finish(c)) return false;
+  Appearance& a = k.scene.appearance;
+  a.sky = plain, a.environment = std::move(sky), a.sky_file = std::move(file);
+  return true;
+}
+
+bool view(Command& k) {
+  Cursor& c = k.cursor;
+  const std::string_view w = c.next_word();
+  const auto* const at = std::find(view_names.begin(), view_names.end(), w);
+  if (at == view_names.end())
+    return no_choice(c, w, "a view must be neutral, plain, filmic or agx",
+                     did_you_mean(w, {view_names.begin(), view_names.end()}));
+  if (!finish(c)) return false;
+  k.scene.appearance.grade.view = static_cast<Grade::View>(at - view_names.begin());
+  return true;
+}
+
+bool share(Command& k, const char* what, double Grade::*to) {
+  double is = 0;
+  if (!bounded(k, what, 0, 1, is) || !finish(k.cursor)) return false;
+  k.scene.appearance.grade.*to = is;
+  return true;
+}
+bool bloom(Command& k) { return share(k, "bloom", &Grade::bloom); }
+bool vignette(Command& k) { return share(k, "vignette", &Grade::vignette); }
+bool grain(Command& k) { return share(k, "grain", &Grade::grain); }
+
+bool white_balance(Command& k) {
+  double kelvin = 6500;
+  if (!bounded(k, "the white balance", 1000, 40000, kelvin)) return false;
+  k.cursor.accept_word("K");
+  if (!finish(k.cursor)) return false;
+  k.scene.appearance.grade.white_balance = kelvin;
+  return true;
+}
+
+constexpr Verb skies_rows[] = {
+    {"sky", "sky on|off|studio|day|overcast|sunset|\"FILE\" [turn=ANGLE] [strength=N] [hour=N]",
+     "Light from all around, which things mirror: a studio, a sky, or a picture of the whole sky (.hdr or .exr). It is "
+     "visible unless the script sets a `background`. `on` is a simple blue sky.",
+     "sky day hour=17 turn=90deg", Verb::once | Verb::aside, sky,
+     "on off studio day overcast sunset \"FILE\"; turn= strength= hour="},
+    {"view", "view neutral|plain|filmic|agx",
+     "How light becomes a picture: `neutral`, the default, keeps colors and rolls off what is too bright; `filmic` and "
+     "`agx` compress more, as a camera does; `plain` cuts off at white.",
+     "view agx", Verb::once | Verb::aside, view, "neutral plain filmic agx"},
+    {"white-balance", "white-balance KELVIN",
+     "The color temperature of the light that becomes white: 6500, the default, changes nothing; less makes the "
+     "picture "
+     "bluer, more makes it warmer.",
+     "white-balance 5000", Verb::once | Verb::aside, white_balance, "NUMBER…"},
+    {"bloom", "bloom AMOUNT", "How much bright light spreads around its place, 0 to 1.", "bloom 0.3",
+     Verb::once | Verb::aside, bloom, "NUMBER…"},
+    {"vignette", "vignette AMOUNT", "How much darker the corners of the picture are, 0 to 1.", "vignette 0.3",
+     Verb::once | Verb::aside, vignette, "NUMBER…"},
+    {"grain", "grain AMOUNT", "How strong the grain of the picture is, 0 to 1. It is the same in every run.",
+     "grain 0.1", Verb::once | Verb::aside, grain, "NUMBER…"},
+};
+
+}  // namespace
+
+std::span<const Verb> skies_verbs() { return skies_rows; }
+
+}  // namespace betwixt

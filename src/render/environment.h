@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The light from all around as the styles need it: as a cube that is blurred for each roughness, as the light that
+// falls on a surface for each of its directions, and as it is.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "render/skies.h"
+
+namespace betwixt {
+
+class Environment {
+ public:
+  Environment(const Sky&, const std::optional<Vec3>& ground);
+
+  // The faces of a cube, in the order +x -x +y -y +z -z, rows from the top, three numbers a pixel. Level 0 is the sky
+  // itself; level k is what a surface of roughness k / (levels - 1) mirrors.
+  static constexpr int side = 128, levels = 6;
+  struct Level {
+    int side = 0;
+    std::vector<float> rgb;  // face by face
+  };
+  const std::array<Level, levels>& cube() const { return cube_; }
+  // The light on a surface whose normal is n, divided by pi: the sum of these, multiplied by 1, y, z, x, xy, yz,
+  // 3z² - 1, xz and x² - y².
+  const std::array<Vec3, 9>& irradiance() const { return irradiance_; }
+  Vec3 irradiance(Vec3 normal) const;
+  // The light from a direction, with the floor below the horizon.
+  Vec3 radiance(Vec3 along) const;
+  // The sky without the floor.
+  Vec3 seen(Vec3 along) const { return sky_radiance(sky_, along); }
+  const std::optional<SkySun>& sun() const { return sun_; }
+
+ private:
+  void blur();
+  Sky sky_;
+  std::optional<SkySun> sun_;
+  Vec3 floor_;  // the light that it sends
+  bool has_floor_ = false;
+  std::array<Level, levels> cube_;
+  std::array<Vec3, 9> irradiance_{};
+};
+
+// Returns the environment of a sky, made once for all renderers; null without a sky. `ground`: the colour of the floor.
+std::shared_ptr<const Environment> environment_of(const Sky&, const std::optional<Vec3>& ground);
+
+}  // namespace betwixt

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/skies.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace betwixt {
+namespace {
+
+Vec3 mixed(Vec3 a, Vec3 b, double s) { return (1 - s) * a + s * b; }
+double smooth(double from, double to, double x) {
+  const double s = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return s * s * (3 - 2 * s);
+}
+Vec3 turned(Vec3 v, double angle) {
+  const auto [s, c] = sine_cosine(angle);
+  return {c * v.x + s * v.z, v.y, c * v.z - s * v.x};
+}
+
+// ---- the sky of a day
+
+struct DaySky {
+  Vec3 sun;  // towards it; it may be below the horizon
+  Vec3 zenith, horizon, glow, light;
+};
+
+DaySky day_at(double hour) {
+  constexpr double highest = 1.05;  // radians
+  const double along = pi * (std::clamp(hour, 0.0, 24.0) - 6) / 12;
+  const auto [up, across] = sine_cosine(along);
+  const auto [lift, flat] = sine_cosine(highest);
+  DaySky s;
+  s.sun = normalize(Vec3{across, up * lift, up * flat * 0.6}, {0, 1, 0});
+  const double high = s.sun.y;
+  const double day = smooth(-0.15, 0.35, high);     // how much of the full light there is
+  const double low = 1 - smooth(0.02, 0.42, high);  // how red the light is
+  s.zenith = mixed({0.012, 0.018, 0.045}, mixed({0.115, 0.235, 0.60}, {0.10, 0.135, 0.30}, low), day);
+  s.horizon = mixed({0.03, 0.035, 0.06}, mixed({0.58, 0.72, 0.90}, {0.80, 0.47, 0.27}, low), day);
+  s.glow = day * mixed({0.45, 0.42, 0.36}, {1.5, 0.62, 0.16}, low);
+  s.light = smooth(-0.03, 0.10, high) * mixed({0.92, 0.86, 0.76}, {0.88, 0.40, 0.14}, low);
+  return s;
+}
+
+Vec3 day_radiance(const DaySky& s, Vec3 d) {
+  const Vec3 ground{0.16, 0.15, 0.135};
+  const double up = std::max(d.y, 0.0), near = 1 - up, haze = near * near * near * near;
+  const double toward = std::max(dot(d, s.sun), 0.0), t2 = toward * toward, t4 = t2 * t2, t8 = t4 * t4,
+               t64 = t8 * t8 * t8 * t8 * t8 * t8 * t8 * t8;
+  Vec3 sky = mixed(s.zenith, s.horizon, haze + 0.25 * near * (1 - haze));
+  sky = sky + (0.25 * t4 * (0.35 + 0.65 * haze) + 0.8 * t64) * s.glow;
+  return mixed(sky, mixed({1, 1, 1}, s.horizon, 0.5) * ground, smooth(0.0, -0.05, d.y));
+}
+
+// ---- a studio
+
+struct Softbox {
+  Vec3 toward;           // its middle
+  double width, height;  // half of them, one metre away
+  double soft;           // how much of that is its edge
+  Vec3 light;
+};
+constexpr Softbox softboxes[] = {
+    {{-0.62, 0.72, 0.55}, 0.62, 0.42, 0.25, {4.4, 4.25, 4.0}},  // key
+    {{0.92, 0.22, 0.42}, 0.42, 0.70, 0.5, {0.85, 0.95, 1.1}},   // fill
+    {{0.45, 0.42, -0.86}, 0.28, 0.62, 0.3, {2.6, 2.7, 2.9}},    // rim
+    {{-0.75, 0.15, -0.70}, 0.20, 0.55, 0.4, {1.3, 1.3, 1.35}},  // second rim
+    {{0.10, 1.0, -0.15}, 0.50, 0.50, 0.6, {1.1, 1.1, 1.1}},     // from above
+};
+
+double within(double at, double half, double soft) { return 1 - smooth(half * (1 - soft), half, std::abs(at)); }
+
+Vec3 studio_radiance(Vec3 d) {
+  Vec3 light = mixed({0.075, 0.073, 0.07}, {0.27, 0.28, 0.30}, smooth(-0.35, 0.9, d.y));
+  for (const Softbox& box : softboxes) {
+    const Vec3 n = normalize(box.toward);
+    const double deep = dot(d, n);
+    if (deep <= 0.05) continue;
+    const Vec3 across = normalize(cross(std::abs(n.y) > 0.95 ? Vec3{0, 0, 1} : Vec3{0, 1, 0}, n)),
+               over = cross(n, across);
+    const double share =
+        within(dot(d, across) / deep, box.width, box.soft) * within(dot(d, over) / deep, box.height, box.soft);
+    light = light + share * box.light;
+  }
+  return light;
+}
+
+// ---- a picture of the whole sky
+
+// Returns the angle of (x y) as a share of a turn, -0.5 to 0.5, within 2e-7.
+double turn_of(double y, double x) {
+  const double ax = std::abs(x), ay = std::abs(y), big = std::max(ax, ay);
+  if (!(big > 0)) return 0;
+  const double q = std::min(ax, ay) / big, s = q * q;
+  double a =
+      q * (0.99997726 + s * (-0.33262347 + s * (0.19354346 + s * (-0.11643287 + s * (0.05265332 - s * 0.01172120)))));
+  if (ay > ax) a = pi / 2 - a;
+  if (x < 0) a = pi - a;
+  return (y < 0 ? -a : a) / (2 * pi);
+}
+
+Vec3 picture_radiance(const LinearPicture& p, Vec3 d) {
+  const auto area = static_cast<std::size_t>(std::max(p.width, 0)) * static_cast<std::size_t>(std::max(p.height, 0));
+  if (area == 0 || p.rgba.size() < 4 * area) return {};
+  const double across = turn_of(d.z, d.x) + 0.5, down = 0.5 - 2 * turn_of(d.y, std::sqrt(std::max(1 - d.y * d.y, 0.0)));
+  const double x = across * p.width - 0.5, y = std::clamp(down * p.height - 0.5, 0.0, p.height - 1.0);
+  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(y);
+  Vec3 sum;
+  for (int k = 0; k < 4; ++k) {
+    const int i = x0 + k % 2, j = y0 + k / 2;
+    const double share = (1 - std::abs(x - i)) * (1 - std::abs(y - j));
+    const auto at = static_cast<std::size_t>(std::min(j, p.height - 1)) * static_cast<std::size_t>(p.width) +
+                    static_cast<std::size_t>((i + p.width) % p.width);
+    const float* const c = &p.rgba[4 * at];
+    sum = sum + share * Vec3{static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
+  }
+  return sum;
+}
+
+double hour_of(const Sky& sky) { return sky.kind == Sky::sunset ? 17.72 : sky.hour; }
+
+}  // namespace
+
+std::optional<SkySun> sun_of(const Sky& sky) {
+  if (sky.kind == Sky::studio)
+    return SkySun{turned(normalize(softboxes[0].toward), sky.turn), sky.strength * Vec3{0.46, 0.445, 0.42}, 0.16,
+                  false};
+  if (sky.kind != Sky::day && sky.kind != Sky::sunset) return std::nullopt;
+  const DaySky day = day_at(hour_of(sky));
+  if (!(day.light.x > 0) || day.sun.y <= 0) return std::nullopt;
+  return SkySun{turned(day.sun, sky.turn), sky.strength * day.light, 0.0175, true};
+}
+
+Vec3 sky_radiance(const Sky& sky, Vec3 along) {
+  const Vec3 d = turned(along, -sky.turn);
+  switch (sky.kind) {
+    case Sky::studio:
+      return sky.strength * studio_radiance(d);
+    case Sky::day:
+    case Sky::sunset: {
+      static thread_local double known = -1;
+      static thread_local DaySky day;
+      if (known != hour_of(sky)) known = hour_of(sky), day = day_at(known);
+      return sky.strength * day_radiance(day, d);
+    }
+    case Sky::overcast: {
+      const Vec3 above = (1 + 2 * std::max(d.y, 0.0)) / 3 * Vec3{0.86, 0.89, 0.94};
+      return sky.strength * mixed(above, {0.19, 0.185, 0.175}, smooth(0.0, -0.08, d.y));
+    }
+    case Sky::picture:
+      return sky.light ? sky.strength * picture_radiance(*sky.light, d) : Vec3{};
+    case Sky::none:
+      break;
+  }
+  return {};
+}
+
+}  // namespace betwixt
