@@ -13,6 +13,7 @@ namespace betwixt {
 struct Batch {
   StoredMesh* mesh = nullptr;
   const StoredTexture* texture = nullptr;  // that of the objects, in place of the mesh's
+  const Finish* finish = nullptr;          // null if they have none
   bool mirrored = false, closed = false, ball = false, line = false;
   std::size_t first = 0, count = 0;  // instances
   friend bool operator==(const Batch&, const Batch&) = default;

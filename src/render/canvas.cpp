@@ -161,6 +161,13 @@ void Canvas::copy_to(const gl::Target& to) const {
   bind();
 }
 
+void Canvas::copy_color_to(GLuint framebuffer) const {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glBlitFramebuffer(0, 0, large_.width, large_.height, 0, 0, large_.width, large_.height, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+  bind();
+}
+
 void Canvas::begin(const std::optional<Vec3>& background, bool clear) const {
   bind();
   write_encoded();

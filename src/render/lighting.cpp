@@ -50,14 +50,30 @@ void take(Lighting& r, std::vector<Candidate>& sorted) {
   r.casting = std::min(r.casting, Lighting::most_casting);
 }
 
+// Adds what only lamps with an area or a cone have. The light of an area becomes less with the square of the distance.
+void add_front(Lighting::One& one, const Light& l) {
+  if (l.sun || !finite(l.direction) || !finite(l.across)) return;
+  one.aim = normalize(l.direction, {0, -1, 0}), one.across = normalize(l.across, {1, 0, 0});
+  if (std::isfinite(l.cone) && l.cone > 0) one.cone = std::min(l.cone, 3.1), one.cone_edge = l.cone_edge;
+  if (l.shape == LightShape::point || !std::isfinite(l.width) || !std::isfinite(l.height)) return;
+  one.shape = l.shape;
+  one.half_width = std::clamp(l.width / 2, 1e-4, 1e6), one.half_height = std::clamp(l.height / 2, 1e-4, 1e6);
+  const double area = (l.shape == LightShape::disc ? pi : 4) * one.half_width * one.half_height;
+  const double bright_at = one.range / 4;
+  one.color = pi * bright_at * bright_at / area * one.color;
+  if (l.casting != Casting::off) one.size = std::sqrt(one.half_width * one.half_height);
+}
+
 // Returns the lights in use, or the default ones.
-Lighting chosen(const std::vector<Light>& lights, const View& view, Vec3 center) {
+Lighting chosen(const std::vector<Light>& lights, const View& view, Vec3 center, const Surroundings& around,
+                const std::optional<SkySun>& sun) {
   Lighting r;
-  if (lights.empty()) {
+  if (lights.empty() && around.environment.kind == Sky::none) {
     r.lights = rig(view), r.casting = 1;
     return r;
   }
   std::vector<Candidate> found;
+  if (sun) found.push_back({{true, sun->toward, sun->color, 1, {}, sun->size}, Casting::soft});
   for (const Light& l : lights) {
     if (!finite(l.color) || !finite(l.position) || !finite(l.direction) || std::isnan(l.range)) continue;
     if (!l.sun && !(l.range > 0)) continue;
@@ -65,7 +81,9 @@ Lighting chosen(const std::vector<Light>& lights, const View& view, Vec3 center)
     const double range = std::clamp(l.range, 1e-9, 1e15);
     const double size = l.casting != Casting::soft ? 0 : l.sun ? sun_size : lamp_size * range;
     const Vec3 place = l.sun ? normalize(-l.direction, {0, 1, 0}) : l.position - view.eye;
-    found.push_back({{l.sun, place, color, range, l.position, size}, l.casting});
+    Lighting::One one{l.sun, place, color, range, l.position, size};
+    add_front(one, l);
+    found.push_back({one, l.casting});
   }
   std::stable_sort(found.begin(), found.end(), [center](const auto& a, const auto& b) {
     return importance(a.one, center) > importance(b.one, center);
@@ -88,8 +106,9 @@ void surround(Lighting& r, const Surroundings& around) {
 
 }  // namespace
 
-Lighting lighting_of(const std::vector<Light>& lights, const View& view, Vec3 center, const Surroundings& around) {
-  Lighting r = chosen(lights, view, center);
+Lighting lighting_of(const std::vector<Light>& lights, const View& view, Vec3 center, const Surroundings& around,
+                     const std::optional<SkySun>& sun) {
+  Lighting r = chosen(lights, view, center, around, sun);
   surround(r, around);
   if (around.flat) r.lights.clear(), r.casting = 0;
   return r;

@@ -12,6 +12,7 @@
 #include <array>
 #include <vector>
 
+#include "render/skies.h"
 #include "render/view.h"
 
 namespace betwixt {
@@ -28,6 +29,10 @@ struct Lighting {
     Vec3 world;  // a lamp's position in the world
     // Its size, for soft edges of shadows: a lamp's radius, or the radius of a sun's disc one metre away; 0: a point.
     double size = 0;
+    // Of lamps with an area or a cone.
+    LightShape shape = LightShape::point;
+    Vec3 aim{0, -1, 0}, across{1, 0, 0};  // where it shines to, and the direction of its width
+    double half_width = 0, half_height = 0, cone = 0, cone_edge = 0;
   };
   std::vector<One> lights;      // at most `most`; first those that cast shadows, then the strongest
   std::size_t casting = 0;      // how many of them cast shadows, at most `most_casting`
@@ -36,6 +41,8 @@ struct Lighting {
 };
 
 // `center`: the middle of the scene, in eye space.
-Lighting lighting_of(const std::vector<Light>&, const View&, Vec3 center, const Surroundings& = {});
+// `sun`: that of the sky.
+Lighting lighting_of(const std::vector<Light>&, const View&, Vec3 center, const Surroundings& = {},
+                     const std::optional<SkySun>& sun = {});
 
 }  // namespace betwixt

@@ -5,6 +5,7 @@
 #include "render/contact.h"
 #include "render/lines.h"
 #include "render/module.h"
+#include "render/physical.h"
 #include "render/surfaces.h"
 
 namespace betwixt {
@@ -14,19 +15,32 @@ constexpr Gradient gradient{Lighting::above, Lighting::beneath};
 
 class Shaded final : public Module {
  public:
-  Shaded(Canvas canvas, Surfaces surfaces, Shadows shadows)
-      : Module(std::move(canvas), Purpose::surfaces), surfaces_(std::move(surfaces)), shadows_(std::move(shadows)) {}
+  Shaded(Canvas canvas, Surfaces surfaces, Shadows shadows, bool unclamped)
+      : Module(std::move(canvas), Purpose::surfaces),
+        surfaces_(std::move(surfaces)),
+        shadows_(std::move(shadows)),
+        physical_(unclamped) {}
 
  private:
-  void draw_anew() override {
-    std::vector<std::uint32_t> solid, glass, hairlines;
+  // What is seen, by how it is drawn.
+  struct Sorted {
+    std::vector<std::uint32_t> solid, glass, hairlines, through;
     bool metal = false;
+  };
+  Sorted sorted() const {
+    Sorted r;
     for (std::uint32_t i = 0; i < things_.all().size(); ++i) {
       const Thing& t = things_[i];
       if (!t.visible) continue;
-      (!t.surface ? hairlines : t.transparent ? glass : solid).push_back(i);
-      metal |= t.look.material == Material::metal;
+      const bool through = t.finish && t.finish->transmission > 0 && !t.transparent;
+      (!t.surface ? r.hairlines : t.transparent ? r.glass : through ? r.through : r.solid).push_back(i);
+      r.metal |= t.look.material == Material::metal;
     }
+    return r;
+  }
+  void draw_anew() override {
+    if (needs_physical(things_, scenery_)) return draw_physical();
+    const auto [solid, glass, hairlines, through, metal] = sorted();
     const View& view = things_.view();
     const Surroundings& around = scenery_.surroundings;
     const Lighting lighting = lighting_of(scenery_.lights, view, {}, around);
@@ -51,6 +65,38 @@ class Shaded final : public Module {
       draw_hairlines(view, hairlines);
       surfaces_.write_encoded(false);
       surfaces_.draw_transparent(things_, glass);
+    }
+    canvas_.finish();
+  }
+  void draw_physical() {
+    const Sorted all = sorted();
+    const View& view = things_.view();
+    const Surroundings& around = scenery_.surroundings;
+    const auto environment = sky_light_of(around.environment, around.ground);
+    const Lighting lighting =
+        lighting_of(scenery_.lights, view, {}, around, environment ? environment->sun() : std::nullopt);
+    const auto shadows =
+        shadows_.update(things_, std::span(lighting.lights).first(lighting.casting), around.ground.has_value());
+    const bool contact = need_contact();
+    const Surfaces::FrameSettings now{view,   lighting,  shadows, shadows_.texture(),
+                                      around, all.metal, contact, canvas_.linear() && around.clear};
+    const bool encoded = canvas_.can_write_encoded();
+    canvas_.begin(scenery_.background, around.clear);
+    physical_.set(now, environment);
+    physical_.write_encoded(encoded);
+    physical_.draw_opaque(things_, all.solid);
+    const bool sky_seen = environment && !around.clear && !scenery_.background;
+    if (around.ground || sky_seen)
+      physical_.draw_setting(now, behind(gradient), encoded, sky_seen);
+    else if (!scenery_.plain())
+      canvas_.draw_behind(behind(gradient));
+    if (contact) contact_->draw(canvas_, view);
+    physical_.draw_through(canvas_, things_, all.through);
+    if (!all.hairlines.empty() || !all.glass.empty()) {
+      canvas_.write_linear();
+      draw_hairlines(view, all.hairlines);
+      physical_.write_encoded(false);
+      physical_.draw_transparent(things_, all.glass);
     }
     canvas_.finish();
   }
@@ -93,6 +139,7 @@ class Shaded final : public Module {
 
   Surfaces surfaces_;
   Shadows shadows_;
+  PhysicalSurfaces physical_;
   std::optional<Lines> lines_;  // these two are made on first use
   std::optional<ContactShading> contact_;
   Instances line_instances_, clear_instances_;
@@ -108,7 +155,7 @@ Result<std::unique_ptr<Module>> make_shaded(const RenderOptions& options) {
   auto shadows = Shadows::create();
   if (!shadows) return shadows.error();
   return std::unique_ptr<Module>(
-      std::make_unique<Shaded>(*std::move(canvas), *std::move(surfaces), *std::move(shadows)));
+      std::make_unique<Shaded>(*std::move(canvas), *std::move(surfaces), *std::move(shadows), options.unclamped));
 }
 
 }  // namespace betwixt

@@ -37,7 +37,7 @@ void main() {
 }
 )";
 
-const char* const surface_fragment = R"(
+const char* const surface_inputs = R"(
 #if defined(GROUND)
 in vec2 at;
 uniform vec4 floor_color;                     // and 1, or 0 where there is none
@@ -90,6 +90,9 @@ flat in vec3 move, turn;
 uniform vec4 depth_row, w_row;  // of the clip matrix
 out vec4 color;
 
+)";
+
+const char* const shadow_lookup = R"(
 // Where a map is looked up for a point on a surface towards n: a little above it, against shadows of itself, by as many
 // texels as the light is slanting. The floor is in no map and casts none.
 vec4 in_light(int i, vec3 spot, vec3 n, float nl) {
@@ -199,6 +202,9 @@ float lit(vec3 spot, vec3 n) {
 }
 #endif
 
+)";
+
+const char* const surface_fragment = R"(
 // Sky above, ground below, a soft horizon between.
 vec3 surroundings(float up, float blur) {
   return mix(ground, sky, clamp(0.5 + up / (0.35 + 1.65 * blur), 0.0, 1.0));

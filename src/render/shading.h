@@ -8,6 +8,10 @@
 namespace betwixt {
 
 extern const char* const surface_vertex;
+// The fragment stage is these three, one behind the other. `shadow_lookup` needs the uniforms of the shadow maps, and
+// light_place.
+extern const char* const surface_inputs;
+extern const char* const shadow_lookup;
 extern const char* const surface_fragment;
 
 }  // namespace betwixt

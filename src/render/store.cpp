@@ -83,7 +83,7 @@ Picture thinned(const Picture& from, int limit) {
   return to;
 }
 
-gl::Texture send_texture(const Picture& picture) {
+gl::Texture send_texture(const Picture& picture, GLint format = GL_SRGB8_ALPHA8) {
   const auto size = static_cast<std::size_t>(std::max(picture.width, 0)) * std::max(picture.height, 0) * 4;
   if (size == 0 || picture.rgba.size() < size) return {};
   GLint limit = 0;
@@ -94,7 +94,7 @@ gl::Texture send_texture(const Picture& picture) {
   GLuint id = 0;
   glGenTextures(1, &id);
   gl::use_texture(0, id);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, p.width, p.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, format, p.width, p.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba.data());
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -183,6 +183,11 @@ void Store::need_edges(StoredMesh& m) {
 GLuint Store::need_texture(const StoredTexture& t) {
   if (!t.sent) t.texture = send_texture(*t.picture), t.sent = true;
   return t.texture.id();
+}
+
+GLuint Store::need_plain_texture(const StoredTexture& t) {
+  if (!t.numbers_sent) t.numbers = send_texture(*t.picture, GL_RGBA8), t.numbers_sent = true;
+  return t.numbers.id();
 }
 
 std::shared_ptr<const StoredTexture> Store::texture(const std::shared_ptr<const Picture>& picture) {

@@ -18,6 +18,8 @@ struct StoredTexture {
   std::shared_ptr<const Picture> picture;
   mutable gl::Texture texture;  // sent by need_texture()
   mutable bool sent = false;
+  mutable gl::Texture numbers;  // the same as numbers, not as sRGB; sent by need_plain_texture()
+  mutable bool numbers_sent = false;
   bool see_through = false;  // whether a pixel is not opaque
 };
 
@@ -61,6 +63,8 @@ class Store {
   static void need_edges(StoredMesh&);
   // Returns the texture's id; 0 if its picture is not valid.
   static GLuint need_texture(const StoredTexture&);
+  // The same for pictures of numbers, such as normals.
+  static GLuint need_plain_texture(const StoredTexture&);
 
  private:
   // Objects in use, by their sources. Unused ones are dropped whenever the map has doubled.

@@ -57,7 +57,7 @@ Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const
   const std::string vertex =
       fills ? std::string(gl::fill_vertex) : std::string(vertex_inputs) + ball_outline + surface_vertex;
   auto program = gl::new_program(
-      vertex, std::string(encoded_function) + surface_fragment,
+      vertex, std::string(encoded_function) + surface_inputs + shadow_lookup + surface_fragment,
       fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n{}{}{}{}{}", shadow_taps,
                   shadow_seeds, (variant & rich) != 0 ? Lighting::most_casting : 1,
                   (variant & (rich | levels)) != 0 ? Shadows::most_maps : 1,
@@ -147,11 +147,11 @@ void Surfaces::set_program(const Look& look, const FrameSettings& frame) {
   glUniform3fv(at("fog_color"), 1, four(fog.color, 0).data());
   glUniform2f(at("fog_range"), static_cast<float>(fog.from),
               around.fog ? static_cast<float>(1 / (fog.to - fog.from)) : 0);
-  set_shadows(look, frame);
+  set_shadow_maps(look.program, frame);
 }
 
-void Surfaces::set_shadows(const Look& look, const FrameSettings& frame) {
-  const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
+void set_shadow_maps(const gl::Program& program, const Surfaces::FrameSettings& frame) {
+  const auto at = [&](const char* name) { return gl::uniform(program, name); };
   // Without shadow maps, everything is lit.
   std::array<std::array<float, 16>, Shadows::most_maps> clips{};
   std::array<std::array<float, 4>, Shadows::most_maps> shapes{};

@@ -53,7 +53,6 @@ class Surfaces {
   void each_made(F&&);
   void receive_contact(bool);
   static void set_program(const Look&, const FrameSettings&);
-  static void set_shadows(const Look&, const FrameSettings&);
   static void set_mirrored(const Look&, const FrameSettings&);
   // The features of variants beyond the simple one; made on first use. `levels`: one light, hard, has several maps.
   static constexpr std::size_t rich = 1, contact = 2, levels = 4;
@@ -66,5 +65,8 @@ class Surfaces {
   bool flat_ = false;  // whether everything is unlit
   bool unclamped_ = false;
 };
+
+// Sets the uniforms of the shadow maps of a program.
+void set_shadow_maps(const gl::Program&, const Surfaces::FrameSettings&);
 
 }  // namespace betwixt

@@ -128,7 +128,14 @@ void Things::adopt(Thing& t, const Columns& c, std::uint32_t i) {
   if (t.picture != picture) t.texture = picture ? store_.texture(picture) : nullptr;
   t.world = c.worlds[i], t.look = l;
   t.shape = std::move(shape), t.toward = std::move(toward), t.picture = std::move(picture);
-  t.finish = found(l.finish, c.finish);
+  if (auto finish = found(l.finish, c.finish); finish != t.finish) {
+    const auto map = [&](const std::shared_ptr<const Picture>& p) { return p ? store_.texture(p) : nullptr; };
+    t.maps = {};
+    if (finish)
+      t.maps = {map(finish->normals), map(finish->roughness_map), map(finish->metalness_map),
+                map(finish->occlusion_map), map(finish->emission_map)};
+    t.finish = std::move(finish);
+  }
   t.there = t.casts = false;
   if (usable(t)) place(t);
   if (t.casts) ++casters_;

@@ -34,9 +34,13 @@ struct Thing {
   bool there = false;  // whether it can be drawn; if not, the rest has no meaning
   std::shared_ptr<Form> form;
   std::shared_ptr<const StoredTexture> texture;  // its own, or null
-  Bounds bounds;                                 // in the world
-  double size = 0;                               // its largest measure from its centre
-  bool surface = false;                          // whether it has triangles
+  struct Maps {
+    std::shared_ptr<const StoredTexture> normals, roughness, metalness, occlusion, emission;
+  };
+  Maps maps;             // of its finish
+  Bounds bounds;         // in the world
+  double size = 0;       // its largest measure from its centre
+  bool surface = false;  // whether it has triangles
   bool transparent = false;
   bool mirrored = false;  // whether the matrix mirrors
   bool closed = false;    // whether its back faces are never visible

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "render/environment.h"
+#include "render/sky_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,41 +28,41 @@ Vec3 direction(int face, double s, double t) {
   }
 }
 
-struct Place {
+struct CubePlace {
   int face = 0;
   double s = 0, t = 0;
 };
-Place place_of(Vec3 d) {
+CubePlace place_of(Vec3 d) {
   const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
-  if (x >= y && x >= z) return d.x > 0 ? Place{0, -d.z / x, -d.y / x} : Place{1, d.z / x, -d.y / x};
-  if (y >= z) return d.y > 0 ? Place{2, d.x / y, d.z / y} : Place{3, d.x / y, -d.z / y};
-  return d.z > 0 ? Place{4, d.x / z, -d.y / z} : Place{5, -d.x / z, -d.y / z};
+  if (x >= y && x >= z) return d.x > 0 ? CubePlace{0, -d.z / x, -d.y / x} : CubePlace{1, d.z / x, -d.y / x};
+  if (y >= z) return d.y > 0 ? CubePlace{2, d.x / y, d.z / y} : CubePlace{3, d.x / y, -d.z / y};
+  return d.z > 0 ? CubePlace{4, d.x / z, -d.y / z} : CubePlace{5, -d.x / z, -d.y / z};
 }
 
-using Level = Environment::Level;
+using SkyLevel = SkyLight::Level;
 
-Vec3 pixel(const Level& l, int face, int x, int y) {
+Vec3 pixel(const SkyLevel& l, int face, int x, int y) {
   const std::size_t at = 3 * (static_cast<std::size_t>(face * l.side + y) * static_cast<std::size_t>(l.side) +
                               static_cast<std::size_t>(x));
   return {static_cast<double>(l.rgb[at]), static_cast<double>(l.rgb[at + 1]), static_cast<double>(l.rgb[at + 2])};
 }
-void put(Level& l, int face, int x, int y, Vec3 c) {
+void put(SkyLevel& l, int face, int x, int y, Vec3 c) {
   const std::size_t at = 3 * (static_cast<std::size_t>(face * l.side + y) * static_cast<std::size_t>(l.side) +
                               static_cast<std::size_t>(x));
   for (int i = 0; i < 3; ++i) l.rgb[at + static_cast<std::size_t>(i)] = static_cast<float>(c[i]);
 }
-Level level_of(int side) { return {side, std::vector<float>(static_cast<std::size_t>(18 * side * side))}; }
+SkyLevel level_of(int side) { return {side, std::vector<float>(static_cast<std::size_t>(18 * side * side))}; }
 
 template <class F>
-void each_pixel(const Level& l, F&& f) {
+void each_pixel(const SkyLevel& l, F&& f) {
   for (int face = 0; face < 6; ++face)
     for (int y = 0; y < l.side; ++y)
       for (int x = 0; x < l.side; ++x) f(face, x, y, (2 * x + 1.0) / l.side - 1, (2 * y + 1.0) / l.side - 1);
 }
 
 // Interpolates within a face.
-Vec3 looked_up(const Level& l, Vec3 d) {
-  const Place p = place_of(d);
+Vec3 looked_up(const SkyLevel& l, Vec3 d) {
+  const CubePlace p = place_of(d);
   const double x = std::clamp((p.s + 1) / 2 * l.side - 0.5, 0.0, l.side - 1.0);
   const double y = std::clamp((p.t + 1) / 2 * l.side - 0.5, 0.0, l.side - 1.0);
   const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
@@ -72,8 +72,8 @@ Vec3 looked_up(const Level& l, Vec3 d) {
          b * ((1 - a) * pixel(l, p.face, x0, y1) + a * pixel(l, p.face, x1, y1));
 }
 
-Level half_of(const Level& l) {
-  Level r = level_of(l.side / 2);
+SkyLevel half_of(const SkyLevel& l) {
+  SkyLevel r = level_of(l.side / 2);
   each_pixel(r, [&](int face, int x, int y, double, double) {
     put(r, face, x, y,
         0.25 * (pixel(l, face, 2 * x, 2 * y) + pixel(l, face, 2 * x + 1, 2 * y) + pixel(l, face, 2 * x, 2 * y + 1) +
@@ -84,15 +84,15 @@ Level half_of(const Level& l) {
 
 // The directions that a rough surface mirrors where one looks straight at it, about the z axis; each with its weight
 // and the level of detail at which it is looked up.
-struct Lobe {
+struct SkyLobe {
   Vec3 d;
   double weight;
   std::size_t level;
 };
-std::vector<Lobe> lobes_of(double roughness, std::size_t finest, std::size_t coarsest) {
+std::vector<SkyLobe> lobes_of(double roughness, std::size_t finest, std::size_t coarsest) {
   constexpr int count = 64;
   const double a = roughness * roughness, a2 = a * a;
-  std::vector<Lobe> all;
+  std::vector<SkyLobe> all;
   for (int i = 0; i < count; ++i) {
     double reversed = 0, step = 0.5;
     for (int bits = i; bits > 0; bits /= 2, step /= 2) reversed += step * (bits % 2);
@@ -104,7 +104,7 @@ std::vector<Lobe> lobes_of(double roughness, std::size_t finest, std::size_t coa
     if (!(d.z > 0)) continue;
     // The more of the sphere a direction stands for, the coarser it is looked up.
     const double k = c2 * (a2 - 1) + 1, density = a2 / (pi * k * k) / 4;
-    const double stands_for = 1 / (count * density), texel = 4 * pi / (6.0 * Environment::side * Environment::side);
+    const double stands_for = 1 / (count * density), texel = 4 * pi / (6.0 * SkyLight::side * SkyLight::side);
     std::size_t level = 0;
     for (double area = 2 * texel; area < stands_for && level < coarsest; area *= 4) ++level;
     all.push_back({d, d.z, std::max(level, finest)});
@@ -114,7 +114,7 @@ std::vector<Lobe> lobes_of(double roughness, std::size_t finest, std::size_t coa
 
 }  // namespace
 
-Environment::Environment(const Sky& sky, const std::optional<Vec3>& ground) : sky_(sky), sun_(sun_of(sky)) {
+SkyLight::SkyLight(const Sky& sky, const std::optional<Vec3>& ground) : sky_(sky), sun_(sun_of(sky)) {
   const auto fill = [&] {
     cube_[0] = level_of(side);
     each_pixel(cube_[0], [&](int face, int x, int y, double s, double t) {
@@ -132,13 +132,13 @@ Environment::Environment(const Sky& sky, const std::optional<Vec3>& ground) : sk
   blur();
 }
 
-Vec3 Environment::radiance(Vec3 along) const {
+Vec3 SkyLight::radiance(Vec3 along) const {
   if (!has_floor_ || along.y >= 0) return seen(along);
   const double share = std::min(-40 * along.y, 1.0);
   return (1 - share) * seen(along) + share * floor_;
 }
 
-Vec3 Environment::irradiance(Vec3 n) const {
+Vec3 SkyLight::irradiance(Vec3 n) const {
   const std::array<double, 9> by{
       1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
   Vec3 sum;
@@ -146,11 +146,11 @@ Vec3 Environment::irradiance(Vec3 n) const {
   return {std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)};
 }
 
-void Environment::blur() {
-  std::vector<Level> halved{cube_[0]};
+void SkyLight::blur() {
+  std::vector<SkyLevel> halved{cube_[0]};
   while (halved.back().side > 4) halved.push_back(half_of(halved.back()));
   // Spherical harmonics of the second degree, with the cosine of the angle of incidence.
-  const Level& coarse = halved[2];
+  const SkyLevel& coarse = halved[2];
   std::array<Vec3, 9> sums{};
   double whole = 0;
   each_pixel(coarse, [&](int face, int x, int y, double s, double t) {
@@ -165,7 +165,7 @@ void Environment::blur() {
   constexpr std::array<double, 9> constants{1, 2, 2, 2, 15.0 / 4, 15.0 / 4, 5.0 / 16, 15.0 / 4, 15.0 / 16};
   for (std::size_t i = 0; i < 9; ++i) irradiance_[i] = constants[i] / whole * sums[i];
   for (int k = 1; k < levels; ++k) {
-    Level level = level_of(side >> k);
+    SkyLevel level = level_of(side >> k);
     const double roughness = static_cast<double>(k) / (levels - 1);
     const auto lobes = lobes_of(roughness, static_cast<std::size_t>(std::max(k - 1, 0)), halved.size() - 1);
     each_pixel(level, [&](int face, int x, int y, double s, double t) {
@@ -174,7 +174,7 @@ void Environment::blur() {
                  over = cross(n, across);
       Vec3 sum;
       double weight = 0;
-      for (const Lobe& lobe : lobes) {
+      for (const SkyLobe& lobe : lobes) {
         const Vec3 d = lobe.d.x * across + lobe.d.y * over + lobe.d.z * n;
         sum = sum + lobe.weight * looked_up(halved[lobe.level], d), weight += lobe.weight;
       }
@@ -184,12 +184,12 @@ void Environment::blur() {
   }
 }
 
-std::shared_ptr<const Environment> environment_of(const Sky& sky, const std::optional<Vec3>& ground) {
+std::shared_ptr<const SkyLight> sky_light_of(const Sky& sky, const std::optional<Vec3>& ground) {
   if (sky.kind == Sky::none || (sky.kind == Sky::picture && !sky.light)) return nullptr;
   struct Known {
     Sky sky;
     std::optional<Vec3> ground;
-    std::shared_ptr<const Environment> made;
+    std::shared_ptr<const SkyLight> made;
   };
   constexpr std::size_t most = 8;
   static std::mutex mutex;
@@ -200,7 +200,7 @@ std::shared_ptr<const Environment> environment_of(const Sky& sky, const std::opt
       all.splice(all.begin(), all, at);
       return all.front().made;
     }
-  all.push_front({sky, ground, std::make_shared<const Environment>(sky, ground)});
+  all.push_front({sky, ground, std::make_shared<const SkyLight>(sky, ground)});
   if (all.size() > most) all.pop_back();
   return all.front().made;
 }

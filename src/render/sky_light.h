@@ -13,9 +13,9 @@
 
 namespace betwixt {
 
-class Environment {
+class SkyLight {
  public:
-  Environment(const Sky&, const std::optional<Vec3>& ground);
+  SkyLight(const Sky&, const std::optional<Vec3>& ground);
 
   // The faces of a cube, in the order +x -x +y -y +z -z, rows from the top, three numbers a pixel. Level 0 is the sky
   // itself; level k is what a surface of roughness k / (levels - 1) mirrors.
@@ -46,6 +46,6 @@ class Environment {
 };
 
 // Returns the environment of a sky, made once for all renderers; null without a sky. `ground`: the colour of the floor.
-std::shared_ptr<const Environment> environment_of(const Sky&, const std::optional<Vec3>& ground);
+std::shared_ptr<const SkyLight> sky_light_of(const Sky&, const std::optional<Vec3>& ground);
 
 }  // namespace betwixt

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Surfaces with finishes, under skies and lamps with areas: the shader programs, and how objects are drawn with them.
+// A picture that has any of these is drawn by this; all others by Surfaces (surfaces.h), which costs less.
+#pragma once
+
+#include <unordered_map>
+
+#include "render/sky_light.h"
+#include "render/surfaces.h"
+
+namespace betwixt {
+
+// Returns whether a picture needs physical surfaces. `things`: those that may be seen.
+bool needs_physical(const Things&, const Scenery&);
+
+class PhysicalSurfaces {
+ public:
+  explicit PhysicalSurfaces(bool unclamped) : unclamped_(unclamped) {}
+  // For the calls below. `sky_light`: null without a sky; then the ambient light is that of the lighting.
+  void set(const Surfaces::FrameSettings&, std::shared_ptr<const SkyLight>);
+  void write_encoded(bool);
+  void draw_opaque(const Things&, std::span<const std::uint32_t>);
+  void draw_transparent(const Things&, std::span<const std::uint32_t>);
+  // Draws objects that let light through, over what the canvas shows so far.
+  void draw_through(const Canvas&, const Things&, std::span<const std::uint32_t>);
+  // Draws the infinite floor, and on empty pixels the sky or the gradient.
+  void draw_setting(const Surfaces::FrameSettings&, const Gradient&, bool encoded, bool sky_seen);
+
+ private:
+  enum Feature : unsigned {
+    ball = 1,
+    pictures = 2,
+    projected = 4,
+    pattern = 8,
+    coated = 16,
+    through = 32,
+    ground = 64,
+    areas = 128,
+    shadowed = 256,
+    contact = 512
+  };
+  struct Look {
+    gl::Program program;
+    std::unordered_map<std::string, GLint> places;
+    std::uint64_t frame = 0;  // the frame whose settings it has
+    bool refused = false;
+  };
+  Look* need(unsigned features);
+  GLint place(Look&, const char* name);
+  void set_frame(Look&);
+  void set_finish(Look&, const Batch&, const Thing&, unsigned features);
+  unsigned features_of(const Batch&, const StoredPart&, const Thing&) const;
+  void draw_parts(const Things&, const Batches&, const Batch&);
+  void draw_batches(const Things&, const Batches&, Instances&);
+  void need_sky_light();
+  GLuint plain_texture(bool normals);
+
+  const bool unclamped_;
+  std::unordered_map<unsigned, Look> looks_;
+  const Surfaces::FrameSettings* frame_ = nullptr;
+  std::shared_ptr<const SkyLight> sky_light_, sent_;
+  std::array<Vec3, 9> irradiance_{};
+  gl::Texture around_, seen_, white_, flat_;
+  const SkyLight* seen_of_ = nullptr;
+  gl::Sampler depths_;
+  gl::Texture behind_;
+  gl::Framebuffer behind_frame_;
+  int behind_width_ = 0, behind_height_ = 0, behind_levels_ = 1;
+  Instances solid_, glass_, clear_;
+  unsigned common_ = 0;  // features of the frame
+  std::uint64_t frame_number_ = 0;
+  bool encodes_ = false, receives_ = false;
+};
+
+}  // namespace betwixt
