@@ -282,7 +282,7 @@ std::optional<Vec3> Carrier::seen(Vec3 in_world) const {
 Quat turned_to(const Program::Compiled& c, const Node& n, Vec3 direction, Time t, Asking& asking) {
   const Value said = c.value(c.find(n.object, fn::front), t, asking);
   const auto* word = std::get_if<Text>(&said);
-  Front front = n.kind == Kind::camera ? Front::minus_z : Front::x;
+  Front front = n.kind == Kind::camera || n.kind == Kind::light ? Front::minus_z : Front::x;
   for (std::size_t i = 0; word && i < front_names.size(); ++i)
     if (**word == front_names[i]) front = static_cast<Front>(i);
   return facing(direction, front, c.document.scene().appearance.flat);

@@ -247,7 +247,8 @@ void PhysicalSurfaces::set_finish(Look& look, const Batch& batch, const Thing& t
   glUniform1f(at("has_finish"), batch.finish ? 1 : 0);
   glUniform4f(at("base_finish"), as(f.metalness), as(f.roughness), as(f.specular), as(f.normal_strength));
   glUniform3fv(at("emission"), 1, quad(f.emission, 0).data());
-  glUniform1f(at("local_size"), batch.ball ? as(t.shape->radius) : 1);
+  glUniformMatrix4fv(at("to_object"), 1, GL_FALSE, to_float(t.to_object).data());
+  if (batch.ball) glUniform1f(at("ball_radius"), as(t.shape->radius));
   if ((features & pictures) != 0) {
     glUniform4f(at("tile"), as(f.tile_x), as(f.tile_y), as(f.move_x), as(f.move_y));
     glUniform2f(at("turned"), as(cosine), as(sine));

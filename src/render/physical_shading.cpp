@@ -7,7 +7,7 @@ namespace betwixt {
 const char* const physical_vertex = R"(
 uniform mat4 clip;
 uniform vec4 toward_eye;  // a direction and 0 (orthographic), or the origin and 1
-uniform float local_size;  // the radius of a ball in object space
+uniform mat4 to_object;
 #if defined(BALL)
 out vec3 disc;             // the same as `at` in mesh space
 flat out vec4 e;           // the eye in mesh space
@@ -29,7 +29,8 @@ void main() {
   turn = normal_of(e.xyz);
   move = (1.0 - e.w) * toward_eye.xyz;
 #endif
-  local = local_size * p.xyz;
+  local = (to_object * p).xyz;
+  local_facing = transpose(inverse(mat3(to_object))) * local_facing;
   at = vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
   paint = color;
   gloss = look;
@@ -105,6 +106,7 @@ uniform sampler2D behind_it;
 uniform mat4 clip_again;
 #endif
 #if defined(BALL)
+uniform float ball_radius;
 in vec3 disc;
 flat in vec4 e;
 flat in vec3 move, turn;
@@ -217,7 +219,7 @@ void main() {
   spot += go * stretch * (at * e.w - move);
   across += go * stretch * (facing * e.w - turn);
   on_facing = disc + go * along_sight;
-  on = on_facing * (length(local) / max(length(disc), 1e-30));
+  on = on_facing * ball_radius;
   vec4 there = vec4(spot, 1.0);
   gl_FragDepth = 0.5 * dot(depth_row, there) / dot(w_row, there) + 0.5;
 #endif

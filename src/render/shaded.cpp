@@ -85,7 +85,9 @@ class Shaded final : public Module {
     physical_.set(now, environment);
     physical_.write_encoded(encoded);
     physical_.draw_opaque(things_, all.solid);
-    const bool sky_seen = environment && !around.clear && !scenery_.background;
+    // The lamps of a studio light the objects, but are behind the camera.
+    const bool sky_seen =
+        environment && !around.clear && !scenery_.background && around.environment.kind != Sky::studio;
     if (around.ground || sky_seen)
       physical_.draw_setting(now, behind(gradient), encoded, sky_seen);
     else if (!scenery_.plain())

@@ -61,17 +61,17 @@ struct Softbox {
   Vec3 light;
 };
 constexpr Softbox softboxes[] = {
-    {{-0.62, 0.72, 0.55}, 0.62, 0.42, 0.25, {4.4, 4.25, 4.0}},  // key
-    {{0.92, 0.22, 0.42}, 0.42, 0.70, 0.5, {0.85, 0.95, 1.1}},   // fill
-    {{0.45, 0.42, -0.86}, 0.28, 0.62, 0.3, {2.6, 2.7, 2.9}},    // rim
-    {{-0.75, 0.15, -0.70}, 0.20, 0.55, 0.4, {1.3, 1.3, 1.35}},  // second rim
-    {{0.10, 1.0, -0.15}, 0.50, 0.50, 0.6, {1.1, 1.1, 1.1}},     // from above
+    {{-0.62, 0.72, 0.55}, 0.62, 0.42, 0.25, {3.0, 2.9, 2.72}},  // key
+    {{0.92, 0.22, 0.42}, 0.42, 0.70, 0.5, {0.62, 0.69, 0.80}},  // fill
+    {{0.45, 0.42, -0.86}, 0.28, 0.62, 0.3, {2.1, 2.18, 2.34}},  // rim
+    {{-0.75, 0.15, -0.70}, 0.20, 0.55, 0.4, {1.0, 1.0, 1.04}},  // second rim
+    {{0.10, 1.0, -0.15}, 0.50, 0.50, 0.6, {0.75, 0.75, 0.75}},  // from above
 };
 
 double within(double at, double half, double soft) { return 1 - smooth(half * (1 - soft), half, std::abs(at)); }
 
 Vec3 studio_radiance(Vec3 d) {
-  Vec3 light = mixed({0.075, 0.073, 0.07}, {0.27, 0.28, 0.30}, smooth(-0.35, 0.9, d.y));
+  Vec3 light = mixed({0.06, 0.058, 0.056}, {0.19, 0.197, 0.21}, smooth(-0.35, 0.9, d.y));
   for (const Softbox& box : softboxes) {
     const Vec3 n = normalize(box.toward);
     const double deep = dot(d, n);
@@ -123,7 +123,7 @@ double hour_of(const Sky& sky) { return sky.kind == Sky::sunset ? 17.72 : sky.ho
 
 std::optional<SkySun> sun_of(const Sky& sky) {
   if (sky.kind == Sky::studio)
-    return SkySun{turned(normalize(softboxes[0].toward), sky.turn), sky.strength * Vec3{0.46, 0.445, 0.42}, 0.16,
+    return SkySun{turned(normalize(softboxes[0].toward), sky.turn), sky.strength * Vec3{0.44, 0.425, 0.40}, 0.16,
                   false};
   if (sky.kind != Sky::day && sky.kind != Sky::sunset) return std::nullopt;
   const DaySky day = day_at(hour_of(sky));

@@ -175,7 +175,8 @@ void Things::see(Thing& t) {
   if (t.ball) {
     const double r = t.shape->radius;
     t.mesh = store_.disc(radius).get();
-    t.instance = instance_of(t, world * scaling({r, r, r}));
+    t.to_object = scaling({r, r, r});
+    t.instance = instance_of(t, world * t.to_object);
     return;
   }
   const Detail detail = purpose_ == Purpose::surfaces ? Detail::for_pixels(radius)
@@ -186,7 +187,7 @@ void Things::see(Thing& t) {
   const Form::Realised& shown = t.form->at(detail, store_);
   t.mesh = shown.mesh.get();
   t.pressed = flat_ && purpose_ == Purpose::surfaces && can_press(t, t.mesh->box);
-  Mat4 local = shown.local;
+  Mat4 local = t.to_object = shown.local;
   if (t.pressed) {
     const Vec3 middle{0, 0, t.mesh->box.middle().z};
     local = local * translation(middle) * scaling({1, 1, 0}) * translation(-1 * middle);

@@ -54,6 +54,7 @@ struct Thing {
   double depth = 0;      // of the centre
   StoredMesh* mesh = nullptr;
   Instance instance;
+  Mat4 to_object;  // mesh space to object space
 };
 
 // Returns the instance of an object's mesh, given the matrix from mesh space to the drawing space.

@@ -15,7 +15,8 @@ inline const FunctionSpec aiming_functions[] = {
      .rest = Text(std::string("default")),
      .words = "default|x|-x|y|-y|z|-z",
      .place = true,
-     .sentence = "The axis that faces what it looks at, or points along its path: by default x, of a camera -z.",
+     .sentence =
+         "The axis that faces what it looks at, or points along its path: by default x, of a camera or a light -z.",
      .written = "x, -x, y, -y, z or -z",
      .example = "set ball.front z"},
     {.name = "roll",

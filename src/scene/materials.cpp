@@ -81,7 +81,7 @@ const MaterialRow rows[] = {
     coated(insulator("porcelain", {0.86, 0.86, 0.83}, 0.28), 1, 0.04),
     insulator("clay", {0.42, 0.20, 0.12}, 0.86),
     insulator("plaster", {0.82, 0.81, 0.78}, 0.92),
-    patterned(insulator("concrete", {0.42, 0.41, 0.39}, 0.84), Pattern::concrete, {0.28, 0.275, 0.265}, 0.04),
+    patterned(insulator("concrete", {0.42, 0.41, 0.39}, 0.84), Pattern::concrete, {0.28, 0.275, 0.265}, 0.012),
     patterned(insulator("marble", {0.84, 0.83, 0.81}, 0.16), Pattern::marble, {0.24, 0.25, 0.27}, 0),
     patterned(insulator("granite", {0.36, 0.33, 0.32}, 0.26), Pattern::granite, {0.08, 0.08, 0.085}, 0),
     patterned(insulator("bricks", {0.36, 0.11, 0.065}, 0.88), Pattern::bricks, {0.50, 0.48, 0.44}, 0.10),
