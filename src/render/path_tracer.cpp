@@ -85,10 +85,17 @@ PathTracer::PathTracer(const World& world, const View& view, const Scenery& scen
     : world_(world),
       view_(view),
       around_(scenery.surroundings),
-      lighting_(lighting_of(scenery.lights, view, {}, around_)),
+      sky_light_(sky_light_of(around_.environment, around_.ground)),
+      lighting_(lighting_of(scenery.lights, view, {}, around_, sky_light_ ? sky_light_->sun() : std::nullopt)),
       top_(scenery.background.value_or(Lighting::above)),
       bottom_(scenery.background ? around_.below.value_or(top_) : Lighting::beneath),
-      bends_(!scenery.background) {}
+      bends_(!scenery.background),
+      sky_seen_(sky_light_ && !scenery.background && around_.environment.kind != Sky::studio) {
+  const auto has_front = [](const Lighting::One& l) { return l.shape != LightShape::point || l.cone > 0; };
+  if (!around_.flat &&
+      (sky_light_ || world.has_finishes() || std::any_of(lighting_.lights.begin(), lighting_.lights.end(), has_front)))
+    physical_.emplace(*this, world_, lighting_, sky_light_);
+}
 
 Ray PathTracer::camera_ray(double across, double down) const {
   const Vec3 there =
@@ -105,6 +112,10 @@ Vec3 PathTracer::sky_radiance(double up, double below) const {
 void PathTracer::add_background(double down, Vec3 along, double left, CameraSample& result) const {
   if (around_.clear) {
     result.clear = left;
+  } else if (sky_seen_) {
+    const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
+    result.lit = result.lit + left * sky_light_->seen(d);
+    result.share = std::min(result.share + left, 1.0);
   } else if (around_.sky) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
     result.lit = result.lit + left * sky_radiance(d.y, smoothstep(0, 1, -4 * d.y));
@@ -142,6 +153,11 @@ PathTracer::Surface PathTracer::surface_at(const SurfacePoint& point, Vec3 towar
   s.unlit = around_.flat || point.material == Material::glow;
   s.coverage = point.opacity;
   if (s.unlit) return s;
+  if (physical_) {
+    const Scattering scattering(point, toward, 0);
+    s.diffuse_albedo = scattering.albedo();
+    return s;
+  }
   s.metal = point.material == Material::metal;
   const bool glossy = point.material != Material::matte;
   s.roughness = 0.8 + point.shine * (0.08 - 0.8);
@@ -218,6 +234,7 @@ Vec3 PathTracer::indirect_light(const Surface& s, int depth, PixelSampler& sampl
 }
 
 Vec3 PathTracer::reflected_radiance(const Surface& s, int depth, PixelSampler& sampler) const {
+  if (physical_) return physical_->radiance(s.point, s.toward, sampler);
   return direct_light(s, sampler) + indirect_light(s, depth, sampler);
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "render/lighting.h"
+#include "render/physical_tracer.h"
 #include "render/pixel_sampler.h"
 #include "render/traced_world.h"
 
@@ -27,6 +28,10 @@ class PathTracer {
   // Returns the light at a place of the picture, from 0 to 1 from its left and top.
   CameraSample sample(double across, double down, PixelSampler&) const;
 
+  double floor_distance(const Ray&) const;  // infinity if the ray misses it
+  SurfacePoint floor_point(const Ray&, double distance) const;
+  bool meets_floor(const Ray& r) const { return floor_distance(r) < INFINITY; }
+
  private:
   // The kind of the ray that reaches a surface: from the eye, reflected, or for the ambient light of another surface.
   enum class RayKind : std::uint8_t { camera, reflected_by_metal, reflected, ambient };
@@ -36,8 +41,6 @@ class PathTracer {
   void add_background(double down, Vec3 along, double left, CameraSample&) const;
   Vec3 environment_radiance(Vec3 along, RayKind) const;
   Vec3 sky_radiance(double up, double below) const;
-  double floor_distance(const Ray&) const;  // infinity if the ray misses it
-  SurfacePoint floor_point(const Ray&, double distance) const;
   double visibility(const SurfacePoint&, const Lighting::One&, PixelSampler&) const;
   Vec3 direct_light(const Surface&, PixelSampler&) const;
   Vec3 indirect_light(const Surface&, int depth, PixelSampler&) const;
@@ -49,9 +52,11 @@ class PathTracer {
   const World& world_;
   const View& view_;
   const Surroundings& around_;
+  const std::shared_ptr<const SkyLight> sky_light_;
   const Lighting lighting_;
-  Vec3 top_, bottom_;  // the background
-  bool bends_ = true;
+  std::optional<PhysicalTracer> physical_;  // for surfaces with finishes, and under skies
+  Vec3 top_, bottom_;                       // the background
+  bool bends_ = true, sky_seen_ = false;
 };
 
 }  // namespace betwixt::traced

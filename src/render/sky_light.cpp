@@ -149,6 +149,15 @@ Vec3 SkyLight::irradiance(Vec3 n) const {
 void SkyLight::blur() {
   std::vector<SkyLevel> halved{cube_[0]};
   while (halved.back().side > 4) halved.push_back(half_of(halved.back()));
+  sums_.clear();
+  double sum = 0;
+  each_pixel(halved[1], [&](int face, int x, int y, double s, double t) {
+    const double away = 1 + s * s + t * t;
+    const Vec3 c = pixel(halved[1], face, x, y);
+    // A little for every direction, since the sky is not as coarse as these pixels.
+    sums_.push_back(sum += (0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z + 1e-3) / (away * std::sqrt(away)));
+  });
+  for (double& to : sums_) to /= sum;
   // Spherical harmonics of the second degree, with the cosine of the angle of incidence.
   const SkyLevel& coarse = halved[2];
   std::array<Vec3, 9> sums{};
@@ -182,6 +191,26 @@ void SkyLight::blur() {
     });
     cube_[static_cast<std::size_t>(k)] = std::move(level);
   }
+}
+
+SkyLight::Direction SkyLight::sample(double which, double across, double down) const {
+  constexpr int n = side / 2;
+  const auto found = std::upper_bound(sums_.begin(), sums_.end(), which);
+  const auto k =
+      static_cast<std::size_t>(std::min(found - sums_.begin(), static_cast<std::ptrdiff_t>(sums_.size()) - 1));
+  const auto face = static_cast<int>(k) / (n * n), y = static_cast<int>(k) / n % n, x = static_cast<int>(k) % n;
+  const Vec3 d = normalize(direction(face, 2 * (x + across) / n - 1, 2 * (y + down) / n - 1));
+  return {d, density(d)};
+}
+
+double SkyLight::density(Vec3 d) const {
+  constexpr int n = side / 2;
+  const CubePlace p = place_of(d);
+  const int x = std::clamp(static_cast<int>((p.s + 1) / 2 * n), 0, n - 1),
+            y = std::clamp(static_cast<int>((p.t + 1) / 2 * n), 0, n - 1);
+  const auto k = static_cast<std::size_t>((p.face * n + y) * n + x);
+  const double share = sums_[k] - (k > 0 ? sums_[k - 1] : 0), away = 1 + p.s * p.s + p.t * p.t;
+  return share * n * n / 4 * away * std::sqrt(away);
 }
 
 std::shared_ptr<const SkyLight> sky_light_of(const Sky& sky, const std::optional<Vec3>& ground) {

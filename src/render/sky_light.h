@@ -35,6 +35,15 @@ class SkyLight {
   Vec3 seen(Vec3 along) const { return sky_radiance(sky_, along); }
   const std::optional<SkySun>& sun() const { return sun_; }
 
+  // A direction with the density with which sample() chooses it, per steradian: the brighter the more often.
+  struct Direction {
+    Vec3 along;
+    double density = 0;
+  };
+  // The numbers are random, from 0 to 1.
+  Direction sample(double which, double across, double down) const;
+  double density(Vec3 along) const;
+
  private:
   void blur();
   Sky sky_;
@@ -43,6 +52,8 @@ class SkyLight {
   bool has_floor_ = false;
   std::array<Level, levels> cube_;
   std::array<Vec3, 9> irradiance_{};
+  // Of the pixels of the cube with half of level 0's side: the sums of their light up to each, and that of all is 1.
+  std::vector<double> sums_;
 };
 
 // Returns the environment of a sky, made once for all renderers; null without a sky. `ground`: the colour of the floor.

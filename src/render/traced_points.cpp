@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The points of surfaces that rays hit: place, normals, colour and material.
+#include "render/patterns.h"
 #include "render/traced_world.h"
 
 namespace betwixt::traced {
@@ -19,12 +20,15 @@ double decoded(std::uint8_t byte) {
   return all[byte];
 }
 
+double as_it_is(std::uint8_t byte) { return static_cast<double>(byte) / 255; }
+
 struct Texel {
   Vec3 color{1, 1, 1};
   double opacity = 1;
 };
 
 // Interpolates between the four nearest pixels; the picture repeats.
+template <double (*decode)(std::uint8_t) = decoded>
 Texel texel_at(const Picture& p, double u, double v) {
   const auto area = static_cast<std::size_t>(std::max(p.width, 0)) * static_cast<std::size_t>(std::max(p.height, 0));
   if (area == 0 || p.rgba.size() < 4 * area || !std::isfinite(u) || !std::isfinite(v)) return {};
@@ -37,13 +41,120 @@ Texel texel_at(const Picture& p, double u, double v) {
     const auto at = static_cast<std::size_t>((j + p.height) % p.height) * static_cast<std::size_t>(p.width) +
                     static_cast<std::size_t>((i + p.width) % p.width);
     const std::uint8_t* c = &p.rgba[4 * at];
-    sum.color = sum.color + share * Vec3{decoded(c[0]), decoded(c[1]), decoded(c[2])};
+    sum.color = sum.color + share * Vec3{decode(c[0]), decode(c[1]), decode(c[2])};
     sum.opacity += share * c[3] / 255;
   }
   return sum;
 }
 
+// Where pictures are on a surface: one place by its texture coordinates, or three along the axes with their shares.
+struct Laid {
+  std::array<Vec3, 3> at;
+  std::array<double, 3> share{1, 0, 0};
+  template <double (*decode)(std::uint8_t)>
+  Texel texel(const Picture& p) const {
+    Texel sum{{}, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(share[k] > 0)) continue;
+      const Texel t = texel_at<decode>(p, at[k].x, at[k].y);
+      sum.color = sum.color + share[k] * t.color, sum.opacity += share[k] * t.opacity;
+    }
+    return sum;
+  }
+};
+
+double sign(double x) { return x < 0 ? -1 : 1; }
+
+// `on`, `across`: the point and the normal in object space.
+Laid laid(const Finish& f, bool projected, Vec3 uv, Vec3 on, Vec3 across) {
+  const auto [sine, cosine] = sine_cosine(f.turn);
+  const auto moved = [&](double x, double y) {
+    return Vec3{(cosine * x - sine * y) * f.tile_x + f.move_x, (sine * x + cosine * y) * f.tile_y + f.move_y, 0};
+  };
+  if (!projected) return {{moved(uv.x, uv.y)}};
+  const auto fourth = [](double x) { return x * x * x * x; };
+  const double x = fourth(across.x), y = fourth(across.y), z = fourth(across.z), sum = std::max(x + y + z, 1e-30);
+  return {
+      {moved(-sign(across.x) * on.z, -on.y), moved(on.x, sign(across.y) * on.z), moved(sign(across.z) * on.x, -on.y)},
+      {x / sum, y / sum, z / sum}};
+}
+
+// A normal in object space on the bumps of a pattern.
+Vec3 bumped(const Finish& f, Vec3 color, Vec3 on, Vec3 n, double width, double height) {
+  const double step = std::max(0.5 * width, 1e-4);
+  const Vec3 x = unit(cross(std::abs(n.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, n)), y = cross(n, x);
+  const double bumps = f.pattern_bumps * f.normal_strength / std::max(std::abs(f.tile_x), 1e-6);
+  const auto [sine, cosine] = sine_cosine(f.turn);
+  const auto in_pattern = [&](Vec3 p) {
+    return Vec3{(cosine * p.x - sine * p.y) * f.tile_x, (sine * p.x + cosine * p.y) * f.tile_y, p.z * f.tile_x};
+  };
+  const auto slope = [&](Vec3 d) {
+    return (pattern_at(f, color, in_pattern(on + step * d), n, width).height - height) / step;
+  };
+  return unit(n - bumps * (slope(x) * x + slope(y) * y));
+}
+
 }  // namespace
+
+// Adds what the finish of an object makes of a point: its pictures, its pattern, its bumps.
+void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) const {
+  const Finish& f = *b.finish;
+  s.finish = &f, s.roughness = f.roughness, s.metalness = f.metalness, s.emission = f.emission;
+  if (f.pattern == Pattern::none && !f.has_pictures() && !b.texture) return;
+  Vec3 in_mesh = unit(m.across), across = in_mesh, uv;
+  std::array<Vec3, 3> corners, places;
+  const bool flat = b.solid->mesh != nullptr,
+             uvs = flat && b.solid->mesh->uvs.size() == b.solid->mesh->positions.size();
+  if (flat) {
+    const Mesh& mesh = *b.solid->mesh;
+    const std::uint32_t* corner = &b.solid->corners[3 * std::size_t{m.triangle}];
+    const std::array<double, 3> share{1 - m.u - m.v, m.u, m.v};
+    in_mesh = {};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = wide(mesh.positions[corner[k]]), in_mesh = in_mesh + share[k] * corners[k];
+      if (uvs) places[k] = {mesh.uvs[corner[k]][0], mesh.uvs[corner[k]][1], 0}, uv = uv + share[k] * places[k];
+    }
+    across = unit(m.across);
+  }
+  const Vec3 on = transform_point(b.to_object, in_mesh);
+  const bool projected =
+      f.projection == PictureProjection::box || (f.projection == PictureProjection::automatic && !uvs);
+  const Laid at = laid(f, projected, uv, on, across);
+  if (b.texture) {
+    const Texel t = at.texel<decoded>(*b.texture);
+    s.color = b.color * t.color, s.opacity = b.opacity * t.opacity;
+  }
+  if (f.roughness_map) s.roughness *= at.texel<as_it_is>(*f.roughness_map).color.y;
+  if (f.metalness_map) s.metalness *= at.texel<as_it_is>(*f.metalness_map).color.z;
+  if (f.emission_map) s.emission = s.emission * at.texel<decoded>(*f.emission_map).color;
+  if (f.normals && uvs && !projected) {
+    const Vec3 bent = 2 * at.texel<as_it_is>(*f.normals).color - Vec3{1, 1, 1};
+    const auto e1 = transform_vector(b.place, corners[1] - corners[0]),
+               e2 = transform_vector(b.place, corners[2] - corners[0]);
+    const Vec3 d1 = places[1] - places[0], d2 = places[2] - places[0];
+    const double area = d1.x * d2.y - d2.x * d1.y;
+    if (std::abs(area) > 1e-30) {
+      const Vec3 along = unit(1 / area * (d2.y * e1 - d1.y * e2)), down = unit(1 / area * (d1.x * e2 - d2.x * e1));
+      const Vec3 made = f.normal_strength * (bent.x * along - bent.y * down) + std::max(bent.z, 0.0) * s.normal;
+      if (dot(made, made) > 1e-12) s.normal = unit(made);
+    }
+  }
+  if (f.pattern == Pattern::none) return;
+  const auto [sine, cosine] = sine_cosine(f.turn);
+  const Vec3 in_pattern{(cosine * on.x - sine * on.y) * f.tile_x, (sine * on.x + cosine * on.y) * f.tile_y,
+                        on.z * f.tile_x};
+  const double scale = std::max(length(column(b.place, 0)) / std::max(length(column(b.to_object, 0)), 1e-12), 1e-12);
+  const double width = pixel_ * (pixel_grows_ ? length(s.at) : 1) / scale * std::abs(f.tile_x);
+  Finish here = f;
+  here.roughness = s.roughness, here.metalness = s.metalness;
+  const PatternPoint has = pattern_at(here, s.color, in_pattern, across, width);
+  if (f.pattern_bumps > 0) {
+    const Vec3 bent = bumped(here, s.color, on, across, width, has.height) - across;
+    const Vec3 turned = bent.x * b.normal_matrix[0] + bent.y * b.normal_matrix[1] + bent.z * b.normal_matrix[2];
+    s.normal = unit(s.normal + (s.inside ? -1.0 : 1.0) * turned);
+  }
+  s.color = has.color, s.roughness = has.roughness, s.metalness = has.metalness;
+}
 
 // The surface on a triangle. If the triangle approximates a smooth surface, rays to lights start from that, so that
 // facets do not shade each other.
@@ -105,6 +216,8 @@ SurfacePoint World::surface_point(const Ray& r, const Hit& m) const {
   const Vec3 clear = (coplanar_tolerance * largest(s.at) + b.blur) * s.face;
   s.start = s.start + clear, s.beyond = s.at - clear;
   s.shine = b.shine, s.material = b.material;
+  s.solid = b.solid->mesh == nullptr || b.solid->mesh->closed, s.inside = back;
+  if (b.finish) add_finish(b, m, s);
   return s;
 }
 

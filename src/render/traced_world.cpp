@@ -199,13 +199,15 @@ std::optional<World::TracedObject> World::object_of(const Columns& c, std::uint3
   for (Vec3& v : b.normal_matrix) v = (determinant(b.place) < 0 ? -1 : 1) / longest * v;
   b.color = {std::clamp(l.color.x, 0.0, 1e4), std::clamp(l.color.y, 0.0, 1e4), std::clamp(l.color.z, 0.0, 1e4)};
   b.opacity = 1 - std::clamp(l.transparency, 0.0, 1.0), b.shine = std::clamp(l.shininess, 0.0, 1.0);
+  if (l.finish != Evaluation::Look::none) b.finish = c.finish(l.finish), finishes_ = true;
+  b.to_object = g.local;
   b.material = l.material, b.line = row_of(shape.kind).line;
   b.blur = 0.1 * coplanar_tolerance * (away + radius);
   const bool holes = b.texture != nullptr ? has_holes(b.texture) : object->has_holes;
   mask = camera_rays;
   if (l.casts && !b.hairline) mask |= ambient_rays;
   if (l.casts && !b.hairline && b.material != Material::glow && b.opacity > 0.5)
-    mask |= b.opacity < 1 || holes ? translucent_shadow_rays : shadow_rays;
+    mask |= b.opacity < 1 || holes || (b.finish && b.finish->transmission > 0) ? translucent_shadow_rays : shadow_rays;
   if (!b.hairline) need_scene(*object);
   b.solid = std::move(object);
   return b;
@@ -244,7 +246,8 @@ Status World::set(const Columns& c, std::size_t count, const View& view) {
   ++picture_;
   objects_.clear();
   objects_.resize(count);
-  thin_ = false;
+  thin_ = finishes_ = false;
+  pixel_ = 2 / (view.sx * view.width), pixel_grows_ = !view.orthographic;
   all_.reset(rtcNewScene(device_.get()));
   set_flags(all_.get());
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
@@ -327,7 +330,10 @@ double World::transmittance(const Ray& r, double distance) const {
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) break;
     const Hit m = hit_of(q.hit, q.ray.tfar);
     // An object that fades out and lets half of the light through casts no shadow.
-    const double solidity = std::clamp(2 * surface_point(r, m).opacity - 1, 0.0, 1.0);
+    const TracedObject& b = objects_[m.object];
+    // Light that glass bends is not followed to the lights; most of it comes through straight.
+    const double clear = b.finish ? 0.9 * b.finish->transmission : 0;
+    const double solidity = std::clamp(2 * surface_point(r, m).opacity - 1, 0.0, 1.0) * (1 - clear);
     through *= 1 - solidity;
     from = m.distance * (1 + 2 * coplanar_tolerance) + 1e-30;
   }

@@ -59,6 +59,12 @@ struct SurfacePoint {
   Vec3 color;
   double opacity = 1, shine = 0;
   Material material = Material::plastic;
+  // Of a surface with a finish: what its pictures and its pattern make of it here.
+  const Finish* finish = nullptr;
+  double roughness = 0, metalness = 0;
+  Vec3 emission;
+  bool solid = false;     // whether it encloses a body
+  bool inside = false;    // whether the ray came from within it
   bool hairline = false;  // shows its own colour, fog or not
 };
 
@@ -87,6 +93,7 @@ class World {
   // Of surfaces in one plane, the one with the higher rank is drawn later. A line that crosses itself has one rank
   // there.
   std::uint64_t rank(const Hit&) const;
+  bool has_finishes() const { return finishes_; }
 
  private:
   // A mesh, or the unit ball if it has none.
@@ -113,6 +120,8 @@ class World {
     double opacity = 1, shine = 0;
     Material material = Material::plastic;
     std::shared_ptr<const Picture> texture;
+    std::shared_ptr<const Finish> finish;
+    Mat4 to_object;   // mesh space to object space
     double blur = 0;  // the uncertainty of its position in f32, metres
     bool line = false, hairline = false;
   };
@@ -125,6 +134,7 @@ class World {
   GeometryHandle instance(const TracedObject&) const;
   GeometryHandle hairlines(const TracedObject&, const View&) const;
   SurfacePoint triangle_point(const TracedObject&, const Hit&, bool back) const;
+  void add_finish(const TracedObject&, const Hit&, SurfacePoint&) const;
   std::optional<Hit> highest(const Ray&, double plane, std::uint64_t below) const;
 
   DeviceHandle device_;
@@ -132,7 +142,10 @@ class World {
   std::unordered_map<const Mesh*, std::shared_ptr<MeshScene>> mesh_scenes_;
   std::unordered_map<const Picture*, TextureUse> textures_;
   std::vector<TracedObject> objects_;  // a place for each drawable
-  bool thin_ = false;                  // whether some of them let light through
+  bool finishes_ = false;              // whether some have finishes
+  double pixel_ = 0;                   // the width of a pixel, metres a metre away, or metres
+  bool pixel_grows_ = true;
+  bool thin_ = false;  // whether some of them let light through
   std::uint64_t picture_ = 0;
 };
 
