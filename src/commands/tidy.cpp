@@ -144,7 +144,8 @@ class Tidier {
         fresh = false, end = t.end();
         continue;
       }
-      const bool adds = touches && text[0] == '+';  // as in abs(i)+2, where it is no sign of a number
+      // As in abs(i)+2, where it is no sign of a number. After = and @ it is one.
+      const bool adds = touches && text[0] == '+' && line.tokens.back().text.back() == ')';
       line.tokens.push_back({(adds ? "+" + shortest(text.substr(1)) : shortest(text)), false, fresh, touches});
       open_ = brackets;
       fresh = false, end = t.end();

@@ -37,6 +37,14 @@ TEST(Tidy, BracketsOfFormulasStayClose) {
   EXPECT_EQ(read(tidied).document, read(text).document);
 }
 
+// Tidying what is tidy changes nothing, also where the line cannot be read.
+TEST(Tidy, SignBehindASymbolGoesWhetherOrNotABlankIsThere) {
+  for (const char* const text : {"create a sphere heat=+0.50\n", "create a sphere heat= +0.50\n"})
+    EXPECT_EQ(tidy(text), "create a sphere heat=0.5\n");
+  EXPECT_EQ(tidy("a.motion\n  1f..9f R(1deg @+0.50 @ +2)\n"), "a.motion\n  1f..9f  R(1deg @ 0.5 @ 2)\n");
+  EXPECT_EQ(tidy("{1..3} h.eat=+0.50\n"), "{1..3} h.eat = 0.5\n");
+}
+
 TEST(Tidy, RowsThatCountFromTheOneAboveStayBehindIt) {
   const std::string text = "create b sphere\nb.radius\n  37f 3\n  +12.0f 5\n  1f 1\n  +0.50s 2\n  +12f 4\n";
   EXPECT_EQ(tidy(text), "create b sphere\nb.radius\n  1f     1\n  +0.5s  2\n  +12f   4\n  37f    3\n  +12f   5\n");

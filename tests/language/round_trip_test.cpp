@@ -269,12 +269,20 @@ TEST(RoundTrip, OrderOfRowsDoesNotMatter) {
   }));
 }
 
+// Returns the first lines in which two texts differ.
+std::string apart(const std::string& a, const std::string& b) {
+  std::istringstream left(a), right(b);
+  for (std::string l, r; std::getline(left, l), std::getline(right, r);)
+    if (l != r) return l + "\n-- and:\n" + r;
+  return a + "\n-- and:\n" + b;
+}
+
 // Loads, tidies, compiles and asks; what holds for any text.
 void try_text(const std::string& text) {
   const Loaded l = read(text);
   said(l.diagnostics);
   const std::string tidied = tidy(text);
-  RC_ASSERT(tidy(tidied) == tidied);
+  if (tidy(tidied) != tidied) RC_FAIL(apart(tidied, tidy(tidied)));
   if (!has_errors(l.diagnostics)) {
     const Loaded again = read(tidied);
     if (!(again.document == l.document)) RC_FAIL(text + "\n-- tidied:\n" + tidied + said(again.diagnostics));
