@@ -6,7 +6,7 @@
 #   tools/fuzz.sh [SECONDS [JOBS [TARGET…]]]  SECONDS is the time of all targets together
 #   tools/fuzz.sh build                       only builds the targets
 #   tools/fuzz.sh keep [TARGET…]              stores the corpora of earlier runs, made small, in tests/fuzz/corpus
-# The targets are motion, drawing, language, protocol, scene and lsp; the default is all of them. A run begins with the
+# The targets are motion, drawing, language, protocol, scene, lsp, words and tables; the default is all of them. A run begins with the
 # corpora of tests/fuzz/corpus and build/fuzz/corpus, the examples and the scripts of the tests. It writes failing input
 # to build/fuzz/found, its log to build/fuzz/TARGET.log, and new input to build/fuzz/corpus.
 root=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -17,7 +17,7 @@ if [ "${1-}" = keep ]; then keep=1 && set -- 1 1 "${@:2}"; fi
 if [ "${1-}" = build ]; then build_only=1 && set --; fi
 seconds=${1:-60} jobs=${2:-1}
 targets=("${@:3}")
-[ ${#targets[@]} != 0 ] || targets=(motion drawing language protocol scene lsp)
+[ ${#targets[@]} != 0 ] || targets=(motion drawing language protocol scene lsp words tables)
 need "$root/tools/packages.txt" "$root/tools/run-packages.txt" "$root/tools/fuzz-packages.txt"
 [[ ${seconds} =~ ^[1-9][0-9]*$ ]] || die "usage: tools/fuzz.sh [SECONDS [JOBS [TARGET…]]], build, or keep [TARGET…]"
 build fuzz "${targets[@]/#/fuzz_}"
@@ -28,7 +28,8 @@ cd "$folder" || die "there is no $folder"
 mkdir -p found
 # Leaks are checked once at the end: a check after each execution would take longer than everything else. The inputs are
 # short, because a few lines are enough to show most mistakes.
-declare -A longest=([motion]=400 [drawing]=2048 [language]=2048 [protocol]=1024 [scene]=8192 [lsp]=1024)
+declare -A longest=([motion]=400 [drawing]=2048 [language]=2048 [protocol]=1024 [scene]=8192 [lsp]=1024
+  [words]=2048 [tables]=2048)
 options=(-artifact_prefix=found/ -detect_leaks=0 -entropic=0 -timeout=120 -rss_limit_mb=3000)
 export LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0
 
@@ -47,7 +48,7 @@ seeds() {
   local ending=bx
   [ "$1" != drawing ] || ending=svg
   [ "$1" != scene ] || ending=glb
-  [ "$1" = motion ] || find "$root/examples" "$root/tests" -name "*.$ending" -size -32k -exec cp -f {} "seeds/$1/" \;
+  [[ $1 =~ ^(motion|words|tables)$ ]] || find "$root/examples" "$root/tests" -name "*.$ending" -size -32k -exec cp -f {} "seeds/$1/" \;
 }
 
 # fuzz TARGET SECONDS: runs a target and prints its result. Fails if it found a failure.

@@ -14,7 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "exchange/said_text.h"
 #include "exchange/sound_meter.h"
+#include "exchange/words_file.h"
 
 namespace betwixt {
 namespace {
@@ -48,6 +50,19 @@ Result<std::shared_ptr<const Sound>> read_sound(const std::string& path, bool) {
     return fail(ErrorCode::file, fmt::format("this browser cannot decode {}: {}", path, decoded->trouble),
                 ".wav, .mp3, .m4a and .flac are decoded by nearly all browsers");
   return std::shared_ptr<const Sound>(decoded, &decoded->sound);
+}
+
+// The page was made with the voice and its words.
+Result<std::shared_ptr<const SaidText>> say_named(const std::string& name) {
+  if (const auto say = read_said_name(name); !say) return say.error();
+  const std::string file = "/film/" + said_file(name);
+  auto words = load_words(file + ".words");
+  if (!words)
+    return fail(ErrorCode::machine, "this page cannot say a new text",
+                "betwixt web makes the page anew, with its voice");
+  auto sound = read_sound(file + ".wav", true);
+  if (!sound) return sound.error();
+  return std::make_shared<const SaidText>(SaidText{file + ".wav", *std::move(sound), *std::move(words)});
 }
 
 }  // namespace betwixt

@@ -101,4 +101,7 @@ FontFile font_file(const Typeface& face) {
           0};
 }
 
+// Who edits a page sees the letters.
+std::string missing_letter(const Typeface&, std::string_view) { return {}; }
+
 }  // namespace betwixt

@@ -64,7 +64,9 @@ static const Section* section_of(const std::string& text, const Document& docume
   return nullptr;
 }
 
-Result<FrameList> read_frames(const std::string& text, const Document& document, const std::string& option) {
+Result<FrameList> read_frames(const std::string& text, const Document& document, const std::string& said) {
+  // The option that the author has written.
+  const std::string option = text == section_frames(text.substr(0, text.find(".start.."))) ? "--section" : said;
   auto [first, last] = document.range();
   if (!text.empty()) {
     const std::size_t dots = text.find("..");
@@ -89,7 +91,7 @@ Result<FrameList> read_frames(const std::string& text, const Document& document,
   }
   Result<FrameList> frames = frames_between(first, last, document.rate());
   if (frames) return frames;
-  return fail(ErrorCode::range, frames.error().message, fmt::format("choose some: {} A..B", option));
+  return fail(ErrorCode::range, frames.error().message, fmt::format("choose some: {} A..B", said));
 }
 
 void Problems::say(const std::vector<std::string>& problems) {

@@ -20,6 +20,7 @@
 #include "app/row_table.h"
 #include "app/streams.h"
 #include "base/counted.h"
+#include "base/files.h"
 #include "base/in_parallel.h"
 #include "base/json.h"
 #include "base/tell_user.h"
@@ -229,6 +230,9 @@ Status check_call(const RenderCall& call) {
   if (call.part && call.rows) return fail(ErrorCode::range, "--rows and --part exclude each other");
   if (call.out.empty() || is_stream(call.out) || call.out.starts_with("-."))
     return fail(ErrorCode::range, "--each needs a name for each film", "as in -o \"out/{name}.mp4\"");
+  if (ending(call.out) == "pdf")
+    return fail(ErrorCode::range, "--each makes films, and no .pdf",
+                "a .pdf for each row: --let NAME=VALUE -o FILE.pdf");
   const auto place = read_output(call.out);
   if (!place) return place.error();
   if (!place->format) return fail(ErrorCode::range, "--each makes films, not numbered pictures");

@@ -123,17 +123,6 @@ std::string unknown_phones(const std::string& word, const std::string& folder, s
 
 }  // namespace
 
-std::vector<std::string> words_of_text(std::string_view text) {
-  std::vector<std::string> all;
-  const auto white = [](char c) { return std::string_view(" \t\r\n").find(c) != std::string_view::npos; };
-  for (auto at = text.begin(); at != text.end();) {
-    const auto from = std::find_if_not(at, text.end(), white), to = std::find_if(from, text.end(), white);
-    if (const std::string word(from, to); !letters_of(word).empty()) all.push_back(word);
-    at = to;
-  }
-  return all;
-}
-
 std::string phones_of_espeak(std::string_view said) { return replaced(said, espeak_sounds); }
 
 std::string phones_of_letters(std::string_view word) {

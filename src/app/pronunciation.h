@@ -15,8 +15,6 @@ namespace betwixt {
 // The ways to say each word, in phones with blanks between them: "S K W EH R".
 using Pronunciations = std::map<std::string, std::vector<std::string>>;
 
-// Returns the spoken words of a text as it spells them. Signs alone, such as a dash, are no words.
-std::vector<std::string> words_of_text(std::string_view text);
 // Returns pronunciations for each of these words. A word that the dictionary lacks gets one from the program espeak-ng,
 // or by rules for letters if that is not installed. `folder` is for temporary files. Errors: those of the dictionary.
 Result<Pronunciations> pronunciations(const std::vector<std::string>& words, const std::string& dictionary,

@@ -24,7 +24,9 @@
 #include "base/utf8.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
+#include "exchange/said_text.h"
 #include "exchange/typefaces.h"
+#include "exchange/words_file.h"
 #include "export/formats.h"
 #include "language/json.h"
 #include "scene/code_languages.h"
@@ -168,6 +170,19 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
   return Nothing{};
 }
 
+// Adds the voices that say texts, and when they say their words: a page has no espeak-ng.
+Status add_voices(PageFiles& to, const Document& document) {
+  for (const auto& [name, sound] : *document.scene().sounds) {
+    if (!names_said_text(name)) continue;
+    const auto said = say_named(name);
+    if (!said) return said.error();
+    auto wave = read_whole((*said)->wave);
+    if (!wave) return wave.error();
+    to[said_file(name) + ".wav"] = *std::move(wave), to[said_file(name) + ".words"] = write_words(*(*said)->words);
+  }
+  return Nothing{};
+}
+
 }  // namespace
 
 std::string player_markup(const PageFilm& film, const PageOptions& options, std::string_view flags) {
@@ -230,6 +245,7 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
   for (Pause& pause : document->pauses())
     if (pause.time >= film.begin) film.stops.push_back(std::move(pause));
   if (Status s = add_files(film.files, script, *document, asked); !s) return s.error();
+  if (Status s = add_voices(film.files, *document); !s) return s.error();
   look_through(film, *document);
   add_losses(film, *document);
   return film;

@@ -8,11 +8,11 @@
 
 #include "app/alignment.h"
 #include "app/command.h"
-#include "app/scratch_voice.h"
 #include "app/subcommand.h"
 #include "base/counted.h"
 #include "base/files.h"
 #include "base/tell_user.h"
+#include "exchange/scratch_voice.h"
 #include "exchange/words_file.h"
 #include "language/captions.h"
 #include "scene/document.h"
@@ -132,10 +132,14 @@ int caption_film(const WordsCall& call) {
 
 int words_command(WordsCall& call) {
   const std::string kind = ending(call.file);
+  const VoiceChoice usual;
   if (!call.say.empty()) return say_call(call);
   if (call.file.empty())
     return complain(fail(ErrorCode::syntax, "a recording is missing",
                          "as in betwixt words talk.wav --text talk.txt, or betwixt words --say talk.txt -o talk.wav"),
+                    wrong_call);
+  if (call.voice.voice != usual.voice || call.speed != usual.speed)
+    return complain(fail(ErrorCode::syntax, "--voice and --speed are for a voice that is made", "add --say TEXT.txt"),
                     wrong_call);
   if (!call.text.empty()) return align_call(call);
   if (kind == "bx") return caption_film(call);

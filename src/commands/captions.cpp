@@ -13,6 +13,7 @@
 #include "commands/command.h"
 #include "commands/furnishing.h"
 #include "commands/furniture_rows.h"
+#include "commands/translating.h"
 #include "language/values.h"
 #include "program/compiled.h"
 #include "syntax/tokens.h"
@@ -117,11 +118,12 @@ bool captions(Command& k) {
     ++c.at;
     if (!captions_option(k, key, call)) return false;
   }
-  const std::vector<Caption> all = captions_of(words_heard(s, id), call.style);
+  std::vector<Caption> all = captions_of(words_heard(s, id), call.style);
   if (all.empty())
     return c.fail(ErrorCode::type, fmt::format("'{}' has no words that are heard", word), word,
                   "create it with words=\"FILE\"; betwixt words makes the file");
-  const std::string name = s.objects[id.index].name + "-captions";
+  for (Caption& one : all) translate_text(script, one.text, word);
+  const std::string name = captions_name(s.objects[id.index].name);
   const ObjectId camera = first_camera(s);
   if (!camera && !s.appearance.flat && call.position.empty())  // the usual camera sees everything, the captions too
     return c.fail(ErrorCode::type, "captions need a camera above them, or a flat film", word,

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "commands/command.h"
+#include "commands/translating.h"
 
 namespace betwixt {
 namespace {
@@ -50,7 +51,11 @@ bool describe_film(Command& k) {
   if (!time)
     return c.fail_here(ErrorCode::syntax, "a description needs a time", "as in at 24f describe \"The ball falls\"");
   Description said{*time, {}};
-  if (!cue_text(c, said.text) || !finish(c) || !has_room(c, *s.descriptions, {script.verb, 8})) return false;
+  c.space();
+  const char* const start = c.at;
+  if (!cue_text(c, said.text)) return false;
+  translate_text(script, said.text, c.since(start));
+  if (!finish(c) || !has_room(c, *s.descriptions, {script.verb, 8})) return false;
   s.descriptions.edit().insert_or_assign(said.time, std::move(said));
   return true;
 }

@@ -15,12 +15,14 @@
 #include "base/names.h"
 #include "betwixt/picture.h"
 #include "commands/command.h"
+#include "commands/furnishing.h"
 #include "commands/reader.h"
 #include "commands/translating.h"
 #include "exchange/font_face.h"
 #include "exchange/formulas.h"
 #include "exchange/meshes.h"
 #include "exchange/pictures.h"
+#include "exchange/said_text.h"
 #include "exchange/scene_file.h"
 #include "exchange/sent.h"
 #include "exchange/sounds.h"
@@ -244,6 +246,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   if (f == tex) return path.empty() || tex_formula(k, path, about);
   const bool named = f == fn::file || is_picture(f) || f == fn::sound_file || f == fn::sound_words || f == fn::font;
   if (!named || path.empty()) return true;
+  if (f == fn::sound_file && names_said_text(path)) return load_said_text(k, path, about, about);
   if (f == fn::file && path.find('#') != path.npos) return part_of_scene(k, path, about);
   fs::path where;
   if (!may_use(k, path, about, where)) return false;

@@ -130,6 +130,7 @@ bool lasting(Command& k, Time& length, std::string_view about) {
 std::string write_metres(double v) { return write_number(std::round(v * 1e4) / 1e4); }
 
 bool furniture(Command& k, Kind kind, std::string_view key, Furniture& out) {
+  if (kind == Kind::sound) return said_parameter(k, key, out);
   const FurnitureRow* row = furniture_of(kind);
   Cursor& c = k.cursor;
   if (!row || row->takes == Takes::nothing) return false;

@@ -4,10 +4,12 @@
 // Kinds that own children: `create` makes their pieces too, by lines of the language.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "commands/command.h"
+#include "exchange/said_text.h"
 #include "scene/quantity.h"
 
 namespace betwixt {
@@ -17,10 +19,18 @@ struct Furniture {
   std::vector<LetList> rows;  // of `of`: one row, or several for tables
   bool nested = false;        // whether the rows stand in brackets of their own
   LetList keys;
-  std::string_view of_at, formula_at;  // their places in the line
+  std::optional<SayText> say;                                     // of a sound
+  std::string_view of_at, formula_at, say_at, voice_at, text_at;  // their places in the line
 };
 // Reads `of` or `keys` after its =, if the kind takes it. Returns false with an error, or without one if it does not.
 bool furniture(Command&, Kind, std::string_view key, Furniture&);
+
+// Reads say, voice or pace of a sound after the =. Returns as furniture() does.
+bool said_parameter(Command&, std::string_view key, Furniture&);
+// Makes the voice of such a name (exchange/said_text.h), with its words.
+bool load_said_text(Command&, const std::string& name, std::string_view voice_at, std::string_view about);
+// Gives a sound the text that it says.
+bool give_said_text(Command&, Object&, const Furniture&, std::string_view about);
 
 // Returns the function that a word of `create` means: the points of a scatter are its `of`.
 std::string_view meant_at_create(Kind, std::string_view key);

@@ -29,8 +29,10 @@ std::string said(const GivenLet& given) {
                     : fmt::format("--let {}={}", given.name, value);
 }
 
-// Returns whether a cell is a value as it stands, and nothing to work out: 12, -0.5m, 24f, #ffcc00, gold, (1 2 3).
+// Returns whether a cell is a value as it stands, and nothing to work out: 12, -0.5m, 24f, #ffcc00, gold, (1 2 3),
+// rgb(1 0.5 0), hsv(30deg 1 1).
 bool is_plain(std::string_view cell) {
+  if (cell.starts_with("rgb(") || cell.starts_with("hsv(")) cell.remove_prefix(3);
   char before = ' ';
   std::string_view rest = cell;
   for (const char ch : cell) {

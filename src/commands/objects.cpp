@@ -172,8 +172,10 @@ bool create(Command& k) {
   if (!parameters(k, object, &said, &furniture)) return false;
   if (object.kind == Kind::mesh && !object.find(fn::file))
     return c.fail(ErrorCode::syntax, "a mesh needs its file", kind_word, "as in file=\"cow.obj\"");
+  if (furniture.say && !give_said_text(k, object, furniture, kind_word)) return false;
   if (object.kind == Kind::sound && !object.find(fn::sound_file))
-    return c.fail(ErrorCode::syntax, "a sound needs its file", kind_word, "as in file=\"music.mp3\"");
+    return c.fail(ErrorCode::syntax, "a sound needs its file", kind_word,
+                  "as in file=\"music.mp3\", or say=\"Hello\" for a voice");
   std::vector<ObjectId> parents(names->size());
   std::vector<std::string> sorted = *names;
   std::sort(sorted.begin(), sorted.end());
@@ -353,6 +355,7 @@ bool one_parameter(Command& k, Object& object, std::vector<FunctionId>* said, Fu
   if (component >= 0 && slot.set && std::holds_alternative<Quat>(*slot.set))
     return c.fail(ErrorCode::type, "an orientation has no separate angles", key);
   slot.set = component < 0 ? v : with_component(slot.set.value_or(spec.rest), component, std::get<double>(v));
+  if (furnished && *f == fn::text) furnished->text_at = key;
   if (styled && (key == "weight" || key == "slant")) *styled = key;
   return true;
 }
@@ -363,6 +366,8 @@ bool parameters(Command& k, Object& object, std::vector<FunctionId>* said, Furni
     if (!one_parameter(k, object, said, furnished, &styled)) return false;
   if (const auto f = styled.empty() ? std::nullopt : find_function(k.scene, object.kind, styled))
     say_missing_style(k, object, *f, *object.find(*f)->set, styled);
+  if (furnished && !furnished->text_at.empty())
+    say_missing_style(k, object, fn::text, *object.find(fn::text)->set, furnished->text_at);
   return true;
 }
 

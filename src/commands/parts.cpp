@@ -29,6 +29,10 @@ bool name_of_part(Command& k, std::string_view& name) {
     return c.fail(ErrorCode::name, fmt::format("a kind '{}' already exists", name), name);
   if (s.parts->contains(name) && !script.live)
     return c.fail(ErrorCode::name, fmt::format("a part '{}' already exists", name), name);
+  for (const PartRow& row : part_rows())
+    if (row.name == name && !s.parts->contains(name))
+      script.note(Severity::warning, fmt::format("the part '{}' of the program is not used from here on", name), name,
+                  "give this one another name, or leave it out");
   return s.parts->size() < most_parts ||
          c.fail(ErrorCode::range, fmt::format("a script can have at most {} parts", most_parts), name);
 }

@@ -205,6 +205,20 @@ class Ordering {
   std::vector<bool> done_;
 };
 
+// Reports sections that the film never shows.
+void say_unseen_sections(const Scene& s, Script& script) {
+  if (!s.range) return;
+  for (const Section& one : *s.sections) {
+    const bool before = one.end <= s.range->first && one.begin<s.range->first, behind = one.begin> s.range->second;
+    const auto place = script.section_places.find(one.name);
+    if (!(before || behind) || place == script.section_places.end()) continue;
+    Diagnostic d = place->second;
+    d.what.message = fmt::format("section '{}' is {} the range of the film", one.name, before ? "before" : "behind");
+    d.what.hint = "range says which part of the film is shown";
+    script.diagnostics.push_back(std::move(d));
+  }
+}
+
 }  // namespace
 
 Result<Time> section_time(const Scene& s, Script& script, std::string_view name, bool end) {
@@ -243,6 +257,7 @@ void say_overlaps(const Scene& s, Script& script) {
       }
     if (!last || one->end > last->end) last = one;
   }
+  say_unseen_sections(s, script);
 }
 
 bool look_ahead(const Scene& s, Script& script, SectionsAhead& next) {

@@ -158,9 +158,7 @@ Status put_in_order(Table& t, const TableOrder& order, std::string_view& about) 
   if (const Status found = find(order.sort, order.sort_at, sort); !found) return found;
   if (sort) sort_rows(t, *sort, order.falling, rows);
   if (const Status found = find(order.over, order.over_at, t.over); !found) return found;
-  if (t.over && t.columns[*t.over].of == TableColumn::Of::text)
-    return fail(ErrorCode::type, fmt::format("'{}' is a column of texts, not of times", order.over),
-                "times are numbers such as 1990, or dates such as 1990-07-31");
+  if (t.over && t.columns[*t.over].of == TableColumn::Of::text) return no_times(t, t.columns[*t.over], order.over);
   if (const Status found = find(order.key, order.key_at, t.key); !found) return found;
   if (!t.key && order.first > 0 && order.first < rows.size()) rows.resize(order.first);
   if (rows.size() < t.rows() || sort) take_rows(t, rows);
@@ -171,6 +169,21 @@ Status put_in_order(Table& t, const TableOrder& order, std::string_view& about) 
   if (const Status found = find_keys(t); !found) return found;
   if (order.first > 0) take_first_keys(t, order.first);
   return Nothing{};
+}
+
+Error no_times(const Table& t, const TableColumn& column, std::string_view said) {
+  Hint hint("times are numbers such as 1990, or dates such as 1990-07-31");
+  double ignored = 0;
+  const bool dates = std::any_of(column.cells.begin(), column.cells.end(),
+                                 [&](std::string_view cell) { return read_date(cell, ignored); });
+  for (std::size_t row = 0; row < t.rows(); ++row) {
+    const std::string_view cell = column.cells[row];
+    if (cell.empty() || (dates ? read_date(cell, ignored) : read_cell_number(cell, false, ignored))) continue;
+    hint = Hint(fmt::format("'{}' in line {} is no {}", visible(first_characters(cell, 40)), t.lines[row],
+                            dates ? "date; as in 1990-07-31" : "number and no date"));
+    break;
+  }
+  return fail(ErrorCode::type, fmt::format("'{}' is a column of texts, not of times", said), std::move(hint));
 }
 
 }  // namespace betwixt

@@ -343,7 +343,7 @@ bool fill(Command& k) {
     return c.fail(ErrorCode::name, fmt::format("the table has no column '{}'", column), over_at,
                   did_you_mean(column, table->column_names()));
   if (table->columns[*over].of == TableColumn::Of::text)
-    return c.fail(ErrorCode::type, fmt::format("'{}' is a column of texts, not of times", column), over_at);
+    return c.fail(no_times(*table, table->columns[*over], column), over_at);
   c.place.over = *over;
   Filling f{k, *table, *over, value_at, {}, {}, about};
   if (!row_times(k, *table, *over, over_at, f.times) || !betwixt::way(k, on, f.way) || !finish(c)) return false;

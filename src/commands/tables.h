@@ -30,5 +30,7 @@ struct TableOrder {
 // Chooses and sorts the rows, and finds the keys. `about` receives the piece of the line that an error is about.
 // Errors: name (no such column), type (texts as times), file (a key without a cell; two rows for a key and a time).
 Status put_in_order(Table&, const TableOrder&, std::string_view& about);
+// Returns the error that a column has no times, with the first cell that is none.
+Error no_times(const Table&, const TableColumn&, std::string_view said);
 
 }  // namespace betwixt

@@ -9,7 +9,9 @@
 #include "base/names.h"
 #include "commands/command.h"
 #include "exchange/fonts.h"
+#include "exchange/typefaces.h"
 #include "scene/formula_parts.h"
+#include "scene/own_font.h"
 #include "scene/text_functions.h"
 
 namespace betwixt {
@@ -135,7 +137,8 @@ constexpr Verb texts_rows[] = {
 
 void say_missing_style(Command& k, const Object& o, FunctionId f, const Value& v, std::string_view about) {
   const std::string_view name = spec_of(k.scene, f).name;
-  if (o.kind != Kind::text || (name != "font" && name != "weight" && name != "slant")) return;
+  const Text* const text = f == fn::text ? std::get_if<Text>(&v) : nullptr;
+  if (o.kind != Kind::text || (name != "font" && name != "weight" && name != "slant" && !text)) return;
   const auto value = [&](std::string_view of) {
     const FunctionId at = *find_built_in(Kind::text, of);
     return at == f ? v : settled_value(k.scene, o, at);
@@ -143,7 +146,13 @@ void say_missing_style(Command& k, const Object& o, FunctionId f, const Value& v
   const Value font = value("font");
   const Typeface face{std::holds_alternative<Text>(font) ? *std::get<Text>(font) : "", weight_of(value("weight")),
                       is_italic(value("slant"))};
-  if (face.weight == Weight::regular && !face.italic) return;  // the default look
+  if (text && !names_font_file(face.family))
+    if (const std::string lacks = missing_letter(face, **text); !lacks.empty())
+      k.script.note(Severity::warning,
+                    fmt::format("the font \"{}\" has no letter '{}'; a box is shown",
+                                face.family.empty() ? "DejaVu Sans" : face.family, lacks),
+                    about, "font= names another one; fc-list shows those of this machine");
+  if (text || (face.weight == Weight::regular && !face.italic)) return;  // the default look
   if (const Status known = find_style(face); !known)
     k.script.note(Severity::warning, known.error().message, about, known.error().hint);
 }

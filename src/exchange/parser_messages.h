@@ -27,9 +27,10 @@ struct ParserRequest {
   std::uint32_t any_size = 0;  // no limit on the unpacked size (unpacking.h)
   ParserCeilings most;
 };
-constexpr char parser_version[] = "9";  // of this protocol; the program's first argument
+constexpr char parser_version[] = "10";  // of this protocol; the program's first argument
 // Its second argument: become another program in a jail, for a file or in a folder (parser_program.cpp).
 constexpr char parser_runs[] = "run", parser_works_in[] = "work";
+constexpr char parser_says[] = "say";                                       // or: say the text of a folder
 constexpr int parser_of_another_version = 3, parser_started_nothing = 126;  // its exit codes
 constexpr int parser_control = 3;                                           // the socket for requests
 

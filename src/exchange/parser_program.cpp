@@ -7,6 +7,8 @@
 //   betwixt-parser VERSION run MEMORY SECONDS FILE PROGRAM WORD…      becomes a program that can read that file only
 //   betwixt-parser VERSION work MEMORY SECONDS FOLDER PROGRAM WORD…   becomes a program that can change that folder
 //   only
+//   betwixt-parser VERSION say VOICE PACE FOLDER                      says the text in that folder, where it is in a
+//   jail
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -21,6 +23,7 @@
 #include "base/files.h"
 #include "exchange/parser_jail.h"
 #include "exchange/parser_process.h"
+#include "exchange/scratch_voice.h"
 
 namespace betwixt {
 namespace {
@@ -93,6 +96,16 @@ int run_in_jail(decltype(give_up_all_but_one_file)& give_up, char** words) {
   return parser_started_nothing;
 }
 
+// Words: VOICE PACE FOLDER.
+int say_there(char** words) {
+  const std::string folder = words[2];
+  const Status said = say_in_folder(folder, {words[0], static_cast<int>(std::strtol(words[1], nullptr, 10))});
+  if (said) return 0;
+  const Error& wrong = said.error();
+  const std::string told = static_cast<char>(wrong.code) + wrong.message + "\n" + wrong.hint;
+  return write_whole(folder + "/" + speech_error, told, true) ? 1 : 2;
+}
+
 }  // namespace
 }  // namespace betwixt
 
@@ -100,6 +113,7 @@ int main(int count, char** words) {
   using namespace betwixt;
   if (count < 2 || std::strcmp(words[1], parser_version) != 0) return parser_of_another_version;
   if (count > 6 && std::strcmp(words[2], parser_runs) == 0) return run_in_jail(give_up_all_but_one_file, words + 3);
+  if (count == 6 && std::strcmp(words[2], parser_says) == 0) return say_there(words + 3);
   if (count > 6 && std::strcmp(words[2], parser_works_in) == 0)
     return run_in_jail(give_up_all_but_one_folder, words + 3);
   if (count != 2) return parser_of_another_version;

@@ -15,6 +15,7 @@
 
 #include "base/files.h"
 #include "base/names.h"
+#include "base/process_folder.h"
 #include "base/sha256.h"
 #include "betwixt/picture.h"
 #include "exchange/drawing.h"
@@ -31,33 +32,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t hash_digits = 16, longest_name = 64;
 
-// A folder that only this user can open. It goes when the process ends.
-class OwnFolder {
- public:
-  ~OwnFolder() {
-    std::error_code ignored;
-    if (!path_.empty() && owner_ == ::getpid()) fs::remove_all(path_, ignored);
-  }
-  Result<fs::path> get() {
-    if (!path_.empty()) return path_;
-    std::error_code ignored;
-    fs::path temporary = fs::temp_directory_path(ignored);
-    if (temporary.empty()) temporary = "/tmp";
-    std::string pattern = (temporary / "betwixt-sent-XXXXXX").string();
-    if (!::mkdtemp(pattern.data())) return system_error(errno, "make a folder in", temporary.string());
-    path_ = fs::weakly_canonical(pattern, ignored), owner_ = ::getpid();
-    return path_;
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-  pid_t owner_ = 0;
-};
-
 struct Store {
   std::mutex mutex;
-  OwnFolder folder;
+  ProcessFolder folder{"sent"};
   std::map<std::string, fs::path, std::less<>> files;      // by full name
   std::map<std::string, std::string, std::less<>> newest;  // full names by name
   std::uint64_t bytes = 0;

@@ -13,6 +13,7 @@
 #include <set>
 #include <vector>
 
+#include "base/utf8.h"
 #include "scene/text_functions.h"
 
 namespace betwixt {
@@ -147,8 +148,10 @@ Status find_style(const Typeface& face) {
               fmt::format("there is {}", there));
 }
 
-FontFile font_file(const Typeface& face) {
-  const std::lock_guard lock(fonts_mutex());
+namespace {
+
+// The best match. The caller has the lock.
+OwnedByUs<FcPattern> best_match(const Typeface& face) {
   const OwnedByUs<FcPattern> pattern(FcPatternCreate());
   FcPatternAddString(pattern.get(), FC_FAMILY, bytes(has_family(face.family) ? face.family : "DejaVu Sans"));
   FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);
@@ -157,13 +160,41 @@ FontFile font_file(const Typeface& face) {
   FcConfigSubstitute(nullptr, pattern.get(), FcMatchPattern);
   FcDefaultSubstitute(pattern.get());
   FcResult found = FcResultNoMatch;
-  const OwnedByUs<FcPattern> match(FcFontMatch(nullptr, pattern.get(), &found));
+  return OwnedByUs<FcPattern>(FcFontMatch(nullptr, pattern.get(), &found));
+}
+
+// Whether a letter is drawn, if the font has it.
+bool is_drawn(char32_t c) {
+  return c > 0x20 && c != 0x7F && !(c >= 0x80 && c <= 0xA0) && c != 0xAD && !(c >= 0x2000 && c <= 0x200F) &&
+         !(c >= 0x2028 && c <= 0x202F) && !(c >= 0x205F && c <= 0x206F) && c != 0x3000 &&
+         !(c >= 0xFE00 && c <= 0xFE0F) && c != 0xFEFF && c < 0xE0000;
+}
+
+}  // namespace
+
+FontFile font_file(const Typeface& face) {
+  const std::lock_guard lock(fonts_mutex());
+  const OwnedByUs<FcPattern> match = best_match(face);
   FcChar8* file = nullptr;
   FontFile out;
   if (!match || FcPatternGetString(match.get(), FC_FILE, 0, &file) != FcResultMatch) return out;
   FcPatternGetInteger(match.get(), FC_INDEX, 0, &out.index);
   out.path = reinterpret_cast<const char*>(file);
   return out;
+}
+
+std::string missing_letter(const Typeface& face, std::string_view text) {
+  const std::lock_guard lock(fonts_mutex());
+  const OwnedByUs<FcPattern> match = best_match(face);
+  FcCharSet* letters = nullptr;
+  if (!match || FcPatternGetCharSet(match.get(), FC_CHARSET, 0, &letters) != FcResultMatch) return {};
+  for (std::size_t i = 0, n = 0; i < text.size(); i += n) {
+    n = std::max<std::size_t>(character_length(text, i), 1);
+    FcChar32 c = 0;
+    if (FcUtf8ToUcs4(reinterpret_cast<const FcChar8*>(text.data() + i), &c, static_cast<int>(n)) <= 0) continue;
+    if (is_drawn(c) && !FcCharSetHasChar(letters, c)) return std::string(text.substr(i, n));
+  }
+  return {};
 }
 
 }  // namespace betwixt

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <tuple>
 
 #include "betwixt/result.h"
@@ -35,5 +36,8 @@ struct FontFile {
   int index = 0;
 };
 FontFile font_file(const Typeface&);
+// Returns the first letter of a text that this best match lacks, or "". Blanks and signs that are never drawn do not
+// count.
+std::string missing_letter(const Typeface&, std::string_view text);
 
 }  // namespace betwixt

@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "betwixt/time.h"
@@ -28,7 +29,9 @@ struct CaptionStyle {
 std::vector<SpokenWord> words_heard(const Scene&, ObjectId sound);
 
 std::vector<Caption> captions_of(std::span<const SpokenWord>, const CaptionStyle& = {});
-// Returns those of all sounds that have words, by time.
+// Returns the name of the text that shows those of a sound.
+std::string captions_name(std::string_view sound);
+// Returns those of all sounds that have words, by time: as the film shows them, if it does.
 std::vector<Caption> captions_of_film(const Scene&);
 // Returns those between two times, counted from the first.
 std::vector<Caption> captions_between(const std::vector<Caption>&, double first, double last);

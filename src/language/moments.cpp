@@ -68,7 +68,9 @@ std::string text_of(const Object& o, FunctionId f) {
 
 NamedSound sound_of(const Scene& s, const Object& o) {
   NamedSound sound{o.name, text_of(o, fn::sound_file), nullptr, {}};
-  if (const auto words = s.words->find(text_of(o, fn::sound_words)); words != s.words->end())
+  const std::string named = text_of(o, fn::sound_words);
+  // A text that is said has its words by the name of its sound.
+  if (const auto words = s.words->find(named.empty() ? sound.file : named); words != s.words->end())
     sound.words = words->second.get();
   const auto known = s.sounds->find(sound.file);
   double length = known == s.sounds->end() ? 0 : known->second->seconds;
@@ -170,6 +172,16 @@ bool time_of_words(Cursor& c, const NamedSound& sound, double& out) {
   return true;
 }
 
+// Reads NAME.start or NAME.end of a section. Objects come first: their names may be those of sections.
+std::optional<Result<Time>> edge_of_section(const Cursor& c, const MomentForm& form) {
+  if (form.words || !c.sections || (c.moments && c.moments->names.find(form.name))) return std::nullopt;
+  Result<Time> edge = (*c.sections)(form.name, dotted(form.name.data() + form.name.size(), c.end, "end"));
+  if (!edge && edge.error().code == ErrorCode::name && edge.error().hint.empty() && c.moments &&
+      !near_object(*c.moments, form.name).empty())
+    return std::nullopt;
+  return edge;
+}
+
 }  // namespace
 
 bool moment_begins(const Cursor& c, const char* at) {
@@ -184,6 +196,11 @@ bool moment_begins(const Cursor& c, const char* at) {
 
 bool moment(Cursor& c, Quantity& out) {
   const MomentForm form = form_of_moment(c.at, c.end);
+  if (const auto edge = edge_of_section(c, form)) {
+    if (!*edge) return c.fail(edge->error(), form.name);
+    c.at += form.name.size() + (dotted(form.name.data() + form.name.size(), c.end, "end") ? 4 : 6);
+    return out = {Quantity::Of::time, (*edge)->seconds(), 1, true}, true;
+  }
   NamedSound sound;
   if (!find_sound(c, form.name, sound)) return false;
   c.at += form.name.size();
@@ -255,7 +272,7 @@ std::vector<std::string> moment_names(const Scene& s) {
   for (std::size_t i = 0; i < s.objects.size() && all.size() < most_offered; ++i) {
     const Object& o = s.objects[i];
     if (o.removed || o.kind != Kind::sound) continue;
-    if (!text_of(o, fn::sound_words).empty()) all.push_back(o.name + ":\"");
+    if (sound_of(s, o).words) all.push_back(o.name + ":\"");
     all.push_back(o.name + ".start"), all.push_back(o.name + ".end");
   }
   return all;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Times that have names: `voice:"the square"` is when these words begin, `voice:"the square"#2` when they begin the
-// second time, `voice:"the square".end` when they end; `voice.start` and `voice.end` are those of the whole sound. They
-// are operands of formulas, so that a length may follow: voice.end+12f.
+// second time, `voice:"the square".end` when they end; `voice.start` and `voice.end` are those of the whole sound, and
+// `proof.start` and `proof.end` those of a section. They are operands of formulas, so that a length may follow:
+// voice.end+12f.
 #pragma once
 
 #include <string>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/names.h"
 #include "betwixt/math.h"
 #include "language/cursor.h"
 #include "language/formula.h"
@@ -14,6 +15,20 @@
 #include "scene/document.h"
 
 namespace betwixt {
+
+namespace {
+
+// Returns the hint for voice.ed and proof.strat, or none.
+Hint near_edge(std::string_view word) {
+  const std::size_t dot = word.rfind('.');
+  if (dot == std::string_view::npos || dot == 0 || !is_letter(word[0])) return {};
+  const Hint edge = did_you_mean(word.substr(dot + 1), {"start", "end"});
+  if (edge.instead.empty()) return {};
+  const std::string instead = std::string(word.substr(0, dot + 1)) + edge.instead;
+  return {fmt::format("did you mean '{}'?", instead), instead};
+}
+
+}  // namespace
 
 bool Cursor::store(Time& out, long double seconds, const char* start) {
   if (!(std::abs(seconds) <= static_cast<long double>(longest_seconds)))
@@ -154,6 +169,7 @@ bool Cursor::time_or_length(Time& out, bool length) {
                            ? "a time is missing here"
                            : fmt::format("{} is not a time",
                                          quoted_word(peek_word().empty() ? std::string_view(at, 1) : peek_word()));
+    if (error->hint.empty() && error->code == ErrorCode::syntax) set_hint(*error, near_edge(peek_word()));
     if (error->hint.empty() && error->code == ErrorCode::syntax)
       error->hint = "times look like 24f, 2.5s, 500ms, 90t or 00:01:02.5";
     return false;

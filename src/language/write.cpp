@@ -250,7 +250,7 @@ struct Writer {
       for (const Slot& slot : o.slots) {
         if (!slot.set || refers(slot) || slot.function == fn::mode) continue;
         const FunctionSpec& spec = spec_of(s, slot.function);
-        out += " " + spec.name + "=" + value(*slot.set, spec, -1);
+        out += " " + write_setting(spec.name, *slot.set, value(*slot.set, spec, -1));
       }
       out += "\n";
     }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "scene/document.h"
+#include "scene/say_text.h"
 
 namespace betwixt {
 

@@ -346,7 +346,8 @@ inline constexpr KindRow kind_rows[] = {
      .example = "create side camera position=(30 0 0) look-at=ball"},
     {.kind = Kind::sound,
      .name = "sound",
-     .sentence = "A sound from a file below the script's folder.",
+     .sentence = "A sound from a file below the script's folder, or a text that a voice of espeak-ng says: say=\"…\" "
+                 "voice=\"en-us\" pace=150.",
      .written = "file=\"…\" at=1f from=0 until=… gain=1 fade-in=0 fade-out=0",
      .example = "create music sound file=\"music.mp3\" at=24f fade-in=2s"},
     {.kind = Kind::environment,

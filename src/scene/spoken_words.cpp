@@ -70,6 +70,17 @@ std::string letters_of(std::string_view text) {
   return out;
 }
 
+std::vector<std::string> words_of_text(std::string_view text) {
+  std::vector<std::string> all;
+  const auto white = [](char c) { return std::string_view(" \t\r\n").find(c) != std::string_view::npos; };
+  for (auto at = text.begin(); at != text.end();) {
+    const auto from = std::find_if_not(at, text.end(), white), to = std::find_if(from, text.end(), white);
+    if (const std::string word(from, to); !letters_of(word).empty()) all.push_back(word);
+    at = to;
+  }
+  return all;
+}
+
 std::vector<SpokenRun> find_spoken(const SpokenWords& in, std::string_view letters) {
   std::vector<SpokenRun> all;
   if (letters.empty()) return all;

@@ -35,6 +35,8 @@ struct SpokenRun {
 
 // Returns what words are compared by: the letters and digits, small.
 std::string letters_of(std::string_view text);
+// Returns the spoken words of a text as it spells them. Signs alone, such as a dash, are no words.
+std::vector<std::string> words_of_text(std::string_view text);
 // Returns where these letters are spoken, as whole words. Runs do not overlap.
 std::vector<SpokenRun> find_spoken(const SpokenWords&, std::string_view letters);
 // Returns the words that are most like these letters, or nullopt if none are alike.

@@ -77,6 +77,12 @@ wrong 'an empty table' '' 't.csv:1:1: error: the table is empty'
 wrong 'pictures' 'name\na\n' 'not numbered pictures' 'w/{name}-%04d.png' 2
 check 'no table' 1 'no.csv' render invite.bx --each no.csv -o 'w/{name}.gif'
 check 'no name for films' 2 'needs a name' render invite.bx --each guests.csv
+check 'a .pdf' 2 'makes films, and no .pdf' render invite.bx --each guests.csv -o 'w/{row}.pdf'
+printf 'shade\nrgb(1 0.5 0)\nhsv(30deg 1 1)\n#fc0\n' >shades.csv
+printf 'let shade = gold\nrange 1f 2f\nfilm flat\ncreate b rectangle color=shade\n' >shade.bx
+check 'cells of colors' 0 '3 films made' render shade.bx --each shades.csv -o 's/{row}.gif' --size 32x18
+printf 'shade\nrgb(1 0.5*1 0)\n' >shades.csv
+check 'a formula in a color' 1 'cells of tables are values' render shade.bx --each shades.csv -o 's/{row}.gif' --size 32x18
 check 'a wrong part' 2 'is not a part such as 3/8' render invite.bx --each guests.csv -o 'w/{row}.gif' --part 3/2
 check 'rows without a table' 2 '' render invite.bx --rows 1..2
 check 'a let of both' 2 'give the same value' render invite.bx --each guests.csv -o 'w/{row}.gif' --let size=2

@@ -17,6 +17,7 @@ printf '0 1 a\nx\n' >bad.words
 check 'an error has its place' 1 "bad.words:2:1: 'x' is not a time in seconds" words bad.words
 check 'a recording without a text' 2 'the text of a.wav is missing' words a.wav
 check 'nothing' 2 'a recording is missing' words
+check 'a voice without a text to say' 2 '--voice and --speed are for a voice that is made' words a.wav --text a.words --voice en
 check 'no such text' 1 "there is no file 'none.txt'" words a.wav --text none.txt -o c.words
 mkdir empty
 said=$(PATH=$work/empty "$program" words a.wav --text a.words -o c.words 2>&1)
@@ -64,6 +65,11 @@ check 'a voice' 0 'talk.words: 227 words' words --say talk.txt --speed 160 -o ta
 check 'a slower voice' 0 'slow.words: 227 words' words --say slow.txt --speed 123 -o slow.wav
 "$program" words --say talk.txt --speed 160 -o again.wav >/dev/null
 is 'a voice is always the same' "$(cmp talk.wav again.wav && cmp talk.words again.words && echo same)" same
+check 'a variant that is not there' 2 "espeak-ng has no voice 'en+zz'" words --say talk.txt --voice en+zz -o x.wav
+printf 'film flat\ncreate voice sound say="One square." voice="en-gb-scotland"\ncaptions on voice\nrange 1f voice.end\n' >said.bx
+check 'a film that says a text' 0 'said.srt: 1 caption' words said.bx
+check 'and is heard' 0 '' render said.bx -o said.wav
+verdict 'its sound is not silence' "$(ffmpeg -hide_banner -i said.wav -af volumedetect -f null - 2>&1 | sed -n 's/.*max_volume: -\([0-9]\)\..*/yes/p')" 'silence'
 check 'a voice that is not there' 2 "espeak-ng has no voice 'xx'" words --say talk.txt --voice xx -o x.wav
 
 cat >errors.py <<'PYTHON'

@@ -139,5 +139,13 @@ INSTANTIATE_TEST_SUITE_P(
         WrongPart{"part p\n  create s p\ncreate x p\n",
                   "the part 'p' contains itself, or parts are more than 32 levels deep", ErrorCode::range, 3, 10}));
 
+TEST(Parts, OfOnesOwnHideThoseOfTheProgramWithAWarning) {
+  const Loaded l = read("part lower-third\n  create a box\ncreate x lower-third\n");
+  ASSERT_EQ(l.diagnostics.size(), 1u);
+  EXPECT_EQ(l.diagnostics[0].severity, Severity::warning);
+  EXPECT_EQ(l.diagnostics[0].what.place.column, 6);
+  EXPECT_TRUE(l.document.scene().names.find("x/a"));
+}
+
 }  // namespace
 }  // namespace betwixt

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Tests sections: a film with blocks is the film that the same lines make with the times of the whole film.
+#include <fmt/format.h>
+
 #include "scene/document.h"
 #include "support/folder.h"
 #include "support/loaded_film.h"
@@ -153,6 +155,32 @@ TEST(Sections, AFileThatABlockUsesHasItsTimes) {
   EXPECT_EQ(without_sections(film.document),
             write(read(ball + "at 5s ball.color red\nat 6s ball.radius 2\n").document));
   EXPECT_EQ(film.document.sections()[1].begin, from_seconds(6));
+}
+
+TEST(Sections, EdgesAreOperandsOfFormulas) {
+  const std::string two = ball + "section intro for 2s\nsection proof after intro for 3s\n";
+  same_film(two +
+                "let b = proof.start\nlet late = proof.end-12f\nat b ball.color red\nat late ball.color gold\n"
+                "at 12f+intro.end ball.radius 2\nat (proof.start+proof.end)/2 ball.shininess 0.5\n",
+            ball +
+                "let b = 1f+2s\nlet late = -11f+5s\nat 49f ball.color red\nat 109f ball.color gold\n"
+                "at 61f ball.radius 2\nat 85f ball.shininess 0.5\n");
+  same_film(ball + "let b = proof.start\nat b+12f ball.color red\nsection intro for 2s\nsection proof for 1s\n",
+            ball + "let b = 1f+2s\nat 61f ball.color red\n");
+  EXPECT_EQ(first_error(two + "let b = prof.start\n"), "4:9 there is no section 'prof' (did you mean 'proof'?)");
+}
+
+TEST(Sections, OutsideTheRangeAreWarnedOf) {
+  const auto said = [](const std::string& range) {
+    std::string all;
+    for (const Diagnostic& d : read(ball + "section one for 1s\nsection two for 1s\n" + range).diagnostics)
+      all += fmt::format("{} {}\n", d.what.place.line, d.what.message);
+    return all;
+  };
+  EXPECT_EQ(said(""), "");
+  EXPECT_EQ(said("range 1f two.end\n"), "");
+  EXPECT_EQ(said("range 1f 12f\n"), "3 section 'two' is behind the range of the film\n");
+  EXPECT_EQ(said("range two.start two.end\n"), "2 section 'one' is before the range of the film\n");
 }
 
 }  // namespace sections_test

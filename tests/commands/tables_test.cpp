@@ -192,7 +192,7 @@ TEST(Tables, RowsAreChosenAndSorted) {
 TEST(Tables, KeysBecomeNames) {
   const LoadedFilm s(
       "data a of \"\"\"n\nNew York\nSão Paulo\nNew-York\n東京\n12.5\"\"\" key=n\ncreate x{a} text text=row.n\n");
-  ASSERT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+  ASSERT_TRUE(!has_errors(s.loaded.diagnostics)) << said(s.loaded.diagnostics);
   EXPECT_EQ(s.loaded.document.names(),
             (std::vector<std::string>{"xNew-York", "xSao-Paulo", "xNew-York-2", "x4", "x125"}));
   EXPECT_EQ(s.text("x4.text", "1f"), "東京");
@@ -287,6 +287,16 @@ INSTANTIATE_TEST_SUITE_P(
         WrongTable{"data a of \"\"\"n,t,v\nx,1,2\nx,1,3\"\"\" key=n\ncreate y{a} box\nfill y*.size.y from a.v over t "
                    "1f..24f\n",
                    "lines 2 and 3 of the table are for one t of 'x'", ErrorCode::file, 5, 30}));
+
+// One bad date makes a column one of texts. The hint says which cell it is.
+TEST(WrongTimes, AreNamedWithTheirLine) {
+  const auto hint = [](const std::string& cells) {
+    const Loaded l = read("data a of \"\"\"n\n" + cells + "\"\"\" over=n\n");
+    return l.diagnostics.empty() ? "" : l.diagnostics[0].what.hint;
+  };
+  EXPECT_EQ(hint("1990-01-02\n2026-13-45"), "'2026-13-45' in line 3 is no date; as in 1990-07-31");
+  EXPECT_EQ(hint("1990\n1991\nsoon"), "'soon' in line 4 is no number and no date");
+}
 
 }  // namespace
 }  // namespace betwixt

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Tests texts: their alignment, typed letters, and texts that are split into parts.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "exchange/geometry.h"
@@ -172,6 +174,21 @@ TEST(Texts, FontsThatLackAWeightSayWhichTheyHave) {
   EXPECT_EQ(notices("create t text\nat 9f t.weight black"), missing);
   EXPECT_EQ(notices("create t text weight=bold"), std::vector<std::string>{});
   EXPECT_EQ(notices("layer l add weight=0.5\nset l.weight 1"), std::vector<std::string>{});
+}
+
+// DejaVu Sans has no Chinese letters.
+TEST(Texts, LettersThatTheFontLacksAreWarnedOf) {
+  const auto warned = [](const std::string& script) {
+    std::string all;
+    for (const Diagnostic& d : read(script).diagnostics)
+      all += fmt::format("{}:{} {}\n", d.what.place.line, d.what.place.column, d.what.message);
+    return all;
+  };
+  EXPECT_EQ(warned("create t text text=\"Tokio 東京\"\n"),
+            "1:15 the font \"DejaVu Sans\" has no letter '東'; a box is shown\n");
+  EXPECT_EQ(warned("create t text text=\"a\"\nset t.text \"京\"\n").substr(0, 2), "2:");
+  EXPECT_EQ(warned("create t text text=\"a\"\nt.text\n  1f \"b\"\n  9f \"京\"\n").substr(0, 2), "4:");
+  EXPECT_EQ(warned("create t text text=\"naïve — Ω “x” \\n\\t→\"\n"), "");
 }
 
 }  // namespace

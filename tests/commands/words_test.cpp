@@ -174,12 +174,17 @@ TEST(Captions, HaveTwoLinesAndAFewWords) {
   const auto all =
       captions_of(spoken("the quick brown fox jumps over the lazy dog and sleeps again because it is night"));
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_EQ(all[0].text,
-            "the quick brown fox jumps over\nthe lazy dog and sleeps again");  // 12 words, 30 and 29 letters
-  EXPECT_EQ(all[1].text, "because it is night");
+  EXPECT_EQ(all[0].text, "the quick brown fox jumps over the lazy");  // 39 letters, and 40: not 12 words and 4
+  EXPECT_EQ(all[1].text, "dog and sleeps again because it is night");
+  const auto comma =
+      captions_of(spoken("the quick brown fox jumps over the, lazy dog and sleeps again because it is night"));
+  ASSERT_EQ(comma.size(), 2u);
+  EXPECT_EQ(comma[0].text, "the quick brown fox jumps over the,");
   const auto three = captions_of(spoken("a b c d e f g"), {.words = 3});
   ASSERT_EQ(three.size(), 3u);
-  EXPECT_EQ(three[1].text, "d e f");
+  EXPECT_EQ(three[0].text, "a b");
+  EXPECT_EQ(three[1].text, "c d e");
+  EXPECT_EQ(three[2].text, "f g");
   for (const Caption& c : captions_of(spoken(std::string(10'000, 'w') + " end")))
     EXPECT_LE(c.text.size(), 80u) << c.text;
   EXPECT_EQ(captions_of({}).size(), 0u);
@@ -215,6 +220,21 @@ TEST_F(Words, AreShownAsCaptions) {
   const Loaded again = load(write(l.document));
   EXPECT_FALSE(has_errors(again.diagnostics)) << said(again.diagnostics);
   EXPECT_TRUE(again.document.find("voice-captions"));
+}
+
+// The files of captions and the text tracks have what the film shows.
+TEST_F(Words, OfCaptionsAreThoseThatTheFilmShows) {
+  const std::string sound = "film flat\ncreate voice sound file=\"talk.wav\" words=\"talk.words\"\n";
+  const auto told = [&](const std::string& more) {
+    std::vector<std::string> all;
+    for (const Caption& c : captions_of_film(load(sound + more).document.scene())) all.push_back(c.text);
+    return all;
+  };
+  EXPECT_EQ(told(""), (std::vector<std::string>{"We begin with a square.", "The square"}));
+  EXPECT_EQ(told("captions on voice words=3\n"),
+            (std::vector<std::string>{"We begin with", "a square.", "The square"}));
+  EXPECT_EQ(told("captions on voice\nvoice-captions.text\n  2.1s \"Le carré\"\n"),
+            (std::vector<std::string>{"We begin with a square.", "Le carré"}));
 }
 
 TEST_F(Words, AreShownBeforeTheCamera) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/scratch_voice.h"
+#include "exchange/scratch_voice.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -8,13 +8,14 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/pronunciation.h"
+#include "base/files.h"
 #include "base/utf8.h"
+#include "exchange/words_file.h"
 
 namespace betwixt {
 namespace {
 
-constexpr double longest_voice = 4 * 3600;
+constexpr double longest_in_folder = 24 * 60;  // seconds: as much as the process may write
 constexpr std::size_t longest_paragraph = 100'000;
 
 // What the library's header says of its interface, which is the same in all versions of libespeak-ng.so.1.
@@ -29,6 +30,14 @@ struct SpeechEvent {
 constexpr int word_event = 1, phoneme_event = 7, synchronous = 2, with_phonemes = 1, dont_exit = 0x8000, utf8_text = 1,
               rate_parameter = 1;
 using Hears = int (*)(short* samples, int count, SpeechEvent* events);
+
+// A voice, or what to look for among them.
+struct SpeechVoice {
+  const char *name, *languages, *identifier;  // a variant's identifier is "!v/f3"
+  unsigned char gender, age, number, reserved;
+  int score;
+  void* spare;
+};
 
 // A word or a phoneme that begins: at which sample of its paragraph, and at which character.
 struct SpeechBegins {
@@ -71,7 +80,7 @@ class Espeak {
       return fail(ErrorCode::machine, "the library libespeak-ng.so.1 is not the one that is expected");
     rate_ = initialize(synchronous, 0, nullptr, with_phonemes | dont_exit);
     if (rate_ <= 0) return fail(ErrorCode::machine, "espeak-ng lacks its data", "sudo apt-get install espeak-ng-data");
-    if (set_voice(choice.voice.c_str()) != 0)
+    if (set_voice(choice.voice.c_str()) != 0 || !has_variant(choice.voice))
       return fail(ErrorCode::name, fmt::format("espeak-ng has no voice '{}'", visible(choice.voice)),
                   "to list the voices: espeak-ng --voices");
     set_parameter(rate_parameter, choice.speed, 0);
@@ -89,6 +98,16 @@ class Espeak {
   }
 
  private:
+  // The library ignores an unknown variant: that behind the '+' of en-us+f3.
+  bool has_variant(const std::string& voice) const {
+    const std::size_t plus = voice.find('+');
+    const auto list = find<const SpeechVoice** (*)(const SpeechVoice*)>("espeak_ListVoices");
+    if (plus == std::string::npos || !list) return true;
+    const SpeechVoice variants{nullptr, "variant", nullptr, 0, 0, 0, 0, 0, nullptr};
+    for (const SpeechVoice** one = list(&variants); one && *one; ++one)
+      if ((*one)->identifier == "!v/" + voice.substr(plus + 1)) return true;
+    return false;
+  }
   template <class F>
   F find(const char* name) const {
     return reinterpret_cast<F>(::dlsym(library_, name));
@@ -194,8 +213,8 @@ Result<ScratchVoice> say_text(std::string_view text, const VoiceChoice& choice) 
     set_times(words, *heard);
     add_said(all.words, words, static_cast<double>(all.samples.size()) / all.rate, all.rate);
     all.samples.insert(all.samples.end(), heard->samples.begin(), heard->samples.end());
-    if (static_cast<double>(all.samples.size()) > longest_voice * all.rate)
-      return fail(ErrorCode::range, "the text takes more than four hours to say");
+    if (static_cast<double>(all.samples.size()) > choice.longest * all.rate)
+      return fail(ErrorCode::range, fmt::format("the text takes more than {:.0f} minutes to say", choice.longest / 60));
   }
   if (all.words.words.empty()) return fail(ErrorCode::range, "the text has no words");
   return all;
@@ -211,6 +230,16 @@ std::string wave_of(const ScratchVoice& voice) {
   put(2 * rate, 4), put(2, 2), put(16, 2), bytes += "data", put(size, 4);
   for (const std::int16_t sample : voice.samples) put(static_cast<std::uint16_t>(sample), 2);
   return bytes;
+}
+
+Status say_in_folder(const std::string& folder, VoiceChoice choice) {
+  choice.longest = std::min(choice.longest, longest_in_folder);
+  const auto text = read_whole(folder + "/" + speech_text);
+  if (!text) return text.error();
+  const auto voice = say_text(*text, choice);
+  if (!voice) return voice.error();
+  if (Status s = write_whole(folder + "/" + speech_words, write_words(voice->words), true); !s) return s;
+  return write_whole(folder + "/" + speech_wave, wave_of(*voice), true);
 }
 
 }  // namespace betwixt
