@@ -213,19 +213,23 @@ bool tex_formula(Command& k, const std::string& tex, std::string_view about) {
   return c.fail(e, written_piece(about, first, static_cast<std::size_t>(e.place.length)));
 }
 
-// Loads one mesh of a scene: truck.glb#Wheels.
-bool part_of_scene(Command& k, std::string& path, std::string_view about) {
+// Loads one mesh of a scene, truck.glb#Wheels, or a picture of one, truck.glb#Wheels/normals.
+bool part_of_scene(Command& k, FunctionId f, std::string& path, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   const std::string part = path.substr(path.find('#'));
   path = scene_of(path);
   fs::path where;
   if (!may_use(k, path, about, where)) return false;
   const std::string file = std::exchange(path, path + part);
-  if (s.meshes->contains(path)) return true;
+  const auto has = [&] { return f == fn::file ? s.meshes->contains(path) : s.pictures->contains(path); };
+  if (has()) return true;
   const auto scene = scene_of_file(k, where);
   if (!scene) return c.fail(scene.error(), about);
   if (!keep_meshes(k, file, **scene, about)) return false;
-  if (s.meshes->contains(path)) return true;
+  if (has()) return true;
+  if (is_picture(f))
+    return c.fail(ErrorCode::name, fmt::format("{} has no picture '{}'", file, part.substr(1, 60)), about,
+                  "as in helmet.glb#Helmet/normals; others are roughness, metalness, occlusion and emission");
   std::vector<std::string_view> names;
   for (const SceneMesh& m : (*scene)->meshes) names.push_back(m.name);
   return c.fail(ErrorCode::name, fmt::format("{} has no mesh '{}'", file, part.substr(1, 60)), about,
@@ -247,7 +251,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   const bool named = f == fn::file || is_picture(f) || f == fn::sound_file || f == fn::sound_words || f == fn::font;
   if (!named || path.empty()) return true;
   if (f == fn::sound_file && names_said_text(path)) return load_said_text(k, path, about, about);
-  if (f == fn::file && path.find('#') != path.npos) return part_of_scene(k, path, about);
+  if ((f == fn::file || is_picture(f)) && path.find('#') != path.npos) return part_of_scene(k, f, path, about);
   fs::path where;
   if (!may_use(k, path, about, where)) return false;
   const bool any_size = script.options.read_anywhere;
@@ -313,11 +317,18 @@ Result<std::shared_ptr<const SceneFile>> scene_of_file(const Command& k, const f
 bool keep_meshes(Command& k, const std::string& path, const SceneFile& scene, std::string_view about) {
   Scene& s = k.scene;
   std::vector<const SceneMesh*> fresh;
+  std::vector<std::pair<std::string, std::shared_ptr<const Picture>>> pictures;
   ContentBytes bytes;
-  for (const SceneMesh& m : scene.meshes)
+  for (const SceneMesh& m : scene.meshes) {
     if (!s.meshes->contains(path + "#" + m.name)) fresh.push_back(&m), bytes.add(m.mesh);
+    for (const NamedPicture& p : pictures_of_finish())
+      if (const auto picture = m.finish ? (*m.finish).*p.is : nullptr)
+        if (std::string name = fmt::format("{}#{}/{}", path, m.name, p.name); !s.pictures->contains(name))
+          bytes.add(picture), pictures.emplace_back(std::move(name), picture);
+  }
   if (!has_room(k, bytes, about)) return false;
   for (const SceneMesh* m : fresh) s.meshes.edit()[path + "#" + m->name] = m->mesh;
+  for (auto& [name, picture] : pictures) s.pictures.edit()[name] = picture;
   return true;
 }
 

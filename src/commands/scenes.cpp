@@ -212,12 +212,43 @@ class SceneMaker {
           Text(std::string(choices(spec_of(s_, fn::material))[static_cast<std::size_t>(m.material)]));
     if (m.shininess > 0) o.slot(fn::shininess).set = m.shininess;
     if (m.transparency > 0) o.slot(fn::transparency).set = m.transparency;
+    if (m.finish) put_finish(o, *m.finish, wanted_.path + "#" + m.name);
     if (!n.joints.empty()) {
       std::vector<std::string> joints;
       for (const std::uint32_t j : n.joints) joints.push_back(path_of(file_.nodes[j].name));
       o.slot(fn::joints).set = Names(std::move(joints));
     }
     if (m.mesh->rig) weigh(n, *m.mesh->rig, o, tracks);
+  }
+
+  // `path`: of the mesh, below which its pictures have their names.
+  static void put_finish(Object& o, const Finish& f, const std::string& path) {
+    const Finish plain;
+    constexpr std::pair<FunctionId, double Finish::*> numbers[] = {
+        {fn::metalness, &Finish::metalness},
+        {fn::roughness, &Finish::roughness},
+        {fn::clearcoat, &Finish::clearcoat},
+        {fn::clearcoat_roughness, &Finish::clearcoat_roughness},
+        {fn::sheen_roughness, &Finish::sheen_roughness},
+        {fn::transmission, &Finish::transmission},
+        {fn::ior, &Finish::ior},
+        {fn::thickness, &Finish::thickness},
+        {fn::normal_strength, &Finish::normal_strength},
+        {fn::texture_turn, &Finish::turn}};
+    for (const auto& [function, is] : numbers)
+      if (f.*is != plain.*is || function == fn::metalness || function == fn::roughness) o.slot(function).set = f.*is;
+    if (const double most = std::max({f.emission.x, f.emission.y, f.emission.z}); most > 0) {
+      o.slot(fn::emission).set = to_srgb(most > 1 ? 1 / most * f.emission : f.emission);
+      if (most > 1) o.slot(fn::emission_strength).set = most;
+    }
+    if (!(f.sheen == Vec3{})) o.slot(fn::sheen).set = to_srgb(f.sheen);
+    if (f.tile_x != 1 || f.tile_y != 1) o.slot(fn::texture_tile).set = Vec3{f.tile_x, f.tile_y, 0};
+    if (f.move_x != 0 || f.move_y != 0) o.slot(fn::texture_move).set = Vec3{f.move_x, f.move_y, 0};
+    constexpr FunctionId maps[] = {fn::normal_map, fn::roughness_map, fn::metalness_map, fn::occlusion_map,
+                                   fn::emission_map};
+    const auto rows = pictures_of_finish();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (f.*rows[i].is) o.slot(maps[i]).set = Text(fmt::format("{}/{}", path, rows[i].name));
   }
 
   void weigh(const SceneNode& n, const Rig& rig, Object& o, const std::vector<const SceneTrack*>& tracks) const {

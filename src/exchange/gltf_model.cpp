@@ -270,9 +270,16 @@ Status GltfModel::look(int i, MeshPart& look, std::string& uv_set) {
     if (const double c = base.baseColorFactor[k]; std::isfinite(c)) look.color[k] = static_cast<float>(c);
   if (base.baseColorTexture.index < 0) return Nothing{};
   uv_set = fmt::format("TEXCOORD_{}", base.baseColorTexture.texCoord);
-  const gltf::Texture* texture = gltf_at(model_.textures, base.baseColorTexture.index);
+  auto found = picture(base.baseColorTexture.index);
+  if (!found) return found.error();
+  look.texture = *found;
+  return Nothing{};
+}
+
+Result<std::shared_ptr<const Picture>> GltfModel::picture(int number) {
+  const gltf::Texture* texture = gltf_at(model_.textures, number);
   const gltf::Image* image = texture == nullptr ? nullptr : gltf_at(model_.images, texture->source);
-  if (image == nullptr) return error(fmt::format("material {} has a texture that does not exist", i));
+  if (image == nullptr) return error(fmt::format("there is no texture {}, which a material needs", number));
   auto& known = pictures_[texture->source];
   if (!known && image->bufferView < 0 && image->image.empty() && !image->uri.empty())
     return fail(ErrorCode::file, fmt::format("there is no picture {}, which {} needs", image->uri, path_));
@@ -288,8 +295,7 @@ Status GltfModel::look(int i, MeshPart& look, std::string& uv_set) {
     if (!picture) return picture.error();
     known = *picture;
   }
-  look.texture = known;
-  return Nothing{};
+  return known;
 }
 
 }  // namespace betwixt

@@ -47,6 +47,8 @@ class GltfModel {
   Result<Mesh> triangles(const tinygltf::Primitive&, const std::string& uv_set) const;
   // Reads the colour and texture of a material, and the set of texture coordinates that it uses.
   Status look(int material, MeshPart& look, std::string& uv_set);
+  // Returns the picture of a texture, read once. Errors: file.
+  Result<std::shared_ptr<const Picture>> picture(int texture);
 
   Result<GltfNumbers> accessor(int i, std::size_t width) const;
   // Reads an attribute into positions, normals or texture coordinates. Leaves `out` empty if the file lacks it.

@@ -70,6 +70,15 @@ std::string SceneNames::give(std::string_view wanted, std::string_view otherwise
     if (std::string numbered = fmt::format("{}-{}", base, n); taken_.insert(numbered).second) return numbered;
 }
 
+std::span<const NamedPicture> pictures_of_finish() {
+  static constexpr NamedPicture rows[] = {{"normals", &Finish::normals},
+                                          {"roughness", &Finish::roughness_map},
+                                          {"metalness", &Finish::metalness_map},
+                                          {"occlusion", &Finish::occlusion_map},
+                                          {"emission", &Finish::emission_map}};
+  return rows;
+}
+
 std::string scene_of(const std::string& path) { return path.substr(0, path.find('#')); }
 
 bool put_transform(const Mat4& m, SceneNode& to) {

@@ -7,9 +7,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "betwixt/finish.h"
 #include "betwixt/shape.h"
 #include "exchange/file_source.h"
 #include "scene/rig.h"
@@ -32,6 +35,7 @@ struct SceneMesh {
   std::shared_ptr<const Mesh> mesh;
   Material material = Material::plastic;
   double shininess = 0, transparency = 0;
+  std::shared_ptr<const Finish> finish;  // null if material and shininess say all of it
 };
 
 struct SceneCamera {
@@ -85,6 +89,13 @@ Result<std::shared_ptr<const SceneFile>> load_scene_by_assimp(const std::string&
 // Returns the mesh's scene from a path such as truck.glb#Wheels: the part before the mark, or the whole path without
 // one.
 std::string scene_of(const std::string& path);
+
+// The pictures of a finish and their names in paths such as helmet.glb#Helmet/normals.
+struct NamedPicture {
+  std::string_view name;
+  std::shared_ptr<const Picture> Finish::*is;
+};
+std::span<const NamedPicture> pictures_of_finish();
 
 // Decomposes a matrix into position, rotation and scale. Returns false if it is skewed, which these cannot express.
 bool put_transform(const Mat4&, SceneNode&);

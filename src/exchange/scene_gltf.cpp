@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "exchange/gltf_finish.h"
 #include "exchange/gltf_model.h"
 #include "exchange/scene_maker.h"
 #include "exchange/unpacking.h"
@@ -132,10 +133,18 @@ class GltfScene : SceneMaker {
         continue;
       }
       SceneMesh surface;
-      if (const gltf::Material* m = gltf_at(model_.materials, p.material)) surface_of(*m, surface, look);
+      if (const gltf::Material* m = gltf_at(model_.materials, p.material)) {
+        surface_of(*m, surface);
+        if (surface.material != Material::glow) {
+          auto finish = finish_of(file_, *m, uv_set, [this](std::string what) { leave_out(std::move(what)); });
+          if (!finish) return finish.error();
+          surface.finish = *finish;
+        }
+      }
       if (!any)
-        out.material = surface.material, out.shininess = surface.shininess, out.transparency = surface.transparency;
-      if (out.material != surface.material || out.shininess != surface.shininess ||
+        out.material = surface.material, out.shininess = surface.shininess, out.transparency = surface.transparency,
+        out.finish = surface.finish;
+      if (!same(out.finish, surface.finish) || out.material != surface.material || out.shininess != surface.shininess ||
           out.transparency != surface.transparency)
         leave_out(
             "of a mesh with several materials, the parts keep their colours and textures, but all shine like the first "
@@ -233,41 +242,28 @@ class GltfScene : SceneMaker {
   }
 
   // Reads the surface: metallic or not, gloss, transmission, emission.
-  void surface_of(const gltf::Material& m, SceneMesh& to, MeshPart& look) {
+  void surface_of(const gltf::Material& m, SceneMesh& to) {
     const auto& pbr = m.pbrMetallicRoughness;
     const auto share = [](double x, double otherwise) {
       return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : otherwise;
     };
     const bool painted = pbr.metallicRoughnessTexture.index >= 0;
-    if (painted) leave_out("metallic-roughness textures are left out: the factors of the material apply everywhere");
     to.material = share(pbr.metallicFactor, 1) >= 0.5 && !painted ? Material::metal : Material::plastic;
     to.shininess = 1 - share(pbr.roughnessFactor, 1);
     if (m.alphaMode == "BLEND" && pbr.baseColorFactor.size() == 4)
       to.transparency = 1 - share(pbr.baseColorFactor[3], 1);
     if (m.alphaMode == "MASK") leave_out("alpha masks are left out: surfaces have no holes");
-    if (m.normalTexture.index >= 0) leave_out("normal maps are left out");
-    if (m.occlusionTexture.index >= 0) leave_out("occlusion maps are left out");
-    if (m.emissiveTexture.index >= 0) leave_out("emission maps are left out");
-    if (pbr.baseColorTexture.extensions.contains("KHR_texture_transform"))
-      leave_out("texture transforms (KHR_texture_transform) are left out");
-    glow(m, to, look);
+    if (m.extensions.contains("KHR_materials_unlit")) to.material = Material::glow;
+    static const std::set<std::string_view> known{"KHR_materials_unlit",        "KHR_materials_emissive_strength",
+                                                  "KHR_materials_clearcoat",    "KHR_materials_sheen",
+                                                  "KHR_materials_transmission", "KHR_materials_ior",
+                                                  "KHR_materials_volume",       "KHR_materials_specular"};
     for (const auto& [name, value] : m.extensions)
-      if (name != "KHR_materials_unlit" && name != "KHR_materials_emissive_strength")
-        leave_out(fmt::format("the material extension {} is left out", name.substr(0, 60)));
+      if (!known.contains(name)) leave_out(fmt::format("the material extension {} is left out", name.substr(0, 60)));
   }
 
-  void glow(const gltf::Material& m, SceneMesh& to, MeshPart& look) {
-    if (m.extensions.contains("KHR_materials_unlit")) to.material = Material::glow;
-    std::array<float, 3> light{};
-    for (std::size_t k = 0; k < 3 && k < m.emissiveFactor.size(); ++k)
-      if (std::isfinite(m.emissiveFactor[k])) light[k] = static_cast<float>(std::clamp(m.emissiveFactor[k], 0.0, 1.0));
-    const float own = *std::max_element(look.color.begin(), look.color.end()),
-                shines = *std::max_element(light.begin(), light.end());
-    if (shines <= 0 || m.emissiveTexture.index >= 0) return;
-    if (shines >= own)
-      to.material = Material::glow, look.color = light, look.texture = nullptr;
-    else
-      leave_out("weak emission is left out: only surfaces that emit more than they reflect glow");
+  static bool same(const std::shared_ptr<const Finish>& a, const std::shared_ptr<const Finish>& b) {
+    return a == b || (a && b && *a == *b);
   }
 
   Status put_camera(int i, SceneNode& to) {

@@ -58,8 +58,14 @@ struct FlatNode {
   Vec3 scale;
 };
 struct FlatSurface {
-  std::uint32_t material = 0, padding = 0;
+  std::uint32_t material = 0, finished = 0;
   double shininess = 0, transparency = 0;
+};
+// A finish without patterns; as many pictures follow, each once.
+struct FlatFinish {
+  double numbers[17]{};
+  Vec3 emission, sheen;
+  std::uint32_t pictures = 0, which[5]{no_picture, no_picture, no_picture, no_picture, no_picture};
 };
 struct FlatLight {
   std::uint32_t sun = 0, padding = 0;

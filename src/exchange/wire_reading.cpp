@@ -12,6 +12,7 @@
 #include <set>
 
 #include "base/names.h"
+#include "exchange/wire_finish.h"
 #include "exchange/wire_format.h"
 #include "exchange/wire_layout.h"
 
@@ -160,6 +161,31 @@ std::shared_ptr<const Mesh> take_mesh(Taker& from) {
   return mesh;
 }
 
+std::shared_ptr<const Finish> take_finish(Taker& from) {
+  FlatFinish flat;
+  auto finish = std::make_shared<Finish>();
+  if (!from.one(flat) || flat.pictures > std::size(finish_pictures)) return nullptr;
+  for (std::size_t i = 0; i < std::size(finish_numbers); ++i) {
+    const auto& [is, low, high] = finish_numbers[i];
+    if (!(flat.numbers[i] >= low && flat.numbers[i] <= high)) return nullptr;
+    (*finish).*is = flat.numbers[i];
+  }
+  for (const Vec3& c : {flat.emission, flat.sheen})
+    if (!betwixt::finite(c) || std::min({c.x, c.y, c.z}) < 0 || std::max({c.x, c.y, c.z}) > 1e10) return nullptr;
+  finish->emission = flat.emission, finish->sheen = flat.sheen;
+  std::vector<std::shared_ptr<const Picture>> pictures;
+  while (pictures.size() < flat.pictures) {
+    pictures.push_back(take_picture<Picture>(from));
+    if (!pictures.back()) return nullptr;
+  }
+  for (std::size_t i = 0; i < std::size(finish_pictures); ++i) {
+    if (flat.which[i] == no_picture) continue;
+    if (flat.which[i] >= pictures.size()) return nullptr;
+    (*finish).*finish_pictures[i] = pictures[flat.which[i]];
+  }
+  return finish;
+}
+
 bool take_node(Taker& from, SceneNode& n) {
   FlatNode flat;
   if (!from.one(flat) || !take_words(from, n.name) || !is_name(n.name) || n.name.find('/') != n.name.npos ||
@@ -194,8 +220,9 @@ std::shared_ptr<const SceneFile> take_scene(Taker& from) {
   for (std::uint64_t i = 0; i < flat.meshes; ++i) {
     FlatSurface surface;
     SceneMesh& m = s->meshes.emplace_back();
-    if (!from.one(surface) || surface.material > static_cast<std::uint32_t>(Material::glow) ||
-        !take_words(from, m.name) || !is_name(m.name) || !names.insert(m.name).second || !(m.mesh = take_mesh(from)))
+    if (!from.one(surface) || surface.material > static_cast<std::uint32_t>(Material::glow) || surface.finished > 1 ||
+        (surface.finished && !(m.finish = take_finish(from))) || !take_words(from, m.name) || !is_name(m.name) ||
+        !names.insert(m.name).second || !(m.mesh = take_mesh(from)))
       return nullptr;
     m.material = Material{static_cast<std::uint8_t>(surface.material)};
     m.shininess = surface.shininess, m.transparency = surface.transparency;

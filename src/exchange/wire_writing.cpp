@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/files.h"
+#include "exchange/wire_finish.h"
 #include "exchange/wire_format.h"
 #include "exchange/wire_layout.h"
 
@@ -54,11 +55,28 @@ class Giver {
     block(m.rig->joints), block(m.rig->weights), block(m.rig->inverse_bind);
     for (const Rig::Target& t : m.rig->targets) block(t.name), block(t.positions), block(t.normals);
   }
+  void finish(const Finish& f) {
+    FlatFinish flat;
+    for (std::size_t i = 0; i < std::size(finish_numbers); ++i) flat.numbers[i] = f.*finish_numbers[i].is;
+    flat.emission = f.emission, flat.sheen = f.sheen;
+    std::vector<const Picture*> pictures;
+    for (std::size_t i = 0; i < std::size(finish_pictures); ++i) {
+      const Picture* const p = (f.*finish_pictures[i]).get();
+      if (p == nullptr) continue;
+      const auto at = std::find(pictures.begin(), pictures.end(), p);
+      flat.which[i] = static_cast<std::uint32_t>(at - pictures.begin());
+      if (at == pictures.end()) pictures.push_back(p);
+    }
+    flat.pictures = static_cast<std::uint32_t>(pictures.size());
+    one(flat);
+    for (const Picture* p : pictures) picture(*p);
+  }
   void scene(const SceneFile& s) {
     one(Head{static_cast<std::uint32_t>(Holds::scene), 0});
     one(FlatScene{s.nodes.size(), s.meshes.size(), s.clips.size(), s.left_out.size()});
     for (const SceneMesh& m : s.meshes) {
-      one(FlatSurface{static_cast<std::uint32_t>(m.material), 0, m.shininess, m.transparency});
+      one(FlatSurface{static_cast<std::uint32_t>(m.material), m.finish ? 1U : 0U, m.shininess, m.transparency});
+      if (m.finish) finish(*m.finish);
       block(m.name), mesh(*m.mesh);
     }
     for (const SceneNode& n : s.nodes) {

@@ -137,7 +137,8 @@ vec3 rolled(vec3 c) {
 // The share of light that a rough surface reflects from all around: for a reflectance of 0 and what a reflectance adds.
 vec2 reflected_shares(float nv, float rough) {
   vec4 r = rough * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
-  float a = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;
+  float edge = 1.0 - nv, edge2 = edge * edge;
+  float a = min(r.x * r.x, edge2 * edge2 * edge2) * r.x + r.y;
   return vec2(-1.04, 1.04) * a + r.zw;
 }
 
@@ -362,7 +363,11 @@ void main() {
 #else
   // Light from all around, with what is reflected several times.
   vec3 mirrored = textureLod(around, r, rough_seen * blurs).rgb;
+#if defined(PICTURES)
   float covers = clamp(pow(nv + open_to, exp2(-16.0 * rough - 1.0)) - 1.0 + open_to, 0.0, 1.0);
+#else
+  const float covers = 1.0;
+#endif
   vec3 once = f0 * shares.x + f90 * shares.y, mean = f0 + (1.0 - f0) * 0.047619;
   vec3 again = once * mean / (1.0 - (1.0 - single) * mean) * (1.0 - single);
   vec3 left = 1.0 - (once + again);

@@ -100,12 +100,14 @@ Vec3 bumped(const Finish& f, Vec3 color, Vec3 on, Vec3 n, double width, double h
 void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) const {
   const Finish& f = *b.finish;
   s.finish = &f, s.roughness = f.roughness, s.metalness = f.metalness, s.emission = f.emission;
-  if (f.pattern == Pattern::none && !f.has_pictures() && !b.texture) return;
+  const bool meshed = b.solid->mesh != nullptr;
+  const Picture* base = b.texture.get();
+  if (base == nullptr && meshed) base = b.solid->parts[b.solid->part_of[m.triangle]].texture.get();
+  if (f.pattern == Pattern::none && !f.has_pictures() && base == nullptr) return;
   Vec3 in_mesh = unit(m.across), across = in_mesh, uv;
   std::array<Vec3, 3> corners, places;
-  const bool flat = b.solid->mesh != nullptr,
-             uvs = flat && b.solid->mesh->uvs.size() == b.solid->mesh->positions.size();
-  if (flat) {
+  const bool uvs = meshed && b.solid->mesh->uvs.size() == b.solid->mesh->positions.size();
+  if (meshed) {
     const Mesh& mesh = *b.solid->mesh;
     const std::uint32_t* corner = &b.solid->corners[3 * std::size_t{m.triangle}];
     const std::array<double, 3> share{1 - m.u - m.v, m.u, m.v};
@@ -120,9 +122,9 @@ void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) con
   const bool projected =
       f.projection == PictureProjection::box || (f.projection == PictureProjection::automatic && !uvs);
   const Laid at = laid(f, projected, uv, on, across);
-  if (b.texture) {
-    const Texel t = at.texel<decoded>(*b.texture);
-    s.color = b.color * t.color, s.opacity = b.opacity * t.opacity;
+  if (base) {
+    const Texel t = at.texel<decoded>(*base);
+    s.color = s.color * t.color, s.opacity *= t.opacity;
   }
   if (f.roughness_map) s.roughness *= at.texel<as_it_is>(*f.roughness_map).color.y;
   if (f.metalness_map) s.metalness *= at.texel<as_it_is>(*f.metalness_map).color.z;
@@ -181,7 +183,7 @@ SurfacePoint World::triangle_point(const TracedObject& b, const Hit& m, bool bac
   s.color = (part.tinted ? b.color : Vec3{1, 1, 1}) * wide(part.color);
   s.opacity = b.opacity;
   const Picture* const picture = b.texture != nullptr ? b.texture.get() : part.texture.get();
-  if (picture == nullptr) return s;
+  if (picture == nullptr || b.finish) return s;  // add_finish() lays it as the finish says
   if (mesh.uvs.size() == mesh.positions.size())
     for (std::size_t k = 0; k < 3; ++k) u = u + share[k] * Vec3{mesh.uvs[corner[k]][0], mesh.uvs[corner[k]][1], 0};
   const Texel texel = texel_at(*picture, u.x, u.y);

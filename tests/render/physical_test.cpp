@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Surfaces with finishes, skies and lamps with areas, in the styles that have light.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "render/patterns.h"
+#include "render/scenes.h"
+#include "render/sky_light.h"
+#include "scene/materials.h"
+
+namespace betwixt {
+namespace {
+
+using namespace scenes;
+
+std::shared_ptr<const LinearPicture> even_light(float light) {
+  auto picture = std::make_shared<LinearPicture>();
+  picture->width = 8, picture->height = 4;
+  picture->rgba.assign(static_cast<std::size_t>(4 * 8 * 4), light);
+  return picture;
+}
+
+Sky even_sky(float light) {
+  Sky sky;
+  sky.kind = Sky::picture, sky.light = even_light(light);
+  return sky;
+}
+
+Frame frame_of(std::vector<Item> items, const Sky& sky) {
+  Frame f;
+  f.items = std::move(items);
+  f.camera.world = translation({0, 0, 4}), f.camera.fov = 0.6;
+  f.background = Vec3{};
+  f.surroundings.environment = sky;
+  return f;
+}
+
+LinearPicture light_of(const Frame& frame, const std::string& style, int size = 32, int samples = 0) {
+  RenderOptions options{.width = size,
+                        .height = size,
+                        .samples = samples > 0         ? samples
+                                   : style == "traced" ? 64
+                                                       : 4,
+                        .style = style};
+  options.linear = options.unclamped = true;
+  LinearPicture out;
+  const auto renderer = make_renderer(options);
+  EXPECT_TRUE(renderer);
+  if (renderer) EXPECT_TRUE((*renderer)->render(frame, out));
+  return out;
+}
+
+Vec3 light_at(const LinearPicture& p, int x, int y) {
+  const float* const c =
+      &p.rgba.at(4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(p.width) + static_cast<std::size_t>(x)));
+  return {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
+}
+Vec3 mean_of(const LinearPicture& p, int from, int to) {
+  Vec3 sum;
+  for (int y = from; y < to; ++y)
+    for (int x = from; x < to; ++x) sum = sum + light_at(p, x, y);
+  return 1.0 / ((to - from) * (to - from)) * sum;
+}
+
+Item finished(const Finish& finish, Vec3 color, double radius = 1) {
+  Item i = item(sphere(radius), {}, color, Material::plastic);
+  i.finish = std::make_shared<const Finish>(finish);
+  return i;
+}
+
+// In light that is equal from everywhere, a body that swallows none shows that light, whatever its finish is.
+TEST(Physical, WhiteBodiesAreNotSeenInEvenLight) {
+  for (const std::string style : {"shaded", "traced"})
+    for (const double metalness : {0.0, 1.0})
+      for (const double roughness : {0.0, 0.3, 0.6, 1.0}) {
+        Finish f;
+        f.metalness = metalness, f.roughness = roughness;
+        const LinearPicture p =
+            light_of(frame_of({finished(f, {1, 1, 1})}, even_sky(0.5F)), style, 32, style == "traced" ? 256 : 0);
+        const Vec3 is = mean_of(p, 12, 20);
+        for (int i = 0; i < 3; ++i)
+          EXPECT_NEAR(is[i], 0.5, style == "traced" ? 0.01 : 0.005) << style << ' ' << metalness << ' ' << roughness;
+      }
+}
+
+// Dull bodies give their share back.
+TEST(Physical, DullBodiesShowTheirColor) {
+  Finish f;
+  f.roughness = 1, f.specular = 0;
+  for (const std::string style : {"shaded", "traced"}) {
+    const Vec3 is = mean_of(
+        light_of(frame_of({finished(f, {0.8, 0.4, 0.1})}, even_sky(0.5F)), style, 32, style == "traced" ? 256 : 0), 14,
+        18);
+    EXPECT_NEAR(is.x, 0.4, 0.006) << style;
+    EXPECT_NEAR(is.y, 0.2, 0.004) << style;
+    EXPECT_NEAR(is.z, 0.05, 0.002) << style;
+  }
+}
+
+// The light of a rectangle on a small surface that is parallel to it, opposite its middle: the closed form of books on
+// radiative transfer.
+double share_of_rectangle(double half_width, double half_height, double distance) {
+  const double x = half_width / distance, y = half_height / distance;
+  const auto term = [](double a, double b) { return a / std::sqrt(1 + a * a) * std::atan(b / std::sqrt(1 + a * a)); };
+  return 4 * (term(x, y) + term(y, x)) / (2 * pi);
+}
+
+TEST(Physical, AreasLightAsTheirShareOfTheSkyIs) {
+  for (const std::string style : {"shaded", "traced"})
+    for (const double width : {0.5, 2.0, 6.0}) {
+      Finish dull;
+      dull.roughness = 1, dull.specular = 0;
+      Item wall = item(square(), scaling({0.2, 0.2, 1}), {1, 1, 1}, Material::plastic);
+      wall.finish = std::make_shared<const Finish>(dull);
+      Frame f = frame_of({wall}, {});
+      f.camera.fov = 0.02;
+      f.surroundings.ambient = Vec3{};
+      Light l;
+      l.shape = LightShape::rectangle, l.position = {0, 0, 2}, l.direction = {0, 0, -1}, l.width = width, l.height = 1,
+      l.range = 8;
+      l.casting = Casting::off;
+      f.lights = {l};
+      const double radiance = 0.8 * pi * 2 * 2 / width;  // as bright as a sun at a quarter of the range
+      const double expected = radiance * share_of_rectangle(width / 2, 0.5, 2);
+      const Vec3 is = mean_of(light_of(f, style, 16, style == "traced" ? 256 : 0), 4, 12);
+      EXPECT_NEAR(is.x / expected, 1, style == "traced" ? 0.02 : 0.06) << style << ' ' << width;
+    }
+}
+
+TEST(Physical, ConesEndWhereTheyShould) {
+  for (const std::string style : {"shaded", "traced"}) {
+    Finish dull;
+    dull.roughness = 1, dull.specular = 0;
+    Item wall = item(square(), scaling({8, 8, 1}), {1, 1, 1}, Material::plastic);
+    wall.finish = std::make_shared<const Finish>(dull);
+    Frame f = frame_of({wall}, {});
+    f.camera.orthographic = true, f.camera.height = 4;
+    f.surroundings.ambient = Vec3{};
+    Light l;
+    l.position = {0, 0, 2}, l.direction = {0, 0, -1}, l.cone = 2 * std::atan(0.5), l.cone_edge = 0,
+    l.casting = Casting::off;
+    f.lights = {l};
+    const LinearPicture p = light_of(f, style, 64);
+    EXPECT_GT(light_at(p, 32, 32).x, 0.5) << style;
+    EXPECT_GT(light_at(p, 32 + 14, 32).x, 0.3) << style;  // the cone's circle has a radius of 1 m: 16 pixels
+    EXPECT_LT(light_at(p, 32 + 18, 32).x, 0.01) << style;
+  }
+}
+
+// The text of the patterns is compiled twice, as C++ and as GLSL: both styles must show the same colours.
+TEST(Physical, PatternsAreTheSameInBothLanguages) {
+  for (const MaterialRow& row : materials()) {
+    if (row.finish.pattern == Pattern::none) continue;
+    Finish f = row.finish;
+    f.metalness = 0, f.roughness = 1, f.specular = 0, f.pattern_bumps = 0, f.clearcoat = 0, f.sheen = {};
+    Item wall = item(square(), scaling({2, 2, 1}), row.color, Material::plastic);
+    wall.finish = std::make_shared<const Finish>(f);
+    Frame frame = frame_of({wall}, even_sky(1));
+    frame.camera.orthographic = true, frame.camera.height = 1;
+    const LinearPicture a = light_of(frame, "shaded", 24, 16), b = light_of(frame, "traced", 24, 64);
+    double off = 0, sum = 0;
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x)
+        for (int i = 0; i < 3; ++i)
+          off += std::abs(light_at(a, x, y)[i] - light_at(b, x, y)[i]), sum += light_at(b, x, y)[i];
+    EXPECT_LT(off / sum, 0.12) << row.word;
+  }
+}
+
+TEST(Physical, AnyFinishGivesLightThatIsANumber) {
+  std::mt19937 random(7);
+  const auto share = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
+  const auto extreme = [&] { return random() % 4 == 0 ? 0.0 : random() % 3 == 0 ? 1.0 : share(); };
+  auto odd = std::make_shared<Picture>();
+  odd->width = odd->height = 1, odd->rgba = {0, 0, 0, 0};
+  for (int k = 0; k < 60; ++k) {
+    Finish f;
+    f.metalness = extreme(), f.roughness = extreme(), f.clearcoat = extreme(), f.clearcoat_roughness = extreme();
+    f.sheen = random() % 2 ? Vec3{share(), share(), share()} : Vec3{}, f.sheen_roughness = extreme();
+    f.transmission = random() % 2 ? extreme() : 0, f.ior = 1 + 3 * extreme(), f.thickness = random() % 2 ? share() : 0;
+    f.emission = random() % 4 ? Vec3{} : Vec3{share(), 1e6, 0}, f.normal_strength = 20 * share() - 10;
+    f.pattern = static_cast<Pattern>(random() % 17), f.pattern_bumps = share();
+    f.tile_x = random() % 5 ? 1 + 5 * share() : 0, f.tile_y = random() % 5 ? 1 : -1e6, f.turn = 7 * share();
+    if (random() % 2) f.normals = f.roughness_map = f.occlusion_map = odd;
+    Sky sky;
+    sky.kind = static_cast<Sky::Kind>(random() % 5), sky.hour = 24 * share();
+    Item thing = finished(f, {share(), share(), 0});
+    if (random() % 2) thing.shape = square();
+    Frame frame = frame_of({thing}, sky);
+    Light l;
+    l.shape = static_cast<LightShape>(random() % 3), l.position = {0, 3 * share(), 3},
+    l.direction = normalize(Vec3{0, -share(), -1}), l.width = random() % 3 ? share() : 0, l.height = share();
+    l.cone = random() % 2 ? 3.2 * share() : 0;
+    frame.lights = {l};
+    for (const std::string style : {"shaded", "traced"}) {
+      const LinearPicture p = light_of(frame, style, 16, style == "traced" ? 4 : 4);
+      for (const float c : p.rgba) ASSERT_TRUE(std::isfinite(c) && c >= 0) << style << ' ' << k;
+    }
+  }
+}
+
+// What is mirrored is where it is in the sky: six faces, six colours.
+TEST(Physical, SkiesLieAsTheirPictureSays) {
+  auto picture = std::make_shared<LinearPicture>();
+  picture->width = 64, picture->height = 32;
+  picture->rgba.resize(static_cast<std::size_t>(4 * 64 * 32), 0);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 64; ++x) {
+      float* const c = &picture->rgba[static_cast<std::size_t>(4 * (y * 64 + x))];
+      c[0] = y < 16 ? 1.0F : 0.0F;             // above
+      c[1] = x >= 16 && x < 48 ? 1.0F : 0.0F;  // towards +x, the middle of the picture
+      c[2] = x < 32 ? 1.0F : 0.0F;             // towards -z
+    }
+  Sky sky;
+  sky.kind = Sky::picture, sky.light = picture;
+  const auto is = [&](Vec3 d) { return sky_radiance(sky, normalize(d)); };
+  EXPECT_NEAR(is({0, 1, 0.01}).x, 1, 1e-6);
+  EXPECT_NEAR(is({0, -1, 0.01}).x, 0, 1e-6);
+  EXPECT_NEAR(is({1, 0.3, 0.2}).y, 1, 1e-6);
+  EXPECT_NEAR(is({-1, 0.3, 0.2}).y, 0, 1e-6);
+  EXPECT_NEAR(is({0.2, 0.3, -1}).z, 1, 1e-6);
+  EXPECT_NEAR(is({0.2, 0.3, 1}).z, 0, 1e-6);
+}
+
+TEST(SkyLight, GivesWhatASumOverAllDirectionsGives) {
+  for (const Sky::Kind kind : {Sky::studio, Sky::day, Sky::overcast, Sky::sunset}) {
+    Sky sky;
+    sky.kind = kind;
+    const auto light = sky_light_of(sky, {});
+    for (const Vec3 n : {Vec3{0, 1, 0}, Vec3{0, -1, 0}, normalize(Vec3{1, 0.4, -0.3})}) {
+      Vec3 sum;
+      constexpr int rows = 120;
+      for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < 2 * rows; ++i) {
+          const double y = 1 - (2 * j + 1.0) / rows, r = std::sqrt(1 - y * y), turn = pi * (i + 0.5) / rows;
+          const Vec3 d{r * std::cos(turn), y, r * std::sin(turn)};
+          sum = sum + 4 * std::max(dot(d, n), 0.0) / (2 * rows * rows) * sky_radiance(sky, d);
+        }
+      const Vec3 is = light->irradiance(n);
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(is[k], sum[k], 0.06 * std::max({sum.x, sum.y, sum.z}) + 0.01) << sky_names[kind];
+    }
+  }
+}
+
+TEST(SkyLight, IsSampledWithTheDensityThatItSays) {
+  Sky sky;
+  sky.kind = Sky::studio;
+  const auto light = sky_light_of(sky, {});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0, 1);
+  double all = 0;  // of the sphere: the mean of 1 / density is its area
+  constexpr int count = 20000;
+  for (int i = 0; i < count; ++i) {
+    const SkyLight::Direction d = light->sample(share(random), share(random), share(random));
+    ASSERT_GT(d.density, 0);
+    EXPECT_NEAR(d.density, light->density(d.along), 1e-6 * d.density);
+    all += 1 / d.density / count;
+  }
+  EXPECT_NEAR(all, 4 * pi, 0.6);
+}
+
+}  // namespace
+}  // namespace betwixt
