@@ -476,7 +476,7 @@ TEST(Errors, WordsOfWhatNeedsAFilmOfItsOwn) {
            {"fog white", "'from' and a distance are missing here"},
            {"fog white from 3 to 3", "the fog ends before it begins"},
            {"fog white from -1 to 3", "a distance must be from 0 to 1e12 m"},
-           {"sky", "the sky must be on or off"},
+           {"sky", "a sky must be on, off, studio, day, overcast, sunset or a \"FILE\""},
            {"contact", "contact shading must be on or off"},
            {"create a box\ncreate b box\nlayer up add\narrange a", "'in' is missing here"},
            {"create a box\ncreate b box\nlayer up add\narrange a in",

@@ -70,7 +70,7 @@ TEST(Newcomer, Words_from_elsewhere_lead_to_what_there_is) {
                                     {"mask", "trim"},
                                     {"blend", "twerper"},
                                     {"transition", "look through eye2"},
-                                    {"bloom", "material glow"},
+                                    {"hdri", "sky"},
                                     {"wait", "times are absolute"}})
     for (const std::string& line : {fmt::format("create x {}", word), std::string(word) + " 2s"}) {
       const Loaded loaded = read(line + "\n");

@@ -160,8 +160,7 @@ TEST(Scenes, CamerasLightsAndMaterialsComeAsOurs) {
   EXPECT_EQ(text("it/Wheel-001.material"), "metal");
   expect_numbers(film, "it/Wheel-001.shininess", "0s", {0.75}, 1e-6);
   expect_numbers(film, "it/Wheel-001-2.transparency", "0s", {0.75}, 1e-6);  // "Wheel 001" is taken
-  EXPECT_EQ(text("it/mesh-3-pfel.material"), "glow");
-  EXPECT_EQ(film.item("it/mesh-3-pfel", {}).shape->mesh->parts[0].color, (std::array<float, 3>{1, 0, 0}));
+  EXPECT_EQ(film.item("it/mesh-3-pfel", {}).finish->emission, (Vec3{1, 0, 0}));
   const Frame frame = film.frame("0s");
   EXPECT_NEAR(frame.camera.fov, 2 * std::atan(1.5 * std::tan(0.4)), 1e-9);
   EXPECT_LT(length(translation_of(frame.camera.world) - Vec3{0, 1, 9}), 1e-9);

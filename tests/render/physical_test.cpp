@@ -160,7 +160,7 @@ TEST(Physical, PatternsAreTheSameInBothLanguages) {
     Item wall = item(square(), scaling({2, 2, 1}), row.color, Material::plastic);
     wall.finish = std::make_shared<const Finish>(f);
     Frame frame = frame_of({wall}, even_sky(1));
-    frame.camera.orthographic = true, frame.camera.height = 1;
+    frame.camera.orthographic = true, frame.camera.height = 0.4;
     const LinearPicture a = light_of(frame, "shaded", 24, 16), b = light_of(frame, "traced", 24, 64);
     double off = 0, sum = 0;
     for (int y = 0; y < 24; ++y)
