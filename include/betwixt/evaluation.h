@@ -85,6 +85,9 @@ class Evaluation {
   const Camera& camera() const;
   // Replaces the film's camera from now on. Pass nullopt to return to the film's own.
   void look_from(std::optional<Camera>);
+  // Returns whether the frame is composed of several pictures: it has layers, or the camera is changing. The columns
+  // are not enough to draw it.
+  bool composed() const;
   const std::vector<std::string>& problems() const;  // as in Frame
   const std::vector<Problem>& reports() const;
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "betwixt/finish.h"
+#include "betwixt/layer.h"
 #include "betwixt/problem.h"
 #include "betwixt/setting.h"
 #include "betwixt/shape.h"
@@ -37,6 +38,7 @@ struct Item {
   // The body that it belongs to. For an attached object, this is the drawn object that you reach last if you go from
   // parent to parent. For a part by name it is the whole (car for car/wheel). Otherwise it is the object itself.
   ObjectId body;
+  std::int32_t layer = -1;  // the innermost one of Frame::layers that it belongs to; -1: none
 };
 
 // Whether a light casts shadows. `strongest`: only if no other light is stronger. A renderer draws the shadows of at
@@ -98,11 +100,20 @@ struct Surroundings {
   friend bool operator==(const Surroundings&, const Surroundings&) = default;
 };
 
+// The change of the camera that is going on.
+struct CameraChange {
+  Camera from;       // the camera of before
+  double share = 1;  // of the new one, 0 to 1
+  ChangeKind kind = ChangeKind::dissolve;
+};
+
 struct Frame {
   Time time;
   std::vector<Item> items;    // in the order in which the objects were created
   std::vector<Light> lights;  // if empty, the renderer adds its own
   Camera camera;
+  std::optional<CameraChange> change;
+  std::vector<Layer> layers;       // a layer comes after those that it is within
   std::optional<Vec3> background;  // linear light; nullopt: the renderer's soft gradient
   Surroundings surroundings;
   std::vector<std::string> notes;  // the notes exactly at this time

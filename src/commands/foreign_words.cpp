@@ -62,11 +62,9 @@ constexpr std::string_view to_words =
     "text shows words: create caption text text=\"Once\"; at 24f caption.text \"Then\"";
 constexpr std::string_view to_graph =
     "a graph is a curve through points: create g curve points=((0 0) (1 2) (2 1)); code can give them";
-constexpr std::string_view to_mask =
-    "there are no masks; a polygon has holes, trim shows a part of a line, display shows and hides";
 constexpr std::string_view to_change =
     "a change from one to the other is events on both: at 24f a.transparency 0 linear, at 36f a.transparency 1; at 36f "
-    "look through eye2 is a cut";
+    "look through eye2 for 12f dissolves into another camera's picture";
 constexpr std::string_view to_shine =
     "set lamp.emission orange makes it shine, bloom 0.3 gives it a halo; material=glow shows a color without light";
 constexpr std::string_view to_sky =
@@ -164,8 +162,6 @@ constexpr ForeignWord all_foreign_words[] = {
     {"align-words", to_align, "words"},
     {"graph", to_graph, "curve polyline"},
     {"chart", to_graph, "curve polyline"},
-    {"mask", to_mask, "polygon trim display"},
-    {"blend", to_blend, "twerper layer"},
     {"transition", to_change, "transparency look"},
     {"crossfade", to_change, "transparency look"},
     {"emissive", to_shine, "emission bloom"},
@@ -178,7 +174,6 @@ constexpr ForeignWord all_foreign_words[] = {
     {"ambient-occlusion", to_occlude, "contact"},
     {"wait", to_wait, "at range"},
     {"sleep", to_wait, "at range"},
-    {"blur", to_blur, "shutter f-stop focus"},
     {"motion-blur", to_blur, "shutter subframes"},
     {"dof", to_blur, "f-stop focus"},
     {"depth-of-field", to_blur, "f-stop focus"},
@@ -214,7 +209,6 @@ constexpr ForeignWord all_foreign_words[] = {
      "hash(i) is 0 to 1, the same each time: set b*.position.y hash(i)*3; noise and wobble are filters; stagger … "
      "random 7 shuffles",
      "let noise wobble stagger"},
-    {"opacity", to_fade, "transparency"},
     {"alpha", to_fade, "transparency"},
     {"fade", to_fade, "transparency"},
     {"visible", to_show, "show hide display"},

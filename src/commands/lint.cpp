@@ -194,6 +194,35 @@ void look_at_obstacles(const Scene& s, ObjectId id, const Object& o, Remarks& ou
   said->track->events.each([&](const Event& e) { look(e.value); });
 }
 
+// Calls f for each name that the masks of a group ever have.
+template <class F>
+void each_mask(const Object& o, const F& f) {
+  const Slot* said = o.find(fn::layer_mask);
+  if (!said) return;
+  const auto look = [&](const Value& v) {
+    if (const auto* names = std::get_if<Names>(&v)) std::for_each((*names)->begin(), (*names)->end(), f);
+  };
+  if (said->set) look(*said->set);
+  said->track->events.each([&](const Event& e) { look(e.value); });
+}
+
+// Warns about masks that do not exist, or that need the group which they mask.
+void look_at_masks(const Scene& s, ObjectId id, const Object& o, Remarks& out) {
+  std::set<std::string> known;
+  each_mask(o, [&](const std::string& name) {
+    if (!known.insert(name).second) return;
+    const ObjectId mask = s.names.find(name);
+    if (!mask)
+      return say(out, of(id, fn::layer_mask), ErrorCode::name,
+                 fmt::format("'{}' is a mask of {}, but does not exist", name, o.name));
+    bool back = mask == id;
+    each_mask(s.objects[mask.index], [&](const std::string& other) { back = back || s.names.find(other) == id; });
+    if (back)
+      say(out, of(id, fn::layer_mask), ErrorCode::range,
+          fmt::format("{} and {} mask each other, so this mask of {} does not count", o.name, name, name));
+  });
+}
+
 // Warns about a velocity-space that no velocity of the whole position uses.
 void look_at_velocity_space(ObjectId id, const Object& o, Remarks& out) {
   const Slot* position = o.find(fn::velocity_space) ? o.find(fn::position) : nullptr;
@@ -319,6 +348,7 @@ std::vector<Remark> lint(const Scene& s) {
     look_at_lens({i}, o, out);
     look_at_joints(s, {i}, o, out);
     look_at_obstacles(s, {i}, o, out);
+    look_at_masks(s, {i}, o, out);
     look_at_velocity_space({i}, o, out);
     for (const Slot& slot : o.slots) {
       look_at_tangents(s, {i}, slot, slot, out), look_at_tangents(s, {i}, slot, slot.velocity, out);

@@ -5,11 +5,41 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
+#include "base/names.h"
 #include "commands/command.h"
 
 namespace betwixt {
 namespace {
+
+// Reads `for LENGTH [wipe=WORD]`, the way to the next camera, if it takes time.
+bool way_to_camera(Command& k, std::optional<CutWay>& way) {
+  Cursor& c = k.cursor;
+  c.space();
+  const std::string_view word = c.peek_word();
+  if (!c.accept_word("for")) return true;
+  if (!k.time)
+    return c.fail(ErrorCode::syntax, "a change of the camera that takes time needs a beginning", word,
+                  "as in at 48f look through eye for 12f");
+  c.space();
+  const char* const start = c.at;
+  way.emplace();
+  if (!c.length(way->length)) return false;
+  if (way->length <= Time{}) return c.fail(ErrorCode::range, "the change must last longer than 0", c.since(start));
+  c.space();
+  if (c.at_line_end()) return true;
+  const std::string_view key = c.word();
+  if (key != "wipe" || c.peek() != '=') return c.fail(ErrorCode::syntax, "wipe= or nothing may follow here", key);
+  ++c.at;
+  const std::string_view w = c.next_word();
+  const auto* const at = std::find(change_names.begin() + 1, change_names.end(), w);
+  if (at == change_names.end())
+    return no_choice(c, w, "a wipe must be left, right, up, down or iris",
+                     did_you_mean(w, {change_names.begin() + 1, change_names.end()}));
+  way->kind = static_cast<ChangeKind>(at - change_names.begin());
+  return true;
+}
 
 bool look(Command& k) {
   auto& [s, c, time, layer, script] = k;
@@ -21,8 +51,12 @@ bool look(Command& k) {
   const Kind kind = s.objects[id.index].kind;
   if (kind != Kind::camera)
     return c.fail(ErrorCode::type, fmt::format("'{}' is a {}, not a camera", w, name_of(kind)), w);
-  if (!finish(c)) return false;
-  s.cuts.edit()[time.value_or(Time{INT64_MIN})] = id;
+  std::optional<CutWay> way;
+  if (!way_to_camera(k, way) || !finish(c)) return false;
+  const Time from = time.value_or(Time{INT64_MIN});
+  s.cuts.edit()[from] = id;
+  if (way) s.cut_ways.edit()[from] = *way;
+  if (!way && s.cut_ways->count(from) > 0) s.cut_ways.edit().erase(from);
   return true;
 }
 
@@ -48,8 +82,12 @@ bool display(Command& k) {
 }
 
 constexpr Verb showing_rows[] = {
-    {"look", "at TIME look through CAMERA", "Changes the camera from this time on: a cut.", "at 24f look through eye",
-     Verb::timed | Verb::aside | Verb::quick, look, "through; CAMERA"},
+    {"look", "at TIME look through CAMERA [for LENGTH [wipe=left|right|up|down|iris]]",
+     "Changes the camera from this time on: a cut. With `for`, the picture of the one before dissolves into the new "
+     "one, "
+     "or a wipe shows the new one.",
+     "at 24f look through eye\nat 24f look through eye for 12f wipe=left", Verb::timed | Verb::aside | Verb::quick,
+     look, "through; CAMERA for wipe=left wipe=right wipe=up wipe=down wipe=iris"},
     {"show", "show A or at TIME show A", "Shows objects, from a time on or for the whole film.", "at 12f show ball",
      Verb::timed | Verb::layered | Verb::aside | Verb::quick, display<true>, "OBJECT…"},
     {"hide", "hide A or at TIME hide A", "Hides objects, from a time on or for the whole film.", "at 24f hide ball",

@@ -187,7 +187,8 @@ bool no_function(const Search& q, ObjectId id, std::string_view function) {
   if (function.find('.') != std::string_view::npos) near = "write the component after the braces: {position,scale}.y";
   return q.fail(ErrorCode::name,
                 fmt::format("'{}', {}, has no function '{}'", o.name, a_kind(o.kind), function.substr(0, 40)),
-                q.words.function, near.empty() ? Hint(std::string(foreign_word_hint(function))) : near);
+                q.words.function,
+                near.empty() ? Hint(std::string(foreign_word_hint(function == "opacity" ? "alpha" : function))) : near);
 }
 
 // Returns whether any kind of object has the function. If so, objects without it are left out; if not, its name is

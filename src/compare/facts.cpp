@@ -49,8 +49,11 @@ class FactFinder {
   Facts all() {
     for (std::uint32_t i = 0; i < s_.objects.size(); ++i)
       if (!s_.objects[i].removed && !s_.objects[i].derived) object(i);
-    for (const auto& [time, camera] : *s_.cuts)
-      facts_.said[{FactPart::camera, "", "", "", time}] = document_.name(camera);
+    for (const auto& [time, camera] : *s_.cuts) {
+      const auto way = s_.cut_ways->find(time);
+      facts_.said[{FactPart::camera, "", "", "", time}] =
+          document_.name(camera) + (way == s_.cut_ways->end() ? "" : " " + write_cut_way(way->second, s_.rate));
+    }
     for (const auto& [time, note] : *s_.notes)
       add({FactPart::note, "", "", "", time},
           write_text(note.text) + (note.color ? " color=" + write_color(*note.color) : ""));

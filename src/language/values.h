@@ -76,6 +76,7 @@ std::string write_parts_and_tables(const Scene&);  // the commands `part` and `d
 std::string write_number(double v);                // shortest form that reads back to the same double
 std::string write_seconds(Time);                   // a time that reads back to the same flick
 std::string write_time(Time, Rate);                // the same, in frames if it is on a frame
+std::string write_cut_way(const CutWay&, Rate);    // what follows the camera: for 12f wipe=left
 // Write lines of a script. write_cues(): all sections, steps and descriptions.
 std::string write_pause(const Pause&, Rate);
 std::string write_description(const Description&, Rate);

@@ -339,7 +339,9 @@ struct Writer {
   void rest() {
     for (const auto& [time, camera] : *s.cuts) {
       if (time != Time{INT64_MIN}) out += "at " + point(time) + " ";
-      out += "look through " + name_of(camera) + "\n";
+      out += "look through " + name_of(camera);
+      const auto way = s.cut_ways->find(time);
+      out += (way == s.cut_ways->end() ? "" : " " + write_cut_way(way->second, s.rate)) + "\n";
     }
     for (const auto& [time, note] : *s.notes)
       out += "at " + point(time) + " note " + write_text(note.text) +

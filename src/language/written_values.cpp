@@ -68,6 +68,14 @@ std::string write_time(Time t, Rate rate) {
   return frames.back() == 'f' ? frames : write_seconds(t);
 }
 
+std::string write_cut_way(const CutWay& way, Rate rate) {
+  const double frames = rate.frame_number(way.length) - 1;
+  const bool whole = frames == std::round(frames) && rate.span(frames) == way.length;
+  std::string out = "for " + (whole ? write_number(frames) + "f" : write_seconds(way.length));
+  if (way.kind != ChangeKind::dissolve) out += " wipe=" + std::string(change_names[static_cast<std::size_t>(way.kind)]);
+  return out;
+}
+
 std::string write_vector(Vec3 v, int numbers) {
   std::string out = "(";
   for (int i = 0; i < numbers; ++i) out += (i ? " " : "") + write_number(v[i]);

@@ -17,6 +17,7 @@ using Compiled = Program::Compiled;
 std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
   if (spec.shape || f == fn::geometry) return affects::form;
   if (is_of_finish(f)) return affects::look;
+  if (is_of_layer(f)) return affects::other;
   switch (f) {
     case fn::color:
       return affects::look | affects::other;  // the colour of a light, too
@@ -184,6 +185,12 @@ struct ScheduleCompiler {
     return false;
   }
 
+  bool may_be_layer(std::uint32_t object) const {
+    for (FunctionId f = fn::opacity; f <= fn::shadow_opacity; ++f)
+      if (&compiled.find(object, f) != &compiled.defaults[f]) return !scene.objects[object].hidden;
+    return false;
+  }
+
   // Returns true if its shape may take long to make, constant or not.
   bool may_take_long(std::uint32_t object, const Drawable& d) const {
     const Binding& seen = compiled.find(object, fn::display);
@@ -246,6 +253,7 @@ struct ScheduleCompiler {
       const Node& n = compiled.nodes[i];
       const auto find = [&](FunctionId f) { return &compiled.find_shown(n.object, f); };
       if (n.kind == Kind::light && !scene.objects[n.object].hidden) compiled.lights.push_back(i);
+      if (n.kind == Kind::group && may_be_layer(n.object)) compiled.layers.push_back(i);
       if (n.kind == Kind::camera) {
         if (const Object& o = scene.objects[n.object]; !o.derived && !o.hidden && !compiled.first_camera)
           compiled.first_camera = n.object;

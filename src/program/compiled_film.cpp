@@ -96,6 +96,18 @@ std::optional<std::uint32_t> CompiledFilm::camera_at(Time t) const {
   return first_camera;  // cameras of display lists are active only through `views`
 }
 
+std::optional<CompiledFilm::Changing> CompiledFilm::changing_at(Time t) const {
+  const auto& ways = *document.scene().cut_ways;
+  auto way = ways.upper_bound(t);
+  if (way == ways.begin()) return std::nullopt;
+  const auto& [from, how] = *--way;
+  const auto& cuts = *document.scene().cuts;
+  const auto next = cuts.upper_bound(from);
+  const bool over = t >= from + how.length || (next != cuts.end() && next->first <= t);
+  if (over || from.flicks == INT64_MIN) return std::nullopt;
+  return Changing{camera_at(from - Time{1}), (t - from).seconds() / how.length.seconds(), how.kind};
+}
+
 std::optional<std::uint32_t> CompiledFilm::node_of_object(ObjectId id) const {
   const bool known = id.index < node_of.size() && node_of[id.index] != ObjectId::nothing;
   return known ? std::optional(node_of[id.index]) : std::nullopt;

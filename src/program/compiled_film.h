@@ -276,6 +276,7 @@ struct CompiledFilm {
   std::vector<FinishUse> finishes;
   std::vector<std::shared_ptr<const Picture>> textures;
   std::vector<std::uint32_t> lights, eyes;                   // nodes; eyes: those that look at or reach for something
+  std::vector<std::uint32_t> layers;                         // nodes of groups that may be drawn as a whole
   std::map<std::uint32_t, FormulaPiece> pieces_of_formulas;  // by the object of the part
   std::map<std::uint32_t, Text> apart;                       // by the object of a formula: its parts that are objects
   std::vector<std::uint32_t> formula_pieces;                 // drawables that are parts of formulas
@@ -320,6 +321,13 @@ struct CompiledFilm {
   // Returns the nodes that an aim may name at any time.
   std::vector<std::uint32_t> goals(std::uint32_t object, FunctionId) const;
   std::optional<std::uint32_t> camera_at(Time t) const;  // the active camera object; nullopt if the film has none
+  // The change of cameras that is going on.
+  struct Changing {
+    std::optional<std::uint32_t> from;  // the camera object of before
+    double share = 0;                   // of the change that is done
+    ChangeKind kind = ChangeKind::dissolve;
+  };
+  std::optional<Changing> changing_at(Time t) const;
   bool sees_all(Time t) const { return !document.scene().appearance.flat && !camera_at(t); }  // the camera does
   // Returns true if anything in a frame may take long.
   bool may_take_long() const {

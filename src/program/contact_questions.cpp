@@ -21,7 +21,7 @@ Frame solids(const Program::Compiled& c, Time t, Asking& asking) {
     if (const CompiledSpan* h = c.span(n, t); h && h->frozen >= 0) thaw(c, h->frozen, asking);
   Evaluator all(c);
   all.to(t, asking, true);
-  all.add_items(f);
+  all.add_items(f, {});
   if (!c.sees_all(t)) f.camera = all.camera();
   return f;
 }

@@ -19,6 +19,8 @@ struct Whole {
       : evaluator(compiled, deferred) {}
   Evaluator evaluator;
   std::vector<Light> lights;
+  std::vector<Layer> layers;
+  std::vector<std::int32_t> layer_of;  // by drawable; empty if there are no layers
   std::vector<Problem> reports;
   std::vector<std::string> problems;  // the same in words
 
@@ -34,6 +36,7 @@ void Whole::to(Time t, bool news) {
   const TwerperFailures failed;
   evaluator.to(t, asking);
   lights = evaluator.lights(asking);
+  layers = evaluator.layers(layer_of, asking);
   asking.say_all(failed, compiled.document.scene());
   reports.clear();
   for (const std::string& notice : compiled.notices) reports.push_back({Problem::other, {}, {}, notice});
@@ -47,9 +50,9 @@ Frame Whole::frame() const {
   const Program::Compiled& compiled = evaluator.compiled();
   Frame f;
   f.time = evaluator.time();
-  evaluator.add_items(f);
-  f.lights = lights;
-  f.camera = evaluator.camera();
+  evaluator.add_items(f, layer_of);
+  f.lights = lights, f.layers = layers;
+  f.camera = evaluator.camera(), f.change = evaluator.camera_change();
   const Scene& scene = compiled.document.scene();
   f.background = background_of(scene), f.surroundings = surroundings_of(scene);
   for (const Note& n : compiled.document.notes(f.time, f.time)) f.notes.push_back(n.text);
@@ -219,9 +222,15 @@ const Camera& Evaluation::camera() const {
   return *state_->camera;
 }
 
+bool Evaluation::composed() const {
+  const bool changes = !state_->eye && state_->evaluator().compiled().changing_at(time());
+  return changes || !state_->now.whole->layers.empty();
+}
+
 Frame Evaluation::frame() const {
   Frame f = state_->now.whole->frame();
   f.camera = camera();
+  if (state_->eye) f.change.reset();
   return f;
 }
 

@@ -58,10 +58,14 @@ class Evaluator {
   const std::shared_ptr<const Finish>& finish(std::uint32_t number) const { return finishes_[number]; }
   std::vector<std::uint32_t> joints_of(std::uint32_t hand) const;
   Quat own_turn(std::uint32_t node) const;
-  void add_items(Frame&) const;
+  void add_items(Frame&, const std::vector<std::int32_t>& layers) const;
   std::vector<Light> lights(Asking&) const;
   void aim_light(Light&, std::uint32_t node, Asking&) const;
+  // Returns the layers, and sets the layer of each drawable, -1 for none.
+  std::vector<Layer> layers(std::vector<std::int32_t>& of_drawables, Asking&) const;
   Camera camera() const;
+  Camera camera_of(std::uint32_t object) const;
+  std::optional<CameraChange> camera_change() const;
   double focus(std::uint32_t object, const Camera&) const;
 
   const Program::Compiled& compiled() const { return compiled_; }
@@ -105,6 +109,7 @@ class Evaluator {
   void take_shape(std::uint32_t drawable, Looks&, Asking&);
   void take_match(std::uint32_t drawable, Looks&, Asking&);
   void mark_pieces();
+  bool layer_at(std::uint32_t node, Layer&, std::vector<std::uint32_t>& masks, Asking&) const;
   bool take_finish(std::uint32_t drawable, const MaterialRow&, Looks&, Asking&);
   bool take_blend(std::uint32_t drawable, Looks&, Asking&);
   std::uint32_t put(std::size_t form, std::shared_ptr<const Shape>);

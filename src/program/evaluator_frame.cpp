@@ -39,7 +39,7 @@ void Evaluator::aim_light(Light& l, std::uint32_t node, Asking& asking) const {
   if (picture != nothing) l.picture = compiled_.textures[picture];
 }
 
-void Evaluator::add_items(Frame& frame) const {
+void Evaluator::add_items(Frame& frame, const std::vector<std::int32_t>& layers) const {
   for (std::size_t i = 0; i < looks.size(); ++i) {
     const Looks& l = looks[i];
     if (!l.visible) continue;
@@ -54,6 +54,7 @@ void Evaluator::add_items(Frame& frame) const {
     item.material = l.material, item.casts = l.casts;
     if (l.texture != nothing) item.texture = compiled_.textures[l.texture];
     if (l.finish != nothing) item.finish = finish(l.finish);
+    if (!layers.empty()) item.layer = layers[i];
     frame.items.push_back(std::move(item));
   }
 }
@@ -91,8 +92,17 @@ Camera Evaluator::camera() const {
     somewhere.aspect = compiled_.document.aspect();
     return known ? known->camera : somewhere;
   }
-  if (!through) return own_camera(compiled_);
-  const std::uint32_t object = *through;
+  return through ? camera_of(*through) : own_camera(compiled_);
+}
+
+std::optional<CameraChange> Evaluator::camera_change() const {
+  const auto changing = compiled_.changing_at(now_);
+  if (!changing) return std::nullopt;
+  return CameraChange{changing->from ? camera_of(*changing->from) : own_camera(compiled_), changing->share,
+                      changing->kind};
+}
+
+Camera Evaluator::camera_of(std::uint32_t object) const {
   const auto number = [&](FunctionId f) { return numbers_[compiled_.find(object, f).offset]; };
   Camera c;
   c.aspect = compiled_.document.aspect();

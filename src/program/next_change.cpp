@@ -24,6 +24,7 @@ std::optional<Time> Program::next_change(Time t) const {
   const Compiled& compiled = *code_;
   const Scene& scene = compiled.document.scene();
   if (!compiled.lives.empty()) return t;  // code may change at any time
+  if (scene.appearance.grade.grain > 0) return t;
   if (compiled.traces && tracing_at(compiled, t)) return t;
   Next next{t, std::nullopt};
   for (const CurveUse& use : compiled.curves) {
@@ -59,6 +60,7 @@ std::optional<Time> Program::next_change(Time t) const {
   for (const CompiledSpan& span : compiled.spans) next.may(span.from);
   for (const auto* cameras : {&*scene.cuts, &*scene.views})
     if (const auto cut = cameras->upper_bound(t); cut != cameras->end()) next.may(cut->first);
+  if (compiled.changing_at(t)) return t;
   if (const auto note = scene.notes->upper_bound(t); note != scene.notes->end()) next.may(note->first);
   return next.at;
 }
@@ -106,6 +108,7 @@ std::vector<Time> Program::discontinuities(Time after, Time until) const {
     each_of(*edges, [](const Schedule::Edge& e) { return Time{e.time}; });
   for (const auto* cameras : {&*scene.cuts, &*scene.views})
     each_of(*cameras, [](const auto& cut) { return cut.first; });
+  for (const auto& [from, way] : *scene.cut_ways) may(from + way.length);
   constexpr std::int64_t most_ticks = 1'000'000;  // four hours of 60 a second
   const std::int64_t first = scene.ticks.whole(after) + 1;
   if (!compiled.environments.empty() && !scene.smooth_ticks)

@@ -31,8 +31,7 @@ class ReflectedShares {
       for (std::size_t i = 0; i < side; ++i) at_[j * side + i] = worked_out(std::max(static_cast<double>(i), 0.05) / (side - 1), static_cast<double>(j) / (side - 1));
   }
   std::array<double, 2> at(double nv, double roughness) const {
-    const double x = std::clamp(nv * side - 0.5, 0.0, side - 1.0),
-                 y = std::clamp(roughness * side - 0.5, 0.0, side - 1.0);
+    const double x = std::clamp(nv, 0.0, 1.0) * (side - 1), y = std::clamp(roughness, 0.0, 1.0) * (side - 1);
     const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y);
     const std::size_t i1 = std::min(i + 1, side - 1), j1 = std::min(j + 1, side - 1);
     const double a = x - static_cast<double>(i), b = y - static_cast<double>(j);

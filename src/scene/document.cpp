@@ -321,6 +321,8 @@ void remove_objects(Scene& s, const std::vector<ObjectId>& ids, const std::vecto
     std::erase_if(s.dials.edit(), [&](const Dial& d) { return is_gone(d.target.object); });
   const auto gone_cut = [&](const auto& cut) { return is_gone(cut.second); };
   if (std::any_of(s.cuts->begin(), s.cuts->end(), gone_cut)) std::erase_if(s.cuts.edit(), gone_cut);
+  const auto no_cut = [&](const auto& way) { return s.cuts->count(way.first) == 0; };
+  if (std::any_of(s.cut_ways->begin(), s.cut_ways->end(), no_cut)) std::erase_if(s.cut_ways.edit(), no_cut);
 }
 
 Document::Document() : scene_(std::make_shared<const Scene>()) {}
@@ -341,6 +343,7 @@ std::pair<Time, Time> Document::range() const {
       }
   }
   if (!scene_->cuts->empty()) last = std::max(last, scene_->cuts->rbegin()->first);
+  for (const auto& [from, way] : *scene_->cut_ways) last = std::max(last, from + way.length);
   if (!scene_->notes->empty()) last = std::max(last, scene_->notes->rbegin()->first);
   if (!scene_->pauses->empty()) last = std::max(last, scene_->pauses->rbegin()->first);
   if (!scene_->descriptions->empty()) last = std::max(last, scene_->descriptions->rbegin()->first);

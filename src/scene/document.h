@@ -11,6 +11,7 @@
 
 #include "base/cow.h"
 #include "betwixt/document.h"
+#include "betwixt/layer.h"
 #include "betwixt/sound.h"
 #include "scene/appearance.h"
 #include "scene/display_list.h"
@@ -155,6 +156,13 @@ struct FromFile {
   std::vector<Object> parts;
 };
 
+// A change of the camera that takes time.
+struct CutWay {
+  Time length;
+  ChangeKind kind = ChangeKind::dissolve;
+  friend bool operator==(const CutWay&, const CutWay&) = default;
+};
+
 struct Scene {
   Rate rate, ticks{30, 1};
   std::optional<std::pair<Time, Time>> range;
@@ -189,6 +197,7 @@ struct Scene {
   bool smooth_ticks = false;              // environments move between their ticks, where they can
   bool recording = false;                 // dials make events
   Cow<std::map<Time, ObjectId>> cuts;     // the camera from each time on
+  Cow<std::map<Time, CutWay>> cut_ways;   // how the picture goes over to it, for those that are no sudden cuts
   // The content of files when they were named, by the path in the script.
   Cow<std::map<std::string, std::shared_ptr<const Mesh>>> meshes;
   Cow<std::vector<FromFile>> from_files;

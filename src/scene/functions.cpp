@@ -14,6 +14,7 @@
 #include "scene/finish_functions.h"
 #include "scene/flat_functions.h"
 #include "scene/kinds.h"
+#include "scene/layer_functions.h"
 #include "scene/materials.h"
 #include "scene/own_font.h"
 #include "scene/rig_functions.h"
@@ -355,6 +356,7 @@ std::vector<FunctionSpec> make_functions() {
   constexpr std::ptrdiff_t named = 3;  // of the rows of axes, those that `fn` has
   made.insert(made.end(), std::begin(axes_functions), std::begin(axes_functions) + named);
   made.insert(made.end(), std::begin(finish_functions), std::end(finish_functions));
+  made.insert(made.end(), std::begin(layer_functions), std::end(layer_functions));
   made.insert(made.end(), std::begin(axes_functions) + named, std::end(axes_functions));
   made.insert(made.end(), std::begin(chart_functions), std::end(chart_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));

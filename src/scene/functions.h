@@ -159,12 +159,23 @@ enum : FunctionId {
   cone,
   cone_edge,
   light_picture,
+  opacity,  // of groups that are drawn as a whole, up to shadow_opacity
+  layer_blend,
+  layer_mask,
+  layer_blur,
+  glow,
+  glow_size,
+  drop_shadow,
+  shadow_color,
+  shadow_opacity,
   count
 };
 }
 
 // The functions that make a finish.
 inline bool is_of_finish(FunctionId f) { return f >= fn::metalness && f <= fn::texture_turn; }
+// The functions that make a layer of a group.
+inline bool is_of_layer(FunctionId f) { return f >= fn::opacity && f <= fn::shadow_opacity; }
 // Those whose value is the file of a picture.
 inline bool is_picture(FunctionId f) {
   return f == fn::texture || (f >= fn::normal_map && f <= fn::emission_map) || f == fn::light_picture;

@@ -198,6 +198,7 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
   whole(before.defined, after.defined), whole(before.procedures, after.procedures), whole(before.dials, after.dials);
   whole(before.expansion, after.expansion), whole(before.spare, after.spare);
   whole(before.views, after.views), whole(before.cuts, after.cuts);
+  whole(before.cut_ways, after.cut_ways);
   whole(before.meshes, after.meshes), whole(before.pictures, after.pictures), whole(before.sounds, after.sounds);
   whole(before.words, after.words), whole(before.fonts, after.fonts), whole(before.formulas, after.formulas);
   if (before.kinds && !before.kinds.same(after.kinds)) lost.sum.bytes += apart(*before.kinds, *after.kinds);

@@ -127,6 +127,7 @@ struct Compare {
       return x.first == y.first && ra(x.second) == rb(y.second);
     };
     if (!std::equal(a.cuts->begin(), a.cuts->end(), b.cuts->begin(), b.cuts->end(), same_cut)) return false;
+    if (!(*a.cut_ways == *b.cut_ways)) return false;
     return std::equal(ra.living.begin(), ra.living.end(), rb.living.begin(), rb.living.end(),
                       [&](const Object* x, const Object* y) { return (x == y && same_numbers) || objects(*x, *y); });
   }

@@ -67,8 +67,6 @@ TEST(Newcomer, Words_from_elsewhere_lead_to_what_there_is) {
                                     {"particles", "create p{1..200} sphere"},
                                     {"caption", "create caption text"},
                                     {"graph", "curve points="},
-                                    {"mask", "trim"},
-                                    {"blend", "twerper"},
                                     {"transition", "look through eye2"},
                                     {"hdri", "sky"},
                                     {"wait", "times are absolute"}})

@@ -67,11 +67,11 @@ TEST(Help, RoadsLeadToWords) {
     EXPECT_GT(words, 0) << r.word;
     EXPECT_TRUE(help_text(r.word, Scene()).starts_with(fmt::format("{}: {}", r.word, r.leads)));
   }
-  for (const char* word : {"loop", "easing", "path", "opacity", "alpha", "sheet", "time", "rgb", "channel", "f-curve",
-                           "property", "ik", "depth-of-field", "dope-sheet", "keyframe", "interpolation"})
+  for (const char* word : {"loop", "easing", "path", "alpha", "sheet", "time", "rgb", "channel", "f-curve", "property",
+                           "ik", "depth-of-field", "dope-sheet", "keyframe", "interpolation"})
     EXPECT_FALSE(foreign_word_hint(word).empty()) << word;
-  EXPECT_EQ(help_text("opacity", Scene()),
-            "opacity: transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5\n"
+  EXPECT_EQ(help_text("alpha", Scene()),
+            "alpha: transparency goes the other way, from 0, solid, to 1: set ball.transparency 0.5\n"
             "  see: help transparency\n");
 }
 
