@@ -260,6 +260,7 @@ void leave_out_surroundings(const Program& program, const ExportOptions& options
     add(lit, "ambient"), add(lit && casts, "shadows"), add(lit && s.contact, "contact"),
         add(s.exposure != 0, "exposure");
     add(frame.camera.shutter > 0, "blur"), add(frame.camera.aperture > 0, "focus");
+    add(!(s.grade == Grade()), "grade"), add(!frame.layers.empty(), "groups"), add(frame.change.has_value(), "changes");
   }
   if (any(Kind::sound)) there.insert("sounds");
   if (!program.document().notes(options.from, options.until).empty()) there.insert("notes");
@@ -276,6 +277,9 @@ void leave_out_surroundings(const Program& program, const ExportOptions& options
       {"exposure", "the exposure is left out"},
       {"blur", "motion blur (shutter) is left out"},
       {"focus", "depth of field (aperture) is left out"},
+      {"grade", "view, white balance, bloom, vignette and grain are left out"},
+      {"groups", "opacity, blend, mask, blur, glow and shadow of groups are left out"},
+      {"changes", "changes from one camera to the next become cuts"},
       {"sounds", "sounds are left out"},
       {"notes", "notes are left out"},
       {"texts", "texts are written as shapes and cannot be edited as texts"},

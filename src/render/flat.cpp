@@ -80,6 +80,16 @@ bool FlatPainter::draw(const Columns& columns, Picture& out) {
   return true;
 }
 
+bool FlatPainter::draw(const Columns& columns, LinearPicture& out) {
+  if (!is_drawing(columns)) return false;
+  const InStage stage(Stage::draw);
+  const bool other_things = update(columns), other_scenery = scenery_.take(columns);
+  if (other_things || other_scenery) picture_ = {};
+  if (!flat_) return false;
+  fill(out);
+  return true;
+}
+
 // Returns false if nothing differs from the previous picture.
 bool FlatPainter::update(const Columns& columns) {
   if (!things_.take(columns)) return false;
@@ -174,19 +184,21 @@ FlatPainter::Bytes FlatPainter::as_drawn(const Color& c) {
   return {byte_of(encoded_as_drawn(c.r)), byte_of(encoded_as_drawn(c.g)), byte_of(encoded_as_drawn(c.b))};
 }
 
+template <bool light>
 FlatPainter::Color FlatPainter::over(const Color& below, const Color& c, float opacity) {
   const float rest = 1 - opacity;
-  return {below.r * rest + c.r * opacity, below.g * rest + c.g * opacity, below.b * rest + c.b * opacity};
+  Color sum{below.r * rest + c.r * opacity, below.g * rest + c.g * opacity, below.b * rest + c.b * opacity};
+  if constexpr (light) sum.opacity = below.opacity * rest + opacity;
+  return sum;
 }
 
 FlatPainter::Color FlatPainter::plus(const Color& sum, const Color& c, float opacity) {
   return {sum.r + c.r * opacity, sum.g + c.g * opacity, sum.b + c.b * opacity, sum.opacity + opacity};
 }
 
-void FlatPainter::fill(Picture& out) const {
-  out.width = width_, out.height = height_;
+template <bool light, class Put>
+void FlatPainter::paint(const Put& put) const {
   const auto width = static_cast<std::size_t>(width_);
-  out.rgba.assign(4 * width * static_cast<std::size_t>(height_), 255);
   struct Reader {
     const Paint* paint;
     CoverageRows rows;
@@ -202,7 +214,8 @@ void FlatPainter::fill(Picture& out) const {
   std::vector<Color> joint(width, Color{0, 0, 0});
   for (int y = 0; y < height_; ++y) {
     const Vec3 behind = behind_row(scenery_, (y + 0.5) / height_);
-    const Color empty{static_cast<float>(behind.x), static_cast<float>(behind.y), static_cast<float>(behind.z)};
+    Color empty{static_cast<float>(behind.x), static_cast<float>(behind.y), static_cast<float>(behind.z)};
+    if (light && !scenery_.surroundings.clear) empty.opacity = 1;
     std::fill(row.begin(), row.end(), empty);
     for (std::vector<Reader>& parts : readers) {
       std::size_t first = width, end = 0;
@@ -212,7 +225,7 @@ void FlatPainter::fill(Picture& out) const {
         const RowCoverage covered = r.rows.next(y, sums, room);
         Color* at = (parts.size() == 1 ? row : joint).data() + covered.first;
         if (parts.size() == 1) {
-          for (const float share : covered.of) *at = over(*at, p.color, share * p.opacity), ++at;
+          for (const float share : covered.of) *at = over<light>(*at, p.color, share * p.opacity), ++at;
           continue;
         }
         for (const float share : covered.of) *at = plus(*at, p.color, share * p.opacity), ++at;
@@ -223,9 +236,29 @@ void FlatPainter::fill(Picture& out) const {
         const Color sum = std::exchange(joint[x], Color{0, 0, 0});
         if (sum.opacity <= 0) continue;
         const float opacity = std::min(sum.opacity, 1.F), share = 1 / sum.opacity;
-        row[x] = over(row[x], {sum.r * share, sum.g * share, sum.b * share}, opacity);
+        row[x] = over<light>(row[x], {sum.r * share, sum.g * share, sum.b * share}, opacity);
       }
     }
+    put(y, behind, empty, row);
+  }
+}
+
+void FlatPainter::fill(LinearPicture& out) const {
+  out.width = width_, out.height = height_;
+  const auto width = static_cast<std::size_t>(width_);
+  out.rgba.resize(4 * width * static_cast<std::size_t>(height_));
+  paint<true>([&](int y, const Vec3&, const Color&, const std::vector<Color>& row) {
+    float* to = out.rgba.data() + 4 * width * static_cast<std::size_t>(y);
+    for (const Color& c : row)
+      for (const float channel : {c.r, c.g, c.b, c.opacity}) *to++ = channel;
+  });
+}
+
+void FlatPainter::fill(Picture& out) const {
+  out.width = width_, out.height = height_;
+  const auto width = static_cast<std::size_t>(width_);
+  out.rgba.assign(4 * width * static_cast<std::size_t>(height_), 255);
+  paint<false>([&](int y, const Vec3& behind, const Color& empty, const std::vector<Color>& row) {
     // Most pixels are empty, or equal their neighbour.
     // The graphics interface clears with exact colours.
     const Bytes exact{byte_of(encoded(behind.x)), byte_of(encoded(behind.y)), byte_of(encoded(behind.z))};
@@ -238,7 +271,7 @@ void FlatPainter::fill(Picture& out) const {
       std::copy(bytes.begin(), bytes.end(), to);
       to += 4;
     }
-  }
+  });
 }
 
 }  // namespace betwixt

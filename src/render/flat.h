@@ -6,6 +6,7 @@
 // no context and no shaders. Of objects at one depth, the later one is in front.
 #pragma once
 
+#include "betwixt/linear_picture.h"
 #include "betwixt/picture.h"
 #include "render/columns.h"
 #include "render/coverage.h"
@@ -18,10 +19,11 @@ class FlatPainter {
   FlatPainter(int width, int height) : things_(Purpose::surfaces, width, height), width_(width), height_(height) {}
   // Draws into `out`, or returns false if the picture is not flat.
   bool draw(const Columns&, Picture& out);
+  bool draw(const Columns&, LinearPicture& out);  // light with opacities
 
  private:
   struct alignas(16) Color {
-    float r, g, b, opacity = 0;  // opacity: only of sums
+    float r, g, b, opacity = 0;  // opacity: of sums, and of pictures of light
     friend bool operator==(const Color&, const Color&) = default;
   };
   // A part of an object.
@@ -39,9 +41,14 @@ class FlatPainter {
   bool update(const Columns&);
   void outline(Painted&, const Thing&) const;
   bool sort();
+  // Paints row by row and calls put(y, row); light: colours are multiplied by their opacities.
+  template <bool light, class Put>
+  void paint(const Put& put) const;
   void fill(Picture& out) const;
+  void fill(LinearPicture& out) const;
   using Bytes = std::array<std::uint8_t, 3>;
   static Bytes as_drawn(const Color&);
+  template <bool light>
   static Color over(const Color& below, const Color&, float opacity);
   static Color plus(const Color& sum, const Color&, float opacity);  // colours by their opacities
 

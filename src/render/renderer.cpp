@@ -13,6 +13,7 @@
 #include "render/blur.h"
 #include "render/flat.h"
 #include "render/gl.h"
+#include "render/graded_renderer.h"
 #include "render/module.h"
 #include "render/plugin_renderer.h"
 #include "render/traced.h"
@@ -115,9 +116,14 @@ class ShadedRenderer final : public Renderer {
     return by_graphics([&](Renderer& r) { return r.render(evaluation, out); });
   }
   Status render(const Frame& frame, LinearPicture& out) override {
+    seen_ = {};
+    const FrameColumns laid_out(frame);
+    if (options_.linear && flat_.draw(laid_out.columns(), out)) return Nothing{};
     return by_graphics([&](Renderer& r) { return r.render(frame, out); });
   }
   Status render(const Evaluation& evaluation, LinearPicture& out) override {
+    if (options_.linear && flat_.draw(columns_since(seen_, evaluation), out)) return Nothing{};
+    seen_ = {};
     return by_graphics([&](Renderer& r) { return r.render(evaluation, out); });
   }
   Status show(const Evaluation& evaluation) override {
@@ -152,6 +158,13 @@ Result<std::unique_ptr<Renderer>> make_shaded_renderer(const RenderOptions& opti
   return std::unique_ptr<Renderer>(std::make_unique<ShadedRenderer>(options));
 }
 
+// The same, for light that is composed and graded: flat pictures have their exact edges there too.
+Result<std::unique_ptr<Renderer>> make_shaded_light(const RenderOptions& options) {
+  if (options.samples == 1 || options.pixel_filter != pixel_filters().front().name)
+    return surfaceless<make_shaded>(options);
+  return std::unique_ptr<Renderer>(std::make_unique<ShadedRenderer>(options));
+}
+
 constexpr std::string_view squares = "1, 4, 9 or 16", any = "1 to 4096";
 bool is_square(int samples) { return samples == 1 || samples == 4 || samples == 9 || samples == 16; }
 bool is_any(int samples) { return samples >= 1 && samples <= 4096; }
@@ -159,10 +172,13 @@ bool is_any(int samples) { return samples >= 1 && samples <= 4096; }
 struct Entry {
   Style style;
   Result<std::unique_ptr<Renderer>> (*make)(const RenderOptions&);
+  Result<std::unique_ptr<Renderer>> (*make_light)(const RenderOptions&) = nullptr;  // of light that is composed
+  Result<std::unique_ptr<Renderer>> light(const RenderOptions& o) const { return (make_light ? make_light : make)(o); }
 };
 constexpr Entry table[] = {
     {{style_names[0], "lit surfaces with soft shadows, highlights and glass", squares, is_square, 1},
-     make_shaded_renderer},
+     make_shaded_renderer,
+     make_shaded_light},
     {{style_names[1], "all edges as fine lines", squares, is_square, 1}, surfaceless<make_wireframe>},
     {{style_names[2], "edges as fine lines, without hidden ones", squares, is_square, 1},
      surfaceless<make_hidden_line>},
@@ -296,7 +312,16 @@ Status check_options(const RenderOptions& options) {
 
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
   const auto found = find(options);
-  return found ? (*found)->make(options) : found.error();
+  if (!found) return found.error();
+  const Entry& style = **found;
+  auto plain = style.make(options);
+  if (!plain) return plain;
+  const auto light = [&style](const RenderOptions& o) { return style.light(o); };
+  const auto make_light = [&style, light](const RenderOptions& o) -> Result<std::unique_ptr<Renderer>> {
+    auto made = style.light(o);
+    return made ? make_composed_renderer(*std::move(made), o, light) : std::move(made);
+  };
+  return make_graded_renderer(make_composed_renderer(*std::move(plain), options, light), options, make_light);
 }
 
 }  // namespace betwixt

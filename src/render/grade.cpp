@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/grade.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "render/bloom.h"
+#include "render/curves.h"
+
+namespace betwixt {
+namespace {
+
+using Rows = std::array<Vec3, 3>;
+constexpr Vec3 product(const Rows& m, Vec3 v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+constexpr Rows product(const Rows& a, const Rows& b) {
+  Rows m;
+  for (std::size_t i = 0; i < 3; ++i) m[i] = a[i].x * b[0] + a[i].y * b[1] + a[i].z * b[2];
+  return m;
+}
+
+// ---- white balance
+
+constexpr Rows xyz_of_rgb{{{0.4123907993, 0.3575843394, 0.1804807884},
+                           {0.2126390059, 0.7151686788, 0.0721923154},
+                           {0.0193308187, 0.1191947798, 0.9505321522}}};
+constexpr Rows rgb_of_xyz{{{3.2409699419, -1.5373831776, -0.4986107603},
+                           {-0.9692436363, 1.8759675015, 0.0415550574},
+                           {0.0556300797, -0.2039769589, 1.0569715142}}};
+constexpr Rows bradford{{{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
+constexpr Rows bradford_inverse{{{0.9869929055, -0.1470542564, 0.1599626517},
+                                 {0.4323052697, 0.5183602715, 0.0492912282},
+                                 {-0.0085286646, 0.0400428217, 0.9684866958}}};
+
+// The colour of a light of this temperature as seen by Bradford's cones: up to 4000 K that of a black body, by
+// Krystek's fit of the Planckian locus (1985); from 6500 K on that of daylight, which is a little greener; and between
+// them both.
+Vec3 cones_of(double kelvin) {
+  const double t = kelvin;
+  const double u =
+      (0.860117757 + 1.54118254e-4 * t + 1.28641212e-7 * t * t) / (1 + 8.42420235e-4 * t + 7.08145163e-7 * t * t);
+  const double v =
+      (0.317398726 + 4.22806245e-5 * t + 4.20481691e-8 * t * t) / (1 - 2.89741816e-5 * t + 1.61456053e-7 * t * t);
+  const double day = std::clamp((t - 4000) / 2500, 0.0, 1.0), du = u - 0.0026647 * day, dv = v + 0.0018897 * day;
+  const double x = 3 * du / (2 * du - 8 * dv + 4), y = 2 * dv / (2 * du - 8 * dv + 4);
+  return product(bradford, Vec3{x / y, 1, (1 - x - y) / y});
+}
+
+// ---- views
+
+// Hable's curve (Uncharted 2), scaled so that middle grey stays what it is.
+double filmic(double light) {
+  const auto curve = [](double x) {
+    return (x * (0.15 * x + 0.05) + 0.004) / (x * (0.15 * x + 0.5) + 0.06) - 0.02 / 0.3;
+  };
+  constexpr double white = 11.2, scale = 2.927523;
+  return curve(std::min(scale * light, white)) / curve(white);
+}
+
+// AgX, by Troy Sobotka; its curve as Benjamin Wrensch fitted it. The result is a signal for the screen.
+constexpr Rows agx_in{{{0.842479062253094, 0.0784335999999992, 0.0792237451477643},
+                       {0.0423282422610123, 0.878468636469772, 0.0791661274605434},
+                       {0.0423756549057051, 0.0784336, 0.879142973793104}}};
+constexpr Rows agx_out{{{1.19687900512017, -0.0980208811401368, -0.0990297440797205},
+                        {-0.0528968517574562, 1.15190312990417, -0.0989611768448433},
+                        {-0.0529716355144438, -0.0980434501171241, 1.15107367264116}}};
+double agx_curve(double light) {
+  constexpr double least = -12.47393, most = 4.026069;
+  const double stops = std::clamp(own_log2(std::max(light, 1e-10)), least, most), x = (stops - least) / (most - least);
+  return -0.00232 + x * (0.1191 + x * (0.4298 + x * (-6.868 + x * (31.96 + x * (-40.14 + x * 15.5)))));
+}
+Vec3 agx(Vec3 light) {
+  const Vec3 c = product(agx_in, light);
+  return product(agx_out, Vec3{agx_curve(c.x), agx_curve(c.y), agx_curve(c.z)});
+}
+
+// Khronos' neutral tone mapping without its toe, as the styles have it.
+Vec3 neutral_view(Vec3 c) {
+  constexpr double start = 0.8, room = 1 - start;
+  const double peak = std::max({c.x, c.y, c.z}), over = peak - start;
+  if (!(over > 0)) return c;
+  const double shown = start + room * over / (room + over), left = 1 / (0.15 * (peak - shown) + 1);
+  return left * (shown / peak) * c + (1 - left) * Vec3{shown, shown, shown};
+}
+
+Vec3 signals(Vec3 light) { return {signal_of(light.x), signal_of(light.y), signal_of(light.z)}; }
+
+Vec3 viewed(Vec3 light, const Development& how) {
+  switch (how.grade.view) {
+    case Grade::agx: {
+      const Vec3 s = agx(light);
+      return {std::clamp(s.x, 0.0, 1.0), std::clamp(s.y, 0.0, 1.0), std::clamp(s.z, 0.0, 1.0)};
+    }
+    case Grade::filmic:
+      return signals({filmic(light.x), filmic(light.y), filmic(light.z)});
+    case Grade::neutral:
+      return signals(how.cut ? light : neutral_view(light));
+    case Grade::plain:
+      break;
+  }
+  return signals(light);
+}
+
+// ---- grain
+
+std::uint64_t stirred(std::uint64_t h) {
+  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  h = (h ^ (h >> 27)) * 0x94d049bb133111ebULL;
+  return h ^ (h >> 31);
+}
+
+// A row of noise of mean 0 and variance 1/3: sums of four even numbers, nearly a normal distribution.
+class NoiseRow {
+ public:
+  NoiseRow(Time time, int width) : seed_(stirred(static_cast<std::uint64_t>(time.flicks) + 0x9e3779b97f4a7c15ULL)) {
+    row_.resize(static_cast<std::size_t>(width) + 1);
+  }
+  const std::vector<float>& at(int y) {
+    for (std::size_t x = 0; x < row_.size(); ++x) {
+      const std::uint64_t h = stirred(seed_ ^ (static_cast<std::uint64_t>(y) << 32 | x));
+      const std::uint64_t sum = (h & 0xffff) + ((h >> 16) & 0xffff) + ((h >> 32) & 0xffff) + (h >> 48);
+      row_[x] = static_cast<float>(static_cast<double>(sum) / 65535 - 2);
+    }
+    return row_;
+  }
+
+ private:
+  std::uint64_t seed_;
+  std::vector<float> row_;
+};
+
+// The grain of a row: a grain is a little larger than a pixel. Its variance is 1.
+void grain_of_row(NoiseRow& above, NoiseRow& below, int y, std::vector<float>& out) {
+  const std::vector<float>&a = above.at(y), &b = below.at(y + 1);
+  for (std::size_t x = 0; x < out.size(); ++x) out[x] = 0.8660254F * (a[x] + a[x + 1] + b[x] + b[x + 1]);
+}
+
+// ---- pictures
+
+float sound(float x) { return x > 0 ? std::min(x, 1e6F) : 0; }  // NaN becomes 0
+
+struct ShownPixel {
+  Vec3 signal;  // straight
+  double opacity = 1;
+};
+
+// As to_shown: an opacity is raised so far that straight light can be as bright as the pixel.
+ShownPixel shown_pixel(const float* p, const Development& how, float grain) {
+  const Vec3 light{static_cast<double>(sound(p[0])), static_cast<double>(sound(p[1])),
+                   static_cast<double>(sound(p[2]))};
+  ShownPixel s;
+  if (!how.opaque) s.opacity = std::min(std::max({light.x, light.y, light.z, static_cast<double>(sound(p[3]))}), 1.0);
+  if (!(s.opacity > 0)) return s;
+  s.signal = viewed(1 / s.opacity * light, how);
+  if (how.grade.grain > 0)
+    for (int c = 0; c < 3; ++c) {  // strongest in the middle, none on black and white
+      const double is = s.signal[c];
+      s.signal[c] = std::clamp(is + 0.24 * how.grade.grain * static_cast<double>(grain) * is * (1 - is), 0.0, 1.0);
+    }
+  return s;
+}
+
+template <class Put>
+void each_shown(const LinearPicture& picture, const Development& how, const Put& put) {
+  const auto width = static_cast<std::size_t>(picture.width);
+  for_rows(picture.width, picture.height, [&](int first, int end) {
+    NoiseRow above(how.time, picture.width), below = above;
+    std::vector<float> grain(width);
+    for (int y = first; y < end; ++y) {
+      if (how.grade.grain > 0) grain_of_row(above, below, y, grain);
+      for (std::size_t x = 0; x < width; ++x) {
+        const std::size_t at = 4 * (static_cast<std::size_t>(y) * width + x);
+        put(at, shown_pixel(&picture.rgba[at], how, grain[x]));
+      }
+    }
+  });
+}
+
+std::uint8_t to_byte(double share) { return static_cast<std::uint8_t>(255 * share + 0.5); }
+
+}  // namespace
+
+Rows white_balance(double kelvin) {
+  const Vec3 from = cones_of(kelvin), to = cones_of(6500);
+  Rows gains{{{to.x / from.x, 0, 0}, {0, to.y / from.y, 0}, {0, 0, to.z / from.z}}};
+  return product(rgb_of_xyz, product(bradford_inverse, product(gains, product(bradford, xyz_of_rgb))));
+}
+
+void grade_light(LinearPicture& picture, const Grade& grade) {
+  const bool balances = grade.white_balance != Grade().white_balance;
+  if (balances || grade.bloom > 0) {
+    const Rows m = balances ? white_balance(grade.white_balance) : Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    for_rows(picture.width, picture.height, [&](int first, int end) {
+      const std::size_t row = 4 * static_cast<std::size_t>(picture.width);
+      for (std::size_t i = row * static_cast<std::size_t>(first); i < row * static_cast<std::size_t>(end); i += 4) {
+        float* const p = &picture.rgba[i];
+        Vec3 c{static_cast<double>(sound(p[0])), static_cast<double>(sound(p[1])), static_cast<double>(sound(p[2]))};
+        if (balances) c = product(m, c);
+        for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(std::max(c[k], 0.0));
+      }
+    });
+  }
+  if (grade.bloom > 0) spread_light(picture, grade.bloom);
+  if (grade.vignette > 0)
+    for_rows(picture.width, picture.height, [&](int first, int end) {
+      const double half_x = 0.5 * picture.width, half_y = 0.5 * picture.height,
+                   corner = half_x * half_x + half_y * half_y;
+      for (int y = first; y < end; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+          const double right = x + 0.5 - half_x, down = y + 0.5 - half_y, away = (right * right + down * down) / corner;
+          const auto left = static_cast<float>(1 - grade.vignette * 0.5 * away * (1 + away));
+          float* const p = &picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                              static_cast<std::size_t>(x))];
+          for (int k = 0; k < 3; ++k) p[k] *= left;
+        }
+    });
+}
+
+void develop(const LinearPicture& picture, const Development& how, Picture& out) {
+  out.width = picture.width, out.height = picture.height;
+  out.rgba.resize(picture.rgba.size());
+  each_shown(picture, how, [&](std::size_t at, const ShownPixel& s) {
+    for (int c = 0; c < 3; ++c) out.rgba[at + static_cast<std::size_t>(c)] = to_byte(s.signal[c]);
+    out.rgba[at + 3] = to_byte(s.opacity);
+  });
+}
+
+void develop(LinearPicture& picture, const Development& how) {
+  each_shown(picture, how, [&](std::size_t at, const ShownPixel& s) {
+    for (int c = 0; c < 3; ++c)
+      picture.rgba[at + static_cast<std::size_t>(c)] = static_cast<float>(s.opacity * light_of_signal(s.signal[c]));
+    picture.rgba[at + 3] = static_cast<float>(s.opacity);
+  });
+}
+
+}  // namespace betwixt
