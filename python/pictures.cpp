@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/files.h"
@@ -28,6 +29,18 @@ namespace betwixt::python {
 namespace {
 
 using Size = std::optional<std::pair<int, int>>;
+using Samples = std::optional<std::variant<int, std::string>>;
+
+std::optional<int> number_of(const Samples& samples) {
+  if (!samples) return {};
+  if (const int* const n = std::get_if<int>(&*samples)) {
+    if (*n == RenderOptions::auto_samples) raise(fail(ErrorCode::range, "0 samples per pixel cannot be drawn", "auto"));
+    return *n;
+  }
+  const std::string& word = std::get<std::string>(*samples);
+  if (word != "auto") raise(fail(ErrorCode::range, "samples is a number or \"auto\", not \"" + word + "\""));
+  return RenderOptions::auto_samples;
+}
 
 std::optional<Blur> exposure_of(const Document& document, const std::optional<std::string>& shutter,
                                 std::optional<int> subframes) {
@@ -71,20 +84,20 @@ Pixels draw(const Program& program, Time t, RenderOptions options, const std::op
   return {std::make_shared<const Picture>(std::move(shown))};
 }
 
-RenderOptions options_of(const Document& document, const std::string& style, const Size& size,
-                         std::optional<int> samples, const std::optional<std::string>& pixel_filter) {
-  RenderOptions made = options_for(document, {.style = style}, size, samples);
+RenderOptions options_of(const Document& document, const std::string& style, const Size& size, const Samples& samples,
+                         const std::optional<std::string>& pixel_filter, bool denoise) {
+  RenderOptions made = options_for(document, {.style = style, .denoise = denoise}, size, number_of(samples));
   if (pixel_filter) made.pixel_filter = *pixel_filter;
   return made;
 }
 
-Pixels picture(const Film& film, py::handle when, const Size& size, const std::string& style,
-               std::optional<int> samples, const std::optional<std::string>& pixel_filter,
-               const std::optional<std::string>& shutter, std::optional<int> subframes) {
+Pixels picture(const Film& film, py::handle when, const Size& size, const std::string& style, const Samples& samples,
+               const std::optional<std::string>& pixel_filter, const std::optional<std::string>& shutter,
+               std::optional<int> subframes, bool denoise) {
   const Program program = unlocked([&] { return film.program(); });
   const Document& document = program.document();
   const Time t = time_of(when, document);
-  const RenderOptions options = options_of(document, style, size, samples, pixel_filter);
+  const RenderOptions options = options_of(document, style, size, samples, pixel_filter, denoise);
   const auto exposure = exposure_of(document, shutter, subframes);
   std::vector<std::string> problems;
   Pixels made = unlocked([&] { return draw(program, t, options, exposure, problems); });
@@ -117,17 +130,18 @@ class Telling {
 
 FilmStats render(const Film& film, const std::filesystem::path& path,
                  const std::optional<std::pair<py::object, py::object>>& segment, const Size& size,
-                 const std::string& style, std::optional<int> samples, const std::optional<std::string>& pixel_filter,
-                 const std::optional<std::string>& shutter, std::optional<int> subframes, int bits, int jobs,
-                 bool overwrite, bool missing, py::object progress) {
+                 const std::string& style, const Samples& samples, const std::optional<std::string>& pixel_filter,
+                 const std::optional<std::string>& shutter, std::optional<int> subframes, bool denoise, int bits,
+                 int jobs, bool overwrite, bool missing, py::object progress) {
   const Program program = unlocked([&] { return film.program(); });
   const Document& document = program.document();
   auto [first, last] = document.range();
   if (segment) first = time_of(segment->first, document), last = time_of(segment->second, document);
   if (segment && last < first) raise(fail(ErrorCode::range, "the segment ends before it begins"));
   const FrameList frames = value_or_raise(frames_between(first, last, document.rate()));
-  RenderJob job = render_job(program, path.string(), frames, options_of(document, style, size, samples, pixel_filter),
-                             exposure_of(document, shutter, subframes), bits);
+  RenderJob job =
+      render_job(program, path.string(), frames, options_of(document, style, size, samples, pixel_filter, denoise),
+                 exposure_of(document, shutter, subframes), bits);
   job.film.jobs = jobs, job.film.overwrite = overwrite, job.film.only_missing = missing;
   value_or_raise(check_options(job.pictures));
   std::mutex mutex;
@@ -208,13 +222,13 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
           says("How many frames it has."));
   film.def("picture", picture, py::arg("time"), py::kw_only(), py::arg("size") = py::none(),
            py::arg("style") = "shaded", py::arg("samples") = py::none(), py::arg("pixel_filter") = py::none(),
-           py::arg("shutter") = py::none(), py::arg("subframes") = py::none(),
+           py::arg("shutter") = py::none(), py::arg("subframes") = py::none(), py::arg("denoise") = true,
            says("Returns the picture at a time. Options that you leave out come from the script."));
   film.def("render", render, py::arg("path"), py::kw_only(), py::arg("frames") = py::none(),
            py::arg("size") = py::none(), py::arg("style") = "shaded", py::arg("samples") = py::none(),
            py::arg("pixel_filter") = py::none(), py::arg("shutter") = py::none(), py::arg("subframes") = py::none(),
-           py::arg("bits") = 8, py::arg("jobs") = 0, py::arg("overwrite") = true, py::arg("missing") = false,
-           py::arg("progress") = py::none(),
+           py::arg("denoise") = true, py::arg("bits") = 8, py::arg("jobs") = 0, py::arg("overwrite") = true,
+           py::arg("missing") = false, py::arg("progress") = py::none(),
            says("Makes a film, or numbered pictures, in the format of the ending. `progress(done, frames, seconds)` is "
                 "called "
                 "now and then. If it returns False, the film ends and no file is left."));

@@ -21,14 +21,18 @@ namespace betwixt {
 
 struct RenderOptions {
   int width = 1280, height = 720;  // pixels, 1 to 8192
-  int samples = 4;                 // samples a pixel; Style::takes checks whether a number is valid
-  std::string style = "shaded";    // one of styles()
+  // Samples a pixel; Style::takes checks whether a number is valid. auto_samples: as many as each pixel needs
+  // ("traced"), or as many as the style usually has.
+  static constexpr int auto_samples = 0;
+  int samples = 4;
+  std::string style = "shaded";  // one of styles()
   // How the samples around a pixel are averaged to it: "box", "tent", "gaussian", "mitchell" or "lanczos".
   std::string pixel_filter = "box";
   // Allows pictures of linear light (LinearPicture). A background that the film makes transparent is transparent only
   // with this option; without it, it is black.
   bool linear = false;
   bool unclamped = false;  // for linear light: keeps light above white, which is otherwise rolled off
+  bool denoise = true;     // takes the noise out of pictures of "traced" with 4 samples or more
   friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from datetime import timedelta
 from os import PathLike
-from typing import Any, Callable, Iterable, SupportsFloat, Union
+from typing import Any, Callable, Iterable, Literal, SupportsFloat, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -395,10 +395,11 @@ class Film:
         *,
         size: tuple[int, int] | None = None,
         style: str = "shaded",
-        samples: int | None = None,
+        samples: int | Literal["auto"] | None = None,
         pixel_filter: str | None = None,
         shutter: str | None = None,
         subframes: int | None = None,
+        denoise: bool = True,
     ) -> Picture: ...
     def render(
         self,
@@ -407,10 +408,11 @@ class Film:
         frames: tuple[Time, Time] | None = None,
         size: tuple[int, int] | None = None,
         style: str = "shaded",
-        samples: int | None = None,
+        samples: int | Literal["auto"] | None = None,
         pixel_filter: str | None = None,
         shutter: str | None = None,
         subframes: int | None = None,
+        denoise: bool = True,
         bits: int = 8,
         jobs: int = 0,
         overwrite: bool = True,

@@ -48,12 +48,13 @@ Status draw(const FrameCall& call, const Program& program, Time t, const RenderO
   evaluation.to(t);
   if (options.linear) {
     LinearPicture light;
-    const Status drawn =
-        exposure ? renderer.render_blurred(evaluation, t, *exposure, light) : renderer.render(evaluation, light);
+    const Status drawn = shown_picture([&] {
+      return exposure ? renderer.render_blurred(evaluation, t, *exposure, light) : renderer.render(evaluation, light);
+    });
     return drawn ? write(call, light) : drawn;
   }
   Picture picture;
-  const Status drawn = renderer.render(evaluation, picture);
+  const Status drawn = shown_picture([&] { return renderer.render(evaluation, picture); });
   if (!drawn) return drawn;
   if (!is_jpeg(call.out)) return write_png(call.out, picture, !call.keep_old);
   return write_jpeg(call.out, picture, call.quality == 0 ? usual_quality : call.quality, !call.keep_old);

@@ -7,13 +7,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "app/command.h"
 #include "base/counted.h"
 #include "base/tell_user.h"
+#include "base/work_progress.h"
 #include "film/output.h"
 
 namespace betwixt {
@@ -41,11 +46,13 @@ class Bar {
     if (done == frames_) tail += "  finishing the file";
     if (done > 0 && done < frames_)
       tail += fmt::format("  {:.1f} frames/s  {} left", rate, duration((frames_ - done) / rate));
-    const int wide = std::clamp(columns() - static_cast<int>(tail.size()) - 4, 0, 40);
-    const int full = static_cast<int>(static_cast<double>(wide) * done / frames_);
-    fmt::print(stderr, "\r\x1b[K[{:#>{}}{: >{}}]{}", "", full, "", wide - full, tail);
-    std::fflush(stderr);
-    drawn_ = true;
+    draw(static_cast<double>(done) / frames_, tail);
+  }
+  // Of one picture. What lasts less than a second is not shown.
+  void show_part(double part, double seconds) {
+    if (!shown_ || seconds < std::max(next_, 1.0) || !(part > 0)) return;
+    next_ = seconds + 0.1;
+    draw(part, fmt::format(" {:.0f} %  {} left", 100 * part, duration(seconds * (1 - part) / part)));
   }
   void wipe() {
     if (drawn_) fmt::print(stderr, "\r\x1b[K");
@@ -53,6 +60,13 @@ class Bar {
   }
 
  private:
+  void draw(double part, const std::string& tail) {
+    const int wide = std::clamp(columns() - static_cast<int>(tail.size()) - 4, 0, 40);
+    const int full = static_cast<int>(wide * part);
+    fmt::print(stderr, "\r\x1b[K[{:#>{}}{: >{}}]{}", "", full, "", wide - full, tail);
+    std::fflush(stderr);
+    drawn_ = true;
+  }
   static int columns() {
     winsize size{};
     return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
@@ -72,6 +86,30 @@ Progress shown_progress(const FilmOptions& options, bool in_lines) {
     bar->show(done, seconds);
     return !stop_requested();
   };
+}
+
+Status shown_picture(const std::function<Status()>& work) {
+  if (::isatty(STDERR_FILENO) != 1) return work();
+  const WorkProgress progress;
+  const auto began = std::chrono::steady_clock::now();
+  std::mutex mutex;
+  std::condition_variable ended;
+  bool over = false;
+  std::thread watcher([&] {
+    Bar bar(1, false);
+    std::unique_lock lock(mutex);
+    while (!ended.wait_for(lock, std::chrono::milliseconds(100), [&] { return over; }))
+      bar.show_part(static_cast<double>(progress.share()),
+                    std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+  });
+  Status done = work();
+  {
+    const std::lock_guard lock(mutex);
+    over = true;
+  }
+  ended.notify_one();
+  watcher.join();
+  return done;
 }
 
 void say_not_clear(const std::string& path) {

@@ -64,13 +64,14 @@ std::string sample_counts() {
 
 // Reads a number of samples that the style allows, or any style if none is given.
 Status read_samples(const std::string& text, PictureCall& to, const std::string& style = {}) {
+  if (text == "auto") return to.samples = RenderOptions::auto_samples, Nothing{};
   int n = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
   const bool number = error == std::errc() && end == text.data() + text.size();
   const auto takes = [&](const Style& s) { return (style.empty() || s.name == style) && s.takes(n); };
   if (!number || std::none_of(styles().begin(), styles().end(), takes))
     return fail(ErrorCode::range,
-                fmt::format("the number of samples must be one of {}, not '{}'", sample_counts(), text));
+                fmt::format("the number of samples must be auto or one of {}, not '{}'", sample_counts(), text));
   to.samples = n;
   return Nothing{};
 }
@@ -214,7 +215,7 @@ Result<std::string> change_picture(PictureCall& to, const Document& document, co
   const RenderOptions now = to.of(document);
   return what == "size"    ? fmt::format("size {}x{}\n", now.width, now.height)
          : what == "style" ? fmt::format("style {}\n", now.style)
-                           : fmt::format("samples {}\n", now.samples);
+                           : "samples " + (now.samples == 0 ? "auto" : std::to_string(now.samples)) + "\n";
 }
 
 Result<std::optional<Blur>> ExposureCall::of(const Document& document) const {
@@ -264,27 +265,39 @@ std::vector<Parameter> picture_parameters(PictureCall& to) {
   for (const Style& s : styles()) names.emplace_back(s.name);
   std::vector<std::string> filters;
   for (const PixelFilter& f : pixel_filters()) filters.emplace_back(f.name);
-  return {
-      size_parameter(to.size, fmt::format("the size in pixels; by default the script's, or {}x{}", to.otherwise.width,
-                                          to.otherwise.height)),
-      {.name = "--style",
-       .value = "STYLE",
-       .sentence = fmt::format("the style, one of {}; by default {}", fmt::join(names, ", "), to.otherwise.style),
-       .into = &to.otherwise.style,
-       .words = names},
-      {.name = "--samples",
-       .value = "N",
-       .sentence = fmt::format("the samples per pixel: {}; by default the script's, or {}, traced {}", sample_counts(),
-                               to.otherwise.samples, options_for(Document(), {.style = "traced"}).samples),
-       .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
-       .words = {"1", "4", "9", "16", "64", "256", "1024"}},
-      {.name = "--pixel-filter",
-       .value = "NAME",
-       .sentence = fmt::format("how the samples are averaged to pixels: {}; by default the script's, or {}",
-                               fmt::join(filters, ", "), filters.front()),
-       .into = &to.pixel_filter,
-       .words_only = true,
-       .words = filters}};
+  return {size_parameter(to.size, fmt::format("the size in pixels; by default the script's, or {}x{}",
+                                              to.otherwise.width, to.otherwise.height)),
+          {.name = "--style",
+           .value = "STYLE",
+           .sentence = fmt::format("the style, one of {}; by default {}", fmt::join(names, ", "), to.otherwise.style),
+           .into = &to.otherwise.style,
+           .words = names},
+          {.name = "--samples",
+           .value = "N",
+           .sentence = fmt::format(
+               "the samples per pixel: {}; auto: as many as each pixel needs (traced); by default the script's, or "
+               "{}, traced {}",
+               sample_counts(), to.otherwise.samples, options_for(Document(), {.style = "traced"}).samples),
+           .into = ReadValue([&to](const std::string& text) { return read_samples(text, to); }),
+           .words = {"auto", "1", "4", "9", "16", "64", "256", "1024"}},
+          {.name = "--denoise",
+           .value = "on|off",
+           .sentence = "whether the noise is taken out of traced pictures; by default on",
+           .into = ReadValue([&to](const std::string& text) -> Status {
+             if (text != "on" && text != "off")
+               return fail(ErrorCode::range, fmt::format("--denoise must be on or off, not '{}'", text));
+             to.otherwise.denoise = text == "on";
+             return Nothing{};
+           }),
+           .words_only = true,
+           .words = {"on", "off"}},
+          {.name = "--pixel-filter",
+           .value = "NAME",
+           .sentence = fmt::format("how the samples are averaged to pixels: {}; by default the script's, or {}",
+                                   fmt::join(filters, ", "), filters.front()),
+           .into = &to.pixel_filter,
+           .words_only = true,
+           .words = filters}};
 }
 
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>> parts) {

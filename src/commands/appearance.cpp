@@ -45,7 +45,12 @@ bool whole_number(Command& k, const char* what, const char* rule, bool (*fits)(l
 }
 
 bool samples(Command& k) {
-  return whole_number(k, "samples", "1, 4, 9 or 16", samples_fit, k.scene.appearance.samples);
+  if (k.cursor.accept_word("auto")) {
+    if (!finish(k.cursor)) return false;
+    k.scene.appearance.samples = 0;
+    return true;
+  }
+  return whole_number(k, "samples", "1, 4, 9, 16 or auto", samples_fit, k.scene.appearance.samples);
 }
 
 bool pixel_filter(Command& k) {
@@ -173,8 +178,10 @@ constexpr Verb appearance_rows[] = {
     {"size", "size WxH, as in size 1920x1080",
      "The size of the film's pictures in pixels; the command line overrides it.", "size 1920x1080",
      Verb::once | Verb::aside, size, "1280x720 1920x1080 3840x2160"},
-    {"samples", "samples 1|4|9|16", "The number of samples a pixel, more is smoother; the command line overrides it.",
-     "samples 9", Verb::once | Verb::aside, samples, "1 4 9 16"},
+    {"samples", "samples 1|4|9|16|auto",
+     "The number of samples a pixel, more is smoother; the command line overrides it. `auto` is the usual number, and "
+     "with `--style traced` as many as each pixel needs.",
+     "samples 9", Verb::once | Verb::aside, samples, "1 4 9 16 auto"},
     {"pixel-filter", "pixel-filter box|tent|gaussian|mitchell|lanczos",
      "How the samples are averaged to pixels (reconstruction filter): `box` is sharp and fast, `gaussian` soft, "
      "`mitchell` between them, `lanczos` sharper. The command line overrides it.",

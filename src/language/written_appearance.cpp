@@ -46,7 +46,7 @@ std::string write_appearance(const Scene& s) {
   const Appearance& a = s.appearance;
   std::string out;
   if (a.size) out += fmt::format("size {}x{}\n", a.size->first, a.size->second);
-  if (a.samples) out += fmt::format("samples {}\n", *a.samples);
+  if (a.samples) out += *a.samples == 0 ? "samples auto\n" : fmt::format("samples {}\n", *a.samples);
   if (!a.pixel_filter.empty()) out += fmt::format("pixel-filter {}\n", a.pixel_filter);
   if (a.subframes) out += fmt::format("subframes {}\n", *a.subframes);
   if (a.flat) out += "film flat\n";

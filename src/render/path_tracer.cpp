@@ -173,6 +173,14 @@ PathTracer::Surface PathTracer::surface_at(const SurfacePoint& point, Vec3 towar
   return s;
 }
 
+// Returns the share of white light from everywhere that the surface sends to the viewer, never quite none.
+Vec3 PathTracer::albedo_of(const Surface& s) {
+  const double rest = 1 - std::min(largest(s.fresnel), 1.0), least = 0.02 * s.coverage;
+  Vec3 all = s.fresnel + rest * s.diffuse_albedo;
+  for (int i = 0; i < 3; ++i) all[i] = std::max(all[i], least);
+  return all;
+}
+
 // Lamps are discs that face the surface.
 double PathTracer::visibility(const SurfacePoint& point, const Lighting::One& light, PixelSampler& sampler) const {
   Vec3 to = light.sun ? light.place : light.place - point.start;
@@ -267,6 +275,9 @@ CameraSample PathTracer::sample(double across, double down, PixelSampler& sample
       result.lit = result.lit + clear * reflected_radiance(s, 0, sampler);
       result.share =
           std::min(result.share + cover * (1 - fogged), 1.0);  // highlights on glass count like those on walls
+      const double seen = clear * s.coverage;
+      result.albedo = result.albedo + clear * albedo_of(s), result.seen += seen;
+      result.normal = result.normal + seen * s.point.normal, result.place = result.place + seen * s.point.at;
     }
     if (fogged > 0) result.plain = result.plain + left * cover * fogged * s.coverage * around_.fog->color;
     left *= 1 - cover * s.coverage;

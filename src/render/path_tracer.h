@@ -17,6 +17,10 @@ namespace betwixt::traced {
 struct CameraSample {
   Vec3 lit, plain;
   double share = 0, clear = 0;
+  // What the denoiser knows of the lit surfaces: the light that they reflect of white light, their normal and place in
+  // eye space, each times their part of the sample (`seen`).
+  Vec3 albedo, normal, place;
+  double seen = 0;
 };
 
 // Rolls off light that is too bright for the screen, towards white.
@@ -48,6 +52,7 @@ class PathTracer {
   // Returns the light that arrives against the ray, from the first opaque object.
   Vec3 incoming_radiance(Ray, RayKind, int depth, PixelSampler&) const;
   Surface surface_at(const SurfacePoint&, Vec3 toward, RayKind) const;
+  static Vec3 albedo_of(const Surface&);
 
   const World& world_;
   const View& view_;

@@ -17,13 +17,21 @@ namespace betwixt::traced {
 
 class PixelSampler {
  public:
-  PixelSampler(std::uint32_t pixel, std::uint32_t sample, std::uint32_t samples)
-      : bits_(std::bit_width(samples - 1)), pixel_(hashed(pixel)), sample_(sample) {}
+  // Different blocks of a pixel's samples are independent of each other.
+  PixelSampler(std::uint32_t pixel, std::uint32_t sample, std::uint32_t samples, std::uint32_t block = 0)
+      : bits_(std::bit_width(samples - 1)), pixel_(hashed(std::uint64_t{block} << 32 | pixel)), sample_(sample) {}
+  // Returns the sampler of the same pixel for the `segment`-th so many samples of the sequence: segments together are
+  // as well-distributed as each by itself.
+  PixelSampler of_segment(std::uint32_t segment) const {
+    PixelSampler other = *this;
+    other.first_ = segment << bits_;
+    return other;
+  }
 
   // Returns two numbers from 0 to 1, 1 excluded, for the next decision.
   std::array<double, 2> next_2d() {
     const std::uint64_t own = hashed(pixel_ + decision_++);
-    const std::uint32_t i = shuffled(own);
+    const std::uint32_t i = first_ + shuffled(own);
     const auto flips = hashed(own);
     return {unit_float(reversed_bits(i) ^ static_cast<std::uint32_t>(flips)),
             unit_float(sobol_second(i) ^ static_cast<std::uint32_t>(flips >> 32))};
@@ -60,9 +68,9 @@ class PixelSampler {
     return i;
   }
 
-  const int bits_;
-  const std::uint64_t pixel_;
-  const std::uint32_t sample_;
+  int bits_;
+  std::uint64_t pixel_;
+  std::uint32_t sample_, first_ = 0;
   std::uint64_t decision_ = 0;
 };
 

@@ -257,9 +257,12 @@ RenderOptions options_for(const Document& document, RenderOptions made, std::opt
   for (const Entry& e : table)
     if (e.style.name == made.style) least = e.style.least_samples;
   if (const auto pixels = size ? size : document.size()) std::tie(made.width, made.height) = *pixels;
-  // A script's samples are for drawn styles; the path tracer needs more.
-  const auto n = samples || least > 1 ? samples : document.samples();
+  // A script's number of samples is for drawn styles; the path tracer needs more. `samples auto` is for all of them.
+  constexpr int automatic = RenderOptions::auto_samples;
+  const auto said = document.samples();
+  const auto n = samples || (least > 1 && said != automatic) ? samples : said;
   made.samples = n ? *n : std::max(made.samples, least);
+  if (made.samples == automatic && least == 1) made.samples = RenderOptions().samples;
   if (const std::string_view filter = document.scene().appearance.pixel_filter; !filter.empty())
     made.pixel_filter = filter;
   return made;
@@ -287,7 +290,7 @@ Result<const Entry*> find(const RenderOptions& options) {
                                     [](const RenderOptions& o) { return make_plugin_renderer(o); }};
   if (entry == std::end(table) && plugin_renderer(options.style)) entry = &of_plugins;
   if (entry == std::end(table)) return no_such_style(options.style);
-  if (!entry->style.takes(options.samples))
+  if (options.samples != RenderOptions::auto_samples && !entry->style.takes(options.samples))
     return fail(ErrorCode::range, fmt::format("{} samples per pixel cannot be drawn", options.samples),
                 std::string(entry->style.samples));
   if (!find_pixel_filter(options.pixel_filter)) {
@@ -313,15 +316,18 @@ Status check_options(const RenderOptions& options) {
 Result<std::unique_ptr<Renderer>> make_renderer(const RenderOptions& options) {
   const auto found = find(options);
   if (!found) return found.error();
+  RenderOptions wanted = options;
   const Entry& style = **found;
-  auto plain = style.make(options);
+  if (wanted.samples == RenderOptions::auto_samples && style.style.least_samples <= 1)
+    wanted.samples = RenderOptions().samples;
+  auto plain = style.make(wanted);
   if (!plain) return plain;
   const auto light = [&style](const RenderOptions& o) { return style.light(o); };
   const auto make_light = [&style, light](const RenderOptions& o) -> Result<std::unique_ptr<Renderer>> {
     auto made = style.light(o);
     return made ? make_composed_renderer(*std::move(made), o, light) : std::move(made);
   };
-  return make_graded_renderer(make_composed_renderer(*std::move(plain), options, light), options, make_light);
+  return make_graded_renderer(make_composed_renderer(*std::move(plain), wanted, light), wanted, make_light);
 }
 
 }  // namespace betwixt

@@ -6,25 +6,26 @@
 #include <xmmintrin.h>
 #endif
 
-#include <atomic>
-#include <limits>
 #include <new>
-#include <system_error>
+#include <numeric>
 #include <thread>
 
-#include "base/cancellation.h"
 #include "base/stages.h"
+#include "base/work_progress.h"
 #include "render/blur.h"
-#include "render/filter_sampler.h"
-#include "render/path_tracer.h"
+#include "render/denoise.h"
+#include "render/shared_work.h"
+#include "render/traced_tile.h"
 
 namespace betwixt {
 namespace {
 
-using traced::CameraSample;
 using traced::FilterSampler;
+using traced::NoisyPicture;
 using traced::PathTracer;
-using traced::PixelSampler;
+using traced::PixelSums;
+using traced::SamplePlan;
+using traced::TileOfPixels;
 using traced::World;
 
 // Flushes denormal numbers to 0 while rays are traced, since Embree is fast that way, and restores the mode.
@@ -66,35 +67,44 @@ class PreviousPicture {
   Scenery scenery_;
 };
 
-// A pool of threads that take the next work item. It ends with its work, which it aborts if the work was cancelled.
-class ThreadPool {
- public:
-  ~ThreadPool() {
-    next = std::numeric_limits<std::size_t>::max() / 2;
-    for (std::thread& t : threads_) t.join();
-  }
-  template <class Work>
-  void add(const Work& work) {
-    try {
-      threads_.emplace_back(work);
-    } catch (const std::system_error&) {  // continue with fewer
-    }
-  }
-  std::atomic<std::size_t> next = 0;
+// Returns a step that goes to all of `count` places before it comes back. Successive ones are far apart, so that the
+// work done so far is like the work that is left.
+std::size_t scattering_step(std::size_t count) {
+  auto step = static_cast<std::size_t>(0.381966 * static_cast<double>(count)) + 1;
+  while (std::gcd(step, count) != 1) ++step;
+  return step;
+}
 
- private:
-  std::vector<std::thread> threads_;
-};
+constexpr std::uint32_t enough_to_denoise = 4;  // samples
+
+// Adds a pixel of one of some pictures that are averaged.
+void add_noisy(const std::array<PixelSums, 2>& halves, double share, int x, int y, NoisyPicture& to) {
+  const auto add = [&](traced::Plane& plane, double value) { plane.row(y)[x] += static_cast<float>(value); };
+  PixelSums all = halves[0];
+  all += halves[1];
+  const double n = all.samples, seen = all.seen / n;
+  add(to.seen, share * seen), add(to.samples, n);
+  const auto variance = [&](double square, double mean) { return std::max(square - mean * mean, 0.0) / (n - 1); };
+  add(to.spread, share * share * variance(all.far_square / all.seen, all.far / all.seen));
+  for (int i = 0; i < 3; ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    add(to.first[c], share * halves[0].lit[i] / halves[0].divisor());
+    add(to.second[c], share * halves[1].lit[i] / halves[1].divisor());
+    add(to.variance[c], share * share * variance(all.lit_square[i] / n, all.lit_sample[i] / n));
+    add(to.albedo[c], share * std::max(all.albedo[i] / all.divisor(), 0.01 * seen));
+    add(to.normal[c], share * all.normal[i] / n), add(to.place[c], share * all.place[i] / n);
+  }
+}
 
 class Traced final : public Renderer {
  public:
   Traced(const RenderOptions& options, World world, unsigned threads)
       : width_(options.width),
         height_(options.height),
-        samples_(static_cast<std::uint32_t>(options.samples)),
+        plan_{.samples = static_cast<std::uint32_t>(options.samples), .unclamped = options.unclamped},
+        denoised_(options.denoise && (plan_.samples == 0 || plan_.samples >= enough_to_denoise)),
         filter_(*find_pixel_filter(options.pixel_filter)),
         linear_(options.linear),
-        unclamped_(options.unclamped),
         threads_(threads),
         world_(std::move(world)) {}
 
@@ -104,7 +114,9 @@ class Traced final : public Renderer {
   Status render(const Evaluation& evaluation, LinearPicture& out) override { return give(evaluation, out); }
   Status render_blurred(Evaluation& evaluation, Time t, const Blur& how, LinearPicture& out) override {
     const auto draw_part = [&](const Columns& columns, LinearPicture& one) { return give(columns, one); };
-    return betwixt::render_blurred(evaluation, t, how, width_, height_, draw_part, out);
+    Status drawn = betwixt::render_blurred(evaluation, t, how, width_, height_, draw_part, out);
+    if (drawn && denoised_) out = light_;  // the sum of all parts
+    return drawn;
   }
 
  private:
@@ -149,72 +161,107 @@ class Traced final : public Renderer {
       const FlushDenormals now;
       if (Status s = world_.set(columns, good ? columns.looks.size() : 0, view); !s) return s;
     }
+    begin(columns, view);
     const PathTracer path_tracer(world_, view, previous_.scenery());
-    light_.width = width_, light_.height = height_;
-    light_.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    const std::size_t pixels = light_.rgba.size() / 4;
-    constexpr std::size_t run = 64;
-    ThreadPool pool;
-    const auto work = [&] {
-      const FlushDenormals now;
-      for (std::size_t first; (first = pool.next.fetch_add(run)) < pixels;) {
-        Cancellation::check();
-        for (std::size_t k = first; k < std::min(first + run, pixels); ++k) draw_pixel(path_tracer, k, columns);
-      }
-    };
-    for (unsigned k = 1; k < threads_; ++k) pool.add(work);
-    work();
+    SamplePlan plan = plan_;
+    plan.halved = denoised_ || plan.samples == 0;
+    plan.part = static_cast<std::uint32_t>(columns.part), plan.parts = static_cast<std::uint32_t>(columns.parts);
+    constexpr int side = TileOfPixels::side;
+    const auto across = static_cast<std::size_t>((width_ + side - 1) / side);
+    const std::size_t tiles = across * static_cast<std::size_t>((height_ + side - 1) / side);
+    const std::size_t step = scattering_step(tiles);
+    share_work(
+        threads_, tiles, [] { return FlushDenormals(); },
+        [&](std::size_t k, const auto&) {
+          TileOfPixels tile;
+          const std::size_t at = k * step % tiles;
+          tile.left = side * static_cast<int>(at % across), tile.top = side * static_cast<int>(at / across);
+          sample_tile(path_tracer, filter_, width_, height_, plan, tile);
+          store(tile, 1.0 / columns.parts);
+          tell(columns, k + 1, tiles);
+        });
+    if (denoised_ && columns.part == columns.parts - 1) finish();
+    if (columns.part == columns.parts - 1) WorkProgress::report(1, 1);
     return Nothing{};
   }
 
-  // The highlights of each cell of a pixel roll off separately, so bright edges are smooth and the noise of single
-  // samples has little effect.
-  void draw_pixel(const PathTracer& path_tracer, std::size_t k, const Columns& columns) {
-    // Pictures that are averaged share the samples of one; with fewer than these, highlights would roll off too soon.
-    constexpr std::uint32_t fewest = 4;
-    const auto parts = static_cast<std::uint32_t>(columns.parts), part = static_cast<std::uint32_t>(columns.part);
-    const std::uint32_t samples = std::max(samples_ / parts, std::min(samples_, fewest));
-    const double x = static_cast<double>(k % static_cast<std::size_t>(width_));
-    const double y = static_cast<double>(k / static_cast<std::size_t>(width_));
-    const int side = samples >= 64 ? 4 : samples >= 4 ? 2 : 1;
-    std::array<CameraSample, 16> cells;
-    std::array<double, 16> signs{};  // of a cell's samples: the sum of the signs of their weights, and their number
-    std::array<double, 16> counts{};
-    double clear = 0, weight = 0;
-    for (std::uint32_t s = 0; s < samples; ++s) {
-      PixelSampler sampler(static_cast<std::uint32_t>(k), part * samples + s, parts * samples);
-      const auto [right, down] = sampler.next_2d();
-      const auto cell = static_cast<std::size_t>(static_cast<int>(side * down) * side + static_cast<int>(side * right));
-      const auto [in_x, sign_x] = filter_.at(right);
-      const auto [in_y, sign_y] = filter_.at(down);
-      const double sign = sign_x * sign_y;
-      const CameraSample seen = path_tracer.sample((x + in_x) / width_, (y + in_y) / height_, sampler);
-      cells[cell].lit = cells[cell].lit + seen.lit, cells[cell].plain = cells[cell].plain + sign * seen.plain;
-      cells[cell].share += seen.share, clear += sign * seen.clear;
-      signs[cell] += sign, counts[cell] += 1, weight += sign;
-    }
-    Vec3 sum;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const CameraSample& c = cells[i];
-      sum = sum + c.plain;
-      if (c.share > 0)
-        sum = sum + signs[i] / counts[i] * (unclamped_ ? c.lit : c.share * traced::tone_mapped(1 / c.share * c.lit));
-    }
-    if (weight == 0) weight = 1;  // a few samples whose signs cancel
-    float* const out = &light_.rgba[4 * k];
-    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(std::max(sum[i] / weight, 0.0));
-    out[3] = linear_ ? static_cast<float>(std::clamp(1 - clear / weight, 0.0, 1.0)) : 1;
+  // Reports how many tiles are done. Denoising takes about as long as two samples.
+  void tell(const Columns& columns, std::size_t done, std::size_t tiles) const {
+    const auto part = static_cast<std::size_t>(columns.part), parts = static_cast<std::size_t>(columns.parts);
+    constexpr std::size_t denoising = 2, usual = 64;
+    const std::size_t samples = plan_.samples == 0 ? usual : plan_.samples, rest = denoised_ ? denoising : 0;
+    WorkProgress::report((part * tiles + done) * samples, parts * tiles * (samples + rest));
+  }
+
+  // Empties the picture, unless it is averaged with those before.
+  void begin(const Columns& columns, const View& view) {
+    if (denoised_ && columns.part > 0) return;
+    light_.width = width_, light_.height = height_;
+    light_.rgba.assign(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);
+    if (!denoised_) return;
+    noisy_.emplace(width_, height_);
+    noisy_->pixel = 2 / (view.sx * width_), noisy_->orthographic = view.orthographic;
+  }
+
+  void store(const TileOfPixels& tile, double part) {
+    for (int y = 0; y < tile.rows; ++y)
+      for (int x = 0; x < tile.columns; ++x) {
+        const auto& halves = tile.halves[static_cast<std::size_t>(y * TileOfPixels::side + x)];
+        if (denoised_)
+          add_pixel(halves, part, tile.left + x, tile.top + y);
+        else
+          put_pixel(halves, pixel(tile.left + x, tile.top + y));
+      }
+  }
+  float* pixel(int x, int y) {
+    const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+    return &light_.rgba[4 * (row + static_cast<std::size_t>(x))];
+  }
+  double opacity(const PixelSums& all) const {
+    return linear_ ? std::clamp(1 - all.clear / all.divisor(), 0.0, 1.0) : 1;
+  }
+  void put_pixel(const std::array<PixelSums, 2>& halves, float* out) const {
+    PixelSums all = halves[0];
+    all += halves[1];
+    const Vec3 light = 1 / all.divisor() * (all.lit + all.plain);
+    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(std::max(light[i], 0.0));
+    out[3] = static_cast<float>(opacity(all));
+  }
+
+  // `part`: of the pictures that are averaged.
+  void add_pixel(const std::array<PixelSums, 2>& halves, double part, int x, int y) {
+    PixelSums all = halves[0];
+    all += halves[1];
+    const bool noisy = all.seen > 0;
+    if (noisy) add_noisy(halves, part, x, y, *noisy_);
+    const Vec3 light = part / all.divisor() * (noisy ? all.plain : all.plain + all.lit);
+    float* const out = pixel(x, y);
+    for (int i = 0; i < 3; ++i) out[i] += static_cast<float>(light[i]);
+    out[3] += static_cast<float>(part * opacity(all));
+  }
+
+  // Takes the noise out of the light of surfaces, and adds it to the rest.
+  void finish() {
+    traced::denoise(*noisy_, threads_);
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) {
+        float* const out = pixel(x, y);
+        for (std::size_t c = 0; c < 3; ++c) out[c] = std::max(out[c] + noisy_->first[c].row(y)[x], 0.0F);
+      }
+    noisy_.reset();
   }
 
   const int width_, height_;
-  const std::uint32_t samples_;
+  const SamplePlan plan_;
+  const bool denoised_;
   const FilterSampler filter_;
-  const bool linear_, unclamped_;
+  const bool linear_;
   const unsigned threads_;
   World world_;
   PreviousPicture previous_;
   LinearPicture light_;
-  bool whole_ = false;  // the last picture is complete
+  std::optional<NoisyPicture> noisy_;  // while a picture is drawn that is denoised
+  bool whole_ = false;                 // the last picture is complete
 };
 
 }  // namespace

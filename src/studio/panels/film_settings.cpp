@@ -30,7 +30,7 @@ constexpr Setting settings[] = {
     {"rate", QT_TRANSLATE_NOOP("FilmSettings", "Frames a second"), "24", "12;24;25;30;50;60"},
     {"range", QT_TRANSLATE_NOOP("FilmSettings", "First and last frame"), "", "1f 48f;1f 120f;1f 240f;1f 480f"},
     {"size", QT_TRANSLATE_NOOP("FilmSettings", "Size"), "1280x720", "1280x720;1920x1080;3840x2160;1080x1920;1080x1080"},
-    {"samples", QT_TRANSLATE_NOOP("FilmSettings", "Samples a pixel"), "4", "1;4;9;16"},
+    {"samples", QT_TRANSLATE_NOOP("FilmSettings", "Samples a pixel"), "4", "1;4;9;16;auto"},
     {"film", QT_TRANSLATE_NOOP("FilmSettings", "Drawn as"), "solid", "solid;flat"},
     {"theme", QT_TRANSLATE_NOOP("FilmSettings", "Theme"), "none", "none;dark;light;paper"},
     {"background", QT_TRANSLATE_NOOP("FilmSettings", "Background"), "none",
