@@ -41,7 +41,8 @@ void forget_graphics() {
 
 namespace gl {
 
-Result<Context> Context::create() {
+// The browser chooses the device.
+Result<Context> Context::create(Device) {
   if (context <= 0) {
     context = betwixt_make_context();
     if (context <= 0)

@@ -6,6 +6,8 @@
 // Room: render
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +20,12 @@
 #include "betwixt/result.h"
 
 namespace betwixt {
+
+// What draws pictures of the styles that use a graphics interface. `software` gives the same bits on every machine.
+// `automatic` takes a graphics card if there is one; `gpu` fails without one.
+enum class Device : std::uint8_t { software, automatic, gpu };
+// In the order of Device.
+inline constexpr std::array<std::string_view, 3> device_names{"software", "auto", "gpu"};
 
 struct RenderOptions {
   int width = 1280, height = 720;  // pixels, 1 to 8192
@@ -33,6 +41,7 @@ struct RenderOptions {
   bool linear = false;
   bool unclamped = false;  // for linear light: keeps light above white, which is otherwise rolled off
   bool denoise = true;     // takes the noise out of pictures of "traced" with 4 samples or more
+  Device device = Device::software;
   friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 

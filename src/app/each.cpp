@@ -61,11 +61,11 @@ std::string parameters_of(const RenderCall& call, const RowFilm& film) {
   const LoadOptions& load = load_options();
   const PictureCall& p = call.picture;
   std::string all = fmt::format(
-      "{}\n{}\n{}x{} {} {} {} {}\n{} {}\n{} {} {} {}/{} {} {} {} {}\n", BETWIXT_VERSION, call.frames,
+      "{}\n{}\n{}x{} {} {} {} {} {}\n{} {}\n{} {} {} {}/{} {} {} {} {}\n", BETWIXT_VERSION, call.frames,
       p.size ? p.size->first : 0, p.size ? p.size->second : 0, p.otherwise.style, p.samples.value_or(-1),
-      p.otherwise.denoise, p.pixel_filter, call.exposure.shutter.value_or(""), call.exposure.subframes.value_or(0),
-      call.bits, call.quality, call.codec, call.rate ? call.rate->num : 0, call.rate ? call.rate->den : 0,
-      call.keep_going, load.tex, load.read_anywhere, load.language.value_or("-"));
+      p.otherwise.denoise, static_cast<int>(p.otherwise.device), p.pixel_filter, call.exposure.shutter.value_or(""),
+      call.exposure.subframes.value_or(0), call.bits, call.quality, call.codec, call.rate ? call.rate->num : 0,
+      call.rate ? call.rate->den : 0, call.keep_going, load.tex, load.read_anywhere, load.language.value_or("-"));
   for (const auto* lets : {&load.lets, &film.lets})
     for (const GivenLet& let : *lets) all += fmt::format("{}={}\n", json_text(let.name), json_text(let.value));
   return all;

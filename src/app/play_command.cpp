@@ -32,7 +32,10 @@ namespace {
 
 struct PlayCall {
   std::string file, frames, listen, record;
-  PictureCall picture{{960, 540, 1}};  // a character averages its pixels anyway
+  PictureCall picture{{.width = 960,
+                       .height = 540,
+                       .samples = 1,
+                       .device = Device::automatic}};  // a character averages its pixels anyway
   bool terminal = false, loop = false, mute = false, overwrite = false;
   std::string said = "--frames";  // the caller's name for the frames, in errors
 };

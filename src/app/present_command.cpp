@@ -29,7 +29,7 @@ namespace {
 
 struct PresentCall {
   std::string file, frames, notes = "window", pdf;
-  PictureCall picture;
+  PictureCall picture{{.device = Device::automatic}};
   bool in_window = false, mute = false, stats = false, keep_old = false;
   int quality = 0;
 };

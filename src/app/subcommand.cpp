@@ -291,6 +291,21 @@ std::vector<Parameter> picture_parameters(PictureCall& to) {
            }),
            .words_only = true,
            .words = {"on", "off"}},
+          {.name = "--device",
+           .value = "NAME",
+           .sentence = fmt::format("what draws: software, with the same bits on every machine; gpu, a graphics card; "
+                                   "auto, a card if there is one; by default {}",
+                                   device_names[static_cast<std::size_t>(to.otherwise.device)]),
+           .into = ReadValue([&to](const std::string& text) -> Status {
+             const auto* const at = std::find(device_names.begin(), device_names.end(), text);
+             if (at == device_names.end())
+               return fail(ErrorCode::range,
+                           fmt::format("--device must be software, auto or gpu, not '{}'", text.substr(0, 60)));
+             to.otherwise.device = static_cast<Device>(at - device_names.begin());
+             return Nothing{};
+           }),
+           .words_only = true,
+           .words = {device_names.begin(), device_names.end()}},
           {.name = "--pixel-filter",
            .value = "NAME",
            .sentence = fmt::format("how the samples are averaged to pixels: {}; by default the script's, or {}",

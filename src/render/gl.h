@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "betwixt/render.h"
 #include "betwixt/result.h"
 
 namespace betwixt::gl {
@@ -18,7 +19,7 @@ namespace betwixt::gl {
 // One OpenGL ES 3.0 context on surfaceless EGL (in pages: that of WebGL 2).
 class Context {
  public:
-  static Result<Context> create();  // errors: machine
+  static Result<Context> create(Device = Device::software);  // errors: machine
   Context(Context&& o) noexcept : display_(o.display_), context_(std::exchange(o.context_, nullptr)) {}
   Context& operator=(Context&&) = delete;
   ~Context();

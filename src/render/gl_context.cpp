@@ -48,50 +48,72 @@ EGLDisplay surfaceless() {
   return display_of(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
 }
 
-// Returns the displays of all devices. The last one is the software renderer, if there is one.
-std::vector<EGLDisplay> displays_of_devices() {
+struct Displays {
+  std::vector<EGLDisplay> cards, software;
+};
+Displays displays_of_devices() {
   EGLDeviceEXT devices[16];
   EGLint count = 0;
   const auto query = function_of_extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
-  std::vector<EGLDisplay> all;
+  const auto text = function_of_extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+  Displays all;
   if (!has_egl_extension("EGL_EXT_platform_device") || query == nullptr || !query(16, devices, &count)) return all;
-  for (EGLint i = 0; i < count; ++i) all.push_back(display_of(EGL_PLATFORM_DEVICE_EXT, devices[i]));
+  for (EGLint i = 0; i < count; ++i) {
+    const bool software = text != nullptr && lists(text(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software");
+    (software ? all.software : all.cards).push_back(display_of(EGL_PLATFORM_DEVICE_EXT, devices[i]));
+  }
   return all;
 }
 
 bool starts(EGLDisplay display) { return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr); }
 
-// Returns a display that has been started. Some drivers have no surfaceless platform, only devices.
-EGLDisplay first_display() {
-  if (const EGLDisplay display = surfaceless(); starts(display)) return display;
-  for (const EGLDisplay display : displays_of_devices())
+EGLDisplay first_that_starts(const std::vector<EGLDisplay>& all) {
+  for (const EGLDisplay display : all)
     if (starts(display)) return display;
   return EGL_NO_DISPLAY;
 }
+
+// Returns a display that has been started. The surfaceless platform takes a card if there is one, and some drivers lack
+// it and have only devices.
+EGLDisplay software_display() {
+  const Displays all = displays_of_devices();
+  if (!all.cards.empty())
+    if (const EGLDisplay display = first_that_starts(all.software); display != EGL_NO_DISPLAY) return display;
+  if (const EGLDisplay display = surfaceless(); starts(display)) return display;
+  if (const EGLDisplay display = first_that_starts(all.cards); display != EGL_NO_DISPLAY) return display;
+  return first_that_starts(all.software);
+}
 EGLDisplay display_after_fork() {
-  const std::vector<EGLDisplay> all = displays_of_devices();
-  return !all.empty() && starts(all.back()) ? all.back() : EGL_NO_DISPLAY;
+  const Displays all = displays_of_devices();
+  return first_that_starts(all.software.empty() ? all.cards : all.software);
 }
 
-// All contexts of the process share one display. It is never terminated: other threads, or the host program, may use
-// it. After a fork the parent's display lacks its drawing threads, so a child opens the other one.
-EGLDisplay open_display() {
+// All contexts of the process that draw with the same device share one display. It is never terminated: other threads,
+// or the host program, may use it. After a fork the parent's display lacks its drawing threads, so a child opens the
+// other one.
+EGLDisplay open_display(Device device) {
   static std::mutex mutex;
-  static EGLDisplay display = EGL_NO_DISPLAY;
+  static EGLDisplay software = EGL_NO_DISPLAY, card = EGL_NO_DISPLAY;
+  static bool looked = false;
   static pid_t owner = 0;
   static int opened = 0;
   const std::lock_guard lock(mutex);
-  if (owner == ::getpid()) return display;
-  owner = ::getpid();
-  ++opened;
-  display = opened == 1 ? first_display() : opened == 2 ? display_after_fork() : EGL_NO_DISPLAY;
-  return display;
+  if (owner != ::getpid()) {
+    owner = ::getpid(), ++opened, looked = false, card = EGL_NO_DISPLAY;
+    software = opened == 1 ? software_display() : opened == 2 ? display_after_fork() : EGL_NO_DISPLAY;
+  }
+  if (device == Device::software) return software;
+  if (!looked) looked = true, card = opened == 1 ? first_that_starts(displays_of_devices().cards) : EGL_NO_DISPLAY;
+  return card != EGL_NO_DISPLAY || device == Device::gpu ? card : software;
 }
 
 }  // namespace
 
-Result<Context> Context::create() {
-  const EGLDisplay display = open_display();
+Result<Context> Context::create(Device device) {
+  const EGLDisplay display = open_display(device);
+  if (display == EGL_NO_DISPLAY && device == Device::gpu)
+    return fail(ErrorCode::machine, "there is no graphics card that can draw without a window on this machine",
+                "--device auto takes a card only if there is one");
   if (display == EGL_NO_DISPLAY) return no_graphics("EGL has no display without a window on this machine");
   const EGLenum previous = eglQueryAPI();
   if (!eglBindAPI(EGL_OPENGL_ES_API)) return no_graphics("EGL has no OpenGL ES");

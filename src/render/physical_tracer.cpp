@@ -28,7 +28,9 @@ class ReflectedShares {
  public:
   ReflectedShares() {
     for (std::size_t j = 0; j < side; ++j)
-      for (std::size_t i = 0; i < side; ++i) at_[j * side + i] = worked_out(std::max(static_cast<double>(i), 0.05) / (side - 1), static_cast<double>(j) / (side - 1));
+      for (std::size_t i = 0; i < side; ++i)
+        at_[j * side + i] =
+            worked_out(std::max(static_cast<double>(i), 0.05) / (side - 1), static_cast<double>(j) / (side - 1));
   }
   std::array<double, 2> at(double nv, double roughness) const {
     const double x = std::clamp(nv, 0.0, 1.0) * (side - 1), y = std::clamp(roughness, 0.0, 1.0) * (side - 1);

@@ -89,7 +89,7 @@ class SurfacelessRenderer final : public Renderer {
 
 template <MakeModule make_module>
 Result<std::unique_ptr<Renderer>> surfaceless(const RenderOptions& options) {
-  auto context = gl::Context::create();
+  auto context = gl::Context::create(options.device);
   if (!context) return context.error();
   auto module = [&] {
     const gl::Current current(*context);

@@ -13,6 +13,7 @@ PictureWanted Viewport::wanted() {
   RenderOptions o;
   o.width = std::clamp(size.width(), 1, 8192), o.height = std::clamp(size.height(), 1, 8192);
   o.style = style_;
+  o.device = Device::automatic;
   o.linear = workspace_.document().transparent();  // otherwise the picture is opaque
   ++asked_;
   if (!side_ && kept_.use({workspace_.program(), o, through_ ? std::nullopt : free_, through_, workspace_.left_out()}))
