@@ -44,7 +44,7 @@ std::span<const Session::State::Word> Session::State::words() {
        any_number, &State::eval, "OBJECT QUERY…"},
       {"style", "style [NAME]", "The style of play from now on: shaded, wireframe, hidden-line or traced.",
        "style wireframe", 1, &State::picture, "STYLE"},
-      {"samples", "samples [1|4|9|16]", "The number of samples per pixel for play from now on; more is smoother.",
+      {"samples", "samples [1|4|9|16|auto]", "The number of samples per pixel for play from now on; more is smoother.",
        "samples 4", 1, &State::picture},
       {"size", "size [WxH]", "The size in pixels for play from now on.", "size 640x360", 1, &State::picture},
       {"stop", "stop", "Stops the film.", "stop", 0, &State::stop},

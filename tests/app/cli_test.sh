@@ -221,6 +221,8 @@ check 'part by bare numbers' 0 '5 frames in' render bounce.bx -o part.mp4 $small
 check 'part by seconds' 0 '7 frames in' render bounce.bx -o part.mp4 $small --frames 0s..0.25s
 check 'one frame' 0 '1 frame in' render bounce.bx -o part.gif $small --frames 3f..3f
 check 'samples of light that is followed' 0 '' frame bounce.bx --at 6f -o traced.png --size 64x48 --samples 3 --style traced
+check 'samples as needed, with their grain' 0 '' frame bounce.bx --at 6f -o traced.png --size 64x48 --samples auto --denoise off --style traced
+check 'a denoiser' 2 'maybe' frame bounce.bx --at 6f -o traced.png --denoise maybe
 # The script's size and samples, unless the command line has others.
 printf 'size 48x32\nsamples 1\n%s\n' "$(cat bounce.bx)" > sized.bx
 pixels() { od -An -t u1 -j 16 -N 8 "$1" | awk '{ print $4 + 256 * $3 "x" $8 + 256 * $7 }'; }

@@ -50,7 +50,7 @@ session 'help' 0 'usage: copy TARGET' '' 'help copy'
 session 'play names what was said' 1 "error: play: 'x' is not a time" film.bx 'play x'
 session 'play from behind the end' 1 'play: the film ends before 99f' film.bx 'play 99f'
 session 'a style' 1 "did you mean 'wireframe'?" film.bx 'style wirefram'
-session 'samples' 1 "the number of samples must be one of 1, 4, 9 or 16" film.bx 'samples 3'
+session 'samples' 1 "the number of samples must be auto or one of 1, 4, 9 or 16" film.bx 'samples 3'
 session 'what they are' 0 'size 320x180' film.bx 'size 320x180' 'size'
 session 'where it is' 0 'ball is at     (1 0 0)' film.bx 'eval ball at 13f'
 session 'exit' 0 '' film.bx exit

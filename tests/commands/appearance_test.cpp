@@ -128,7 +128,7 @@ TEST(Appearance, NothingBehindThingsIsABackgroundToo) {
 TEST(Appearance, IsWrittenAndCompared) {
   const Document nothing;
   for (const char* line :
-       {"size 320x200", "samples 16", "pixel-filter mitchell", "film flat", "background red to #010203",
+       {"size 320x200", "samples 16", "samples auto", "pixel-filter mitchell", "film flat", "background red to #010203",
         "background transparent", "ambient off", "ambient #123456", "exposure -1.25", "fog gold from 0.1 to 1000",
         "ground on", "ground navy", "sky on", "contact on"}) {
     const Document d = LoadedFilm(std::string(line) + "\n").loaded.document;

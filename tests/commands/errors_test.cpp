@@ -469,7 +469,7 @@ TEST(Errors, WordsOfWhatNeedsAFilmOfItsOwn) {
             "the share of a line must be from -1000000 to 1000000"},
            {"size", "a size is missing here"},
            {"size 1920", "'1920' is not a size: expected WIDTHxHEIGHT, each from 1 to 8192"},
-           {"samples 5", "the number of samples must be 1, 4, 9 or 16, not '5'"},
+           {"samples 5", "the number of samples must be 1, 4, 9, 16 or auto, not '5'"},
            {"film", "a film must be flat or solid"},
            {"fog", "a colour is missing here"},
            {"exposure 21", "an exposure must be from -20 to 20"},
