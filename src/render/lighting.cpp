@@ -68,7 +68,7 @@ void add_front(Lighting::One& one, const Light& l) {
 Lighting chosen(const std::vector<Light>& lights, const View& view, Vec3 center, const Surroundings& around,
                 const std::optional<SkySun>& sun) {
   Lighting r;
-  if (lights.empty() && around.environment.kind == Sky::none) {
+  if (lights.empty() && around.environment.kind == Sky::none && !sun) {
     r.lights = rig(view), r.casting = 1;
     return r;
   }

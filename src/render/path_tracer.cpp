@@ -85,16 +85,15 @@ PathTracer::PathTracer(const World& world, const View& view, const Scenery& scen
     : world_(world),
       view_(view),
       around_(scenery.surroundings),
-      sky_light_(sky_light_of(around_.environment, around_.ground)),
-      lighting_(lighting_of(scenery.lights, view, {}, around_, sky_light_ ? sky_light_->sun() : std::nullopt)),
+      sky_(scenery, view),
+      lighting_(lighting_of(scenery.lights, view, {}, around_, sky_.sun())),
       top_(scenery.background.value_or(Lighting::above)),
       bottom_(scenery.background ? around_.below.value_or(top_) : Lighting::beneath),
-      bends_(!scenery.background),
-      sky_seen_(sky_light_ && !scenery.background && around_.environment.kind != Sky::studio) {
+      bends_(!scenery.background) {
   const auto has_front = [](const Lighting::One& l) { return l.shape != LightShape::point || l.cone > 0; };
   if (!around_.flat &&
-      (sky_light_ || world.has_finishes() || std::any_of(lighting_.lights.begin(), lighting_.lights.end(), has_front)))
-    physical_.emplace(*this, world_, lighting_, sky_light_);
+      (sky_ || world.has_finishes() || std::any_of(lighting_.lights.begin(), lighting_.lights.end(), has_front)))
+    physical_.emplace(*this, world_, lighting_, sky_);
 }
 
 Ray PathTracer::camera_ray(double across, double down) const {
@@ -112,9 +111,9 @@ Vec3 PathTracer::sky_radiance(double up, double below) const {
 void PathTracer::add_background(double down, Vec3 along, double left, CameraSample& result) const {
   if (around_.clear) {
     result.clear = left;
-  } else if (sky_seen_) {
+  } else if (sky_ && sky_.seen_behind()) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
-    result.lit = result.lit + left * sky_light_->seen(d);
+    result.lit = result.lit + left * sky_.seen(d);
     result.share = std::min(result.share + left, 1.0);
   } else if (around_.sky) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;

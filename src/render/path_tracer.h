@@ -57,11 +57,11 @@ class PathTracer {
   const World& world_;
   const View& view_;
   const Surroundings& around_;
-  const std::shared_ptr<const SkyLight> sky_light_;
+  const SkyAround sky_;
   const Lighting lighting_;
   std::optional<PhysicalTracer> physical_;  // for surfaces with finishes, and under skies
   Vec3 top_, bottom_;                       // the background
-  bool bends_ = true, sky_seen_ = false;
+  bool bends_ = true;
 };
 
 }  // namespace betwixt::traced

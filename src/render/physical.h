@@ -7,26 +7,26 @@
 
 #include <unordered_map>
 
-#include "render/sky_light.h"
+#include "render/sky_around.h"
 #include "render/surfaces.h"
 
 namespace betwixt {
 
 // Returns whether a picture needs physical surfaces. `things`: those that may be seen.
-bool needs_physical(const Things&, const Scenery&);
+bool needs_physical(const Things&, const Scenery&, const SkyAround&);
 
 class PhysicalSurfaces {
  public:
   explicit PhysicalSurfaces(bool unclamped) : unclamped_(unclamped) {}
-  // For the calls below. `sky_light`: null without a sky; then the ambient light is that of the lighting.
-  void set(const Surfaces::FrameSettings&, std::shared_ptr<const SkyLight>);
+  // For the calls below. Without a sky, the ambient light is that of the lighting.
+  void set(const Surfaces::FrameSettings&, SkyAround);
   void write_encoded(bool);
   void draw_opaque(const Things&, std::span<const std::uint32_t>);
   void draw_transparent(const Things&, std::span<const std::uint32_t>);
   // Draws objects that let light through, over what the canvas shows so far.
   void draw_through(const Canvas&, const Things&, std::span<const std::uint32_t>);
   // Draws the infinite floor, and on empty pixels the sky or the gradient.
-  void draw_setting(const Surfaces::FrameSettings&, const Gradient&, bool encoded, bool sky_seen);
+  void draw_setting(const Surfaces::FrameSettings&, const Gradient&, bool encoded);
 
  private:
   enum Feature : unsigned {
@@ -39,7 +39,9 @@ class PhysicalSurfaces {
     ground = 64,
     areas = 128,
     shadowed = 256,
-    contact = 512
+    contact = 512,
+    rich = 1024,   // several shadows, or soft ones
+    levels = 2048  // several maps of one light
   };
   struct Look {
     gl::Program program;
@@ -47,6 +49,7 @@ class PhysicalSurfaces {
     std::uint64_t frame = 0;  // the frame whose settings it has
     bool refused = false;
   };
+  static unsigned shadow_features(const Surfaces::FrameSettings&);
   Look* need(unsigned features);
   GLint place(Look&, const char* name);
   void set_frame(Look&);
@@ -60,10 +63,11 @@ class PhysicalSurfaces {
   const bool unclamped_;
   std::unordered_map<unsigned, Look> looks_;
   const Surfaces::FrameSettings* frame_ = nullptr;
-  std::shared_ptr<const SkyLight> sky_light_, sent_;
+  SkyAround sky_;
+  std::shared_ptr<const SkyLight> sent_;
   std::array<Vec3, 9> irradiance_{};
   gl::Texture around_, seen_, white_, flat_;
-  const SkyLight* seen_of_ = nullptr;
+  std::shared_ptr<const SkyLight> seen_of_;
   gl::Sampler depths_;
   gl::Texture behind_;
   gl::Framebuffer behind_frame_;

@@ -64,6 +64,7 @@ uniform vec4 light_color[16];
 uniform vec4 light_aim[16];     // where a lamp shines to; the cosine of half its cone, -2 without
 uniform vec4 light_across[16];  // the direction of its width; half of that
 uniform vec4 light_form[16];    // half its height; 0 a point, 1 a disc, 2 a rectangle; 1 / the cone's edge; what of it is lit
+uniform vec4 sky_turn;          // cosine and sine of its turn; factor of its light
 uniform vec3 irradiance[9];
 uniform samplerCube around;     // blurred for each roughness
 uniform float blurs;            // its last level
@@ -117,11 +118,13 @@ out vec4 color;
 )";
 
 const char* const physical_fragment = R"(
-vec3 irradiance_at(vec3 n) {
+vec3 in_sky(vec3 d) { return vec3(sky_turn.x * d.x - sky_turn.y * d.z, d.y, sky_turn.y * d.x + sky_turn.x * d.z); }
+vec3 irradiance_at(vec3 in_world) {
+  vec3 n = in_sky(in_world);
   vec3 sum = irradiance[0] + irradiance[1] * n.y + irradiance[2] * n.z + irradiance[3] * n.x + irradiance[4] * (n.x * n.y) +
              irradiance[5] * (n.y * n.z) + irradiance[6] * (3.0 * n.z * n.z - 1.0) + irradiance[7] * (n.x * n.z) +
              irradiance[8] * (n.x * n.x - n.y * n.y);
-  return max(sum, 0.0);
+  return sky_turn.z * max(sum, 0.0);
 }
 
 vec3 rolled(vec3 c) {
@@ -200,7 +203,7 @@ void main() {
 #if defined(GROUND)
   vec2 p = 2.0 * at - 1.0;
   vec3 through_picture = normalize(ray + p.x * ray_x + p.y * ray_y);
-  vec3 back = mix(mix(top, bottom, mix(at.y, smoothstep(0.0, 1.0, at.y), shape.x)), rolled(texture(seen, seen_at(through_picture)).rgb), shape.y);
+  vec3 back = mix(mix(top, bottom, mix(at.y, smoothstep(0.0, 1.0, at.y), shape.x)), rolled(sky_turn.z * texture(seen, seen_at(in_sky(through_picture))).rgb), shape.y);
   vec3 along = mix(ray, through_picture, toward_eye.w), from = p.x * from_x + p.y * from_y;
   float drop = min(along.y, -1e-6), go = (floor_height - from.y) / drop;
   vec3 spot = from + max(go, 0.0) * along, n = vec3(0.0, 1.0, 0.0);
@@ -296,6 +299,9 @@ void main() {
   float coat_nv = clamp(dot(smooth_n, v), 1e-4, 1.0);
   float sheen_a = max(sheen.w * sheen.w, 0.01);
 #endif
+#if defined(SHADOWED) && !defined(RICH)
+  float unshadowed = lit(spot, n);
+#endif
   for (int i = 0; i < lights; ++i) {
     vec3 to = light_place[i].xyz - light_place[i].w * spot;
     float wide_a = a, norm = 1.0, strength_here = 1.0;
@@ -331,8 +337,10 @@ void main() {
       strength_here *= cone * cone * (3.0 - 2.0 * cone);
 #endif
     }
-#if defined(SHADOWED)
+#if defined(SHADOWED) && defined(RICH)
     if (i < casting) strength_here *= lit(i, spot, n, dot(n, normalize(to)), strength_here > 0.0);
+#elif defined(SHADOWED)
+    strength_here *= i == 0 ? unshadowed : 1.0;
 #endif
     vec3 arriving = light_color[i].rgb * strength_here;
     diffuse += arriving;
@@ -362,7 +370,7 @@ void main() {
   float opacity = 1.0;
 #else
   // Light from all around, with what is reflected several times.
-  vec3 mirrored = textureLod(around, r, rough_seen * blurs).rgb;
+  vec3 mirrored = sky_turn.z * textureLod(around, in_sky(r), rough_seen * blurs).rgb;
 #if defined(PICTURES)
   float covers = clamp(pow(nv + open_to, exp2(-16.0 * rough - 1.0)) - 1.0 + open_to, 0.0, 1.0);
 #else
@@ -395,7 +403,7 @@ void main() {
   sum = sum * (1.0 - sheen_share) + sheen_light + sheen.rgb * falling * (0.12 + 0.5 * (1.0 - nv) * (1.0 - nv));
   float cr = 1.0 - coat_nv, cr2 = cr * cr, coat_share = coat.x * (0.04 + 0.96 * cr2 * cr2 * cr);
   vec3 coat_r = reflect(-v, smooth_n);
-  sum = sum * (1.0 - coat_share) + coat.x * coat_light + coat_share * textureLod(around, coat_r, sqrt(coat_a) * blurs).rgb * open_to;
+  sum = sum * (1.0 - coat_share) + coat.x * coat_light + coat_share * sky_turn.z * textureLod(around, in_sky(coat_r), sqrt(coat_a) * blurs).rgb * open_to;
 #endif
 #endif
 #if defined(RECEIVES)

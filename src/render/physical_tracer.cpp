@@ -203,11 +203,11 @@ Scattering::Sample Scattering::sample(PixelSampler& sampler) const {
 }
 
 PhysicalTracer::PhysicalTracer(const PathTracer& tracer, const World& world, const Lighting& lighting,
-                               std::shared_ptr<const SkyLight> sky)
-    : tracer_(tracer), world_(world), lighting_(lighting), sky_(std::move(sky)) {}
+                               const SkyAround& sky)
+    : tracer_(tracer), world_(world), lighting_(lighting), sky_(sky) {}
 
 Vec3 PhysicalTracer::surroundings(Vec3 along) const {
-  if (sky_) return sky_->seen(along);
+  if (sky_) return sky_.seen(along);
   const double up = std::clamp(0.5 + along.y / 2, 0.0, 1.0);
   return (1 - up) * lighting_.ground + up * lighting_.sky;
 }
@@ -275,13 +275,13 @@ Vec3 PhysicalTracer::from_lights(const SurfacePoint& p, const Scattering& s, boo
 Vec3 PhysicalTracer::from_sky(const SurfacePoint& p, const Scattering& s, PixelSampler& sampler) const {
   if (!sky_) return {};
   const auto [first, second] = sampler.next_2d();
-  const SkyLight::Direction d = sky_->sample(first, second, sampler.next_1d());
+  const SkyLight::Direction d = sky_.sample(first, second, sampler.next_1d());
   if (!(d.density > 0)) return {};
   const Vec3 value = s.value(d.along);
   if (!(largest(value) > 0)) return {};
   if (tracer_.meets_floor({p.start, d.along})) return {};
   const double seen = world_.transmittance({p.start, d.along}, INFINITY);
-  return seen * balance(d.density, s.density(d.along)) / (pi * d.density) * (value * sky_->seen(d.along));
+  return seen * balance(d.density, s.density(d.along)) / (pi * d.density) * (value * sky_.seen(d.along));
 }
 
 Vec3 PhysicalTracer::of_lamps(const Ray& r, double distance, double density) const {
@@ -346,7 +346,7 @@ Vec3 PhysicalTracer::radiance(SurfacePoint p, Vec3 toward, PixelSampler& sampler
       const double floor = tracer_.floor_distance(r), distance = std::min(hit ? hit->distance : INFINITY, floor);
       if (const Vec3 lamps = of_lamps(r, distance, density); largest(lamps) > 0) add(lamps, depth + 1);
       if (distance == INFINITY) {
-        const double share = sky_ && density > 0 ? balance(density, sky_->density(r.along)) : 1;
+        const double share = sky_ && density > 0 ? balance(density, sky_.density(r.along)) : 1;
         add(share * surroundings(r.along), depth + 1);
         break;
       }

@@ -5,11 +5,9 @@
 // point, and so is the surface; the balance of both (multiple importance sampling) keeps the noise low.
 #pragma once
 
-#include <memory>
-
 #include "render/lighting.h"
 #include "render/pixel_sampler.h"
-#include "render/sky_light.h"
+#include "render/sky_around.h"
 #include "render/traced_world.h"
 
 namespace betwixt::traced {
@@ -45,7 +43,7 @@ class Scattering {
 
 class PhysicalTracer {
  public:
-  PhysicalTracer(const PathTracer& tracer, const World&, const Lighting&, std::shared_ptr<const SkyLight>);
+  PhysicalTracer(const PathTracer& tracer, const World&, const Lighting&, const SkyAround&);
   // Returns the light that the surface sends towards the eye.
   Vec3 radiance(SurfacePoint, Vec3 toward, PixelSampler&) const;
   // Returns the light from the sky or the dome.
@@ -61,7 +59,7 @@ class PhysicalTracer {
   const PathTracer& tracer_;
   const World& world_;
   const Lighting& lighting_;
-  std::shared_ptr<const SkyLight> sky_;
+  const SkyAround& sky_;
 };
 
 }  // namespace betwixt::traced

@@ -39,7 +39,8 @@ class Shaded final : public Module {
     return r;
   }
   void draw_anew() override {
-    if (needs_physical(things_, scenery_)) return draw_physical();
+    SkyAround sky(scenery_, things_.view());
+    if (needs_physical(things_, scenery_, sky)) return draw_physical(std::move(sky));
     const auto [solid, glass, hairlines, through, metal] = sorted();
     const View& view = things_.view();
     const Surroundings& around = scenery_.surroundings;
@@ -68,13 +69,12 @@ class Shaded final : public Module {
     }
     canvas_.finish();
   }
-  void draw_physical() {
+  void draw_physical(SkyAround sky) {
     const Sorted all = sorted();
     const View& view = things_.view();
     const Surroundings& around = scenery_.surroundings;
-    const auto environment = sky_light_of(around.environment, around.ground);
-    const Lighting lighting =
-        lighting_of(scenery_.lights, view, {}, around, environment ? environment->sun() : std::nullopt);
+    const bool sky_seen = sky && sky.seen_behind();
+    const Lighting lighting = lighting_of(scenery_.lights, view, {}, around, sky.sun());
     const auto shadows =
         shadows_.update(things_, std::span(lighting.lights).first(lighting.casting), around.ground.has_value());
     const bool contact = need_contact();
@@ -82,14 +82,11 @@ class Shaded final : public Module {
                                       around, all.metal, contact, canvas_.linear() && around.clear};
     const bool encoded = canvas_.can_write_encoded();
     canvas_.begin(scenery_.background, around.clear);
-    physical_.set(now, environment);
+    physical_.set(now, std::move(sky));
     physical_.write_encoded(encoded);
     physical_.draw_opaque(things_, all.solid);
-    // The lamps of a studio light the objects, but are behind the camera.
-    const bool sky_seen =
-        environment && !around.clear && !scenery_.background && around.environment.kind != Sky::studio;
     if (around.ground || sky_seen)
-      physical_.draw_setting(now, behind(gradient), encoded, sky_seen);
+      physical_.draw_setting(now, behind(gradient), encoded);
     else if (!scenery_.plain())
       canvas_.draw_behind(behind(gradient));
     if (contact) contact_->draw(canvas_, view);

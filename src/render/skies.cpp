@@ -71,7 +71,7 @@ constexpr Softbox softboxes[] = {
 double within(double at, double half, double soft) { return 1 - smooth(half * (1 - soft), half, std::abs(at)); }
 
 Vec3 studio_radiance(Vec3 d) {
-  Vec3 light = mixed({0.06, 0.058, 0.056}, {0.19, 0.197, 0.21}, smooth(-0.35, 0.9, d.y));
+  Vec3 light = mixed({0.05, 0.048, 0.046}, {0.15, 0.156, 0.168}, smooth(-0.35, 0.9, d.y));
   for (const Softbox& box : softboxes) {
     const Vec3 n = normalize(box.toward);
     const double deep = dot(d, n);
@@ -123,7 +123,7 @@ double hour_of(const Sky& sky) { return sky.kind == Sky::sunset ? 17.72 : sky.ho
 
 std::optional<SkySun> sun_of(const Sky& sky) {
   if (sky.kind == Sky::studio)
-    return SkySun{turned(normalize(softboxes[0].toward), sky.turn), sky.strength * Vec3{0.44, 0.425, 0.40}, 0.16,
+    return SkySun{turned(normalize(softboxes[0].toward), sky.turn), sky.strength * Vec3{0.58, 0.56, 0.525}, 0.16,
                   false};
   if (sky.kind != Sky::day && sky.kind != Sky::sunset) return std::nullopt;
   const DaySky day = day_at(hour_of(sky));
