@@ -84,6 +84,9 @@ Result<std::size_t> Surfaces::material(const Seen& s, const MeshPart& part, cons
               "colors and opacity that change need KHR_animation_pointer, which three.js reads with an add-on and "
               "Blender ignores");
   }
+  if (s.finish && color.constant())
+    for (std::size_t i = 0; i < 3; ++i)
+      still[i] = std::clamp(s.own_color[static_cast<int>(i)], 0.0, 1.0) * static_cast<double>(part.color[i]);
   Json pbr{{"baseColorFactor", numbers(still, 4)},
            {"metallicFactor", s.material == Material::metal ? 1 : 0},
            {"roughnessFactor",
@@ -95,6 +98,8 @@ Result<std::size_t> Surfaces::material(const Seen& s, const MeshPart& part, cons
     pbr["baseColorTexture"] = {{"index", *texture}};
   }
   Json m{{"pbrMetallicRoughness", pbr}, {"doubleSided", true}};
+  if (s.finish)
+    if (Status added = add_finish(*s.finish, m); !added) return added.error();
   const bool clear = std::any_of(color.pieces.begin(), color.pieces.end(),
                                  [](const KeyPiece& p) { return p.begin[3] < 1 || p.end[3] < 1; });
   if (clear || (picture && see_through(*picture))) m["alphaMode"] = "BLEND";
@@ -113,6 +118,88 @@ Result<std::size_t> Surfaces::material(const Seen& s, const MeshPart& part, cons
   if (!color.constant())
     film_.point(fmt::format("/materials/{}/pbrMetallicRoughness/baseColorFactor", known->second), color);
   return known->second;
+}
+
+namespace {
+
+// Returns green of one picture and blue of another as one picture, as glTF wants roughness and metalness.
+std::shared_ptr<const Picture> packed(const std::shared_ptr<const Picture>& rough,
+                                      const std::shared_ptr<const Picture>& metal) {
+  if (rough == metal) return rough;
+  const Picture& size = rough ? *rough : *metal;
+  auto made =
+      std::make_shared<Picture>(Picture{size.width, size.height, std::vector<std::uint8_t>(size.rgba.size(), 255)});
+  const auto at = [&](const std::shared_ptr<const Picture>& p, int x, int y, std::size_t channel) -> std::uint8_t {
+    if (!p) return 255;
+    const int there_x = x * p->width / made->width, there_y = y * p->height / made->height;
+    return p->rgba[4 * (static_cast<std::size_t>(there_y) * static_cast<std::size_t>(p->width) +
+                        static_cast<std::size_t>(there_x)) +
+                   channel];
+  };
+  for (int y = 0; y < made->height; ++y)
+    for (int x = 0; x < made->width; ++x) {
+      const auto k =
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(made->width) + static_cast<std::size_t>(x));
+      made->rgba[k + 1] = at(rough, x, y, 1), made->rgba[k + 2] = at(metal, x, y, 2);
+    }
+  return made;
+}
+
+std::array<double, 4> of_color(Vec3 c) { return {c.x, c.y, c.z, 1}; }
+
+}  // namespace
+
+// Adds what glTF and its extensions can say of a finish.
+Status Surfaces::add_finish(const Finish& f, Json& m) {
+  Json& pbr = m["pbrMetallicRoughness"];
+  pbr["metallicFactor"] = f.metalness, pbr["roughnessFactor"] = f.roughness;
+  const auto extend = [&](const char* name, Json what) {
+    m["extensions"][name] = std::move(what);
+    film_.use(name);
+  };
+  const auto picture = [&](const std::shared_ptr<const Picture>& p, Json& to, const char* name) -> Status {
+    if (!p) return Nothing{};
+    const Result<std::size_t> texture = add_texture(p);
+    if (!texture) return texture.error();
+    to[name] = {{"index", *texture}};
+    return Nothing{};
+  };
+  std::shared_ptr<const Picture> both;
+  if (f.roughness_map || f.metalness_map) {
+    auto& known = packed_[{f.roughness_map.get(), f.metalness_map.get()}];
+    if (!known) known = packed(f.roughness_map, f.metalness_map);
+    both = known;
+  }
+  for (const Status& s :
+       {picture(both, pbr, "metallicRoughnessTexture"), picture(f.normals, m, "normalTexture"),
+        picture(f.occlusion_map, m, "occlusionTexture"), picture(f.emission_map, m, "emissiveTexture")})
+    if (!s) return s;
+  if (f.normals) m["normalTexture"]["scale"] = f.normal_strength;
+  if (const double most = std::max({f.emission.x, f.emission.y, f.emission.z}); most > 0) {
+    m["emissiveFactor"] = numbers(of_color(1 / std::max(most, 1.0) * f.emission), 3);
+    if (most > 1) extend("KHR_materials_emissive_strength", {{"emissiveStrength", most}});
+  }
+  if (f.clearcoat > 0)
+    extend("KHR_materials_clearcoat",
+           {{"clearcoatFactor", f.clearcoat}, {"clearcoatRoughnessFactor", f.clearcoat_roughness}});
+  if (!(f.sheen == Vec3{}))
+    extend("KHR_materials_sheen",
+           {{"sheenColorFactor", numbers(of_color(f.sheen), 3)}, {"sheenRoughnessFactor", f.sheen_roughness}});
+  if (f.transmission > 0) extend("KHR_materials_transmission", {{"transmissionFactor", f.transmission}});
+  if (f.transmission > 0 && f.thickness > 0) extend("KHR_materials_volume", {{"thicknessFactor", f.thickness}});
+  if (f.ior != 1.5) extend("KHR_materials_ior", {{"ior", f.ior}});
+  if (f.pattern != Pattern::none)
+    leave_out(film_.made, "the patterns of materials such as oak are left out: their colour and their roughness stay");
+  if (f.tile_x == 1 && f.tile_y == 1 && f.move_x == 0 && f.move_y == 0 && f.turn == 0) return Nothing{};
+  const Json transform{{"scale", {f.tile_x, f.tile_y}}, {"offset", {f.move_x, f.move_y}}, {"rotation", -f.turn}};
+  for (Json* to : {&pbr["baseColorTexture"], &pbr["metallicRoughnessTexture"], &m["normalTexture"],
+                   &m["occlusionTexture"], &m["emissiveTexture"]})
+    if (to->is_object()) (*to)["extensions"]["KHR_texture_transform"] = transform, film_.use("KHR_texture_transform");
+  for (const char* name : {"baseColorTexture", "metallicRoughnessTexture"})
+    if (pbr[name].is_null()) pbr.erase(name);
+  for (const char* name : {"normalTexture", "occlusionTexture", "emissiveTexture"})
+    if (m[name].is_null()) m.erase(name);
+  return Nothing{};
 }
 
 bool Surfaces::flat_film() {

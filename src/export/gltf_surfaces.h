@@ -29,6 +29,7 @@ class Surfaces {
   Result<std::size_t> material(const Seen&, const MeshPart&, const std::string& name);
   Channel colors(const Seen&, const std::array<double, 4>& tint, bool tinted) const;
   Result<std::size_t> add_texture(const std::shared_ptr<const Picture>&);
+  Status add_finish(const Finish&, Json& material);
   bool flat_film();
 
   const Program& program_;
@@ -39,6 +40,7 @@ class Surfaces {
   std::map<std::vector<std::uint32_t>, std::size_t> indices_;
   std::unordered_map<std::string, std::size_t> meshes_known_, materials_known_;
   std::unordered_map<const Picture*, std::size_t> textures_known_;
+  std::map<std::pair<const Picture*, const Picture*>, std::shared_ptr<const Picture>> packed_;  // roughness, metalness
   // Keeps their addresses from being reused.
   std::vector<std::shared_ptr<const Mesh>> kept_;
   std::vector<std::shared_ptr<const Picture>> pictures_;

@@ -49,6 +49,7 @@ class Watch {
       if (s.forms.empty()) {
         s.material = look.material, s.shininess = look.shininess;
         if (look.texture != Evaluation::Look::none) s.texture = e.texture(look.texture);
+        if (look.finish != Evaluation::Look::none) s.finish = e.finish(look.finish), s.own_color = look.color;
       }
       const Shape& shape = *e.shape(look.shape);
       const std::int32_t skin = program_.compiled().drawables[i].skin;

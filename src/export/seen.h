@@ -32,6 +32,8 @@ struct Seen {
   Channel color, opacity;  // linear light; 1 is opaque
   Material material = Material::plastic;
   double shininess = 0;
+  std::shared_ptr<const Finish> finish;  // null if material and shininess say all of it
+  Vec3 own_color{1, 1, 1};               // with a finish: its colour, or that of its material
   std::shared_ptr<const Picture> texture;
   std::int32_t skin = -1;  // index into Compiled::skins: its one form is the mesh at rest
 };

@@ -288,10 +288,24 @@ class UsdMaker : UsdText {
     const KeyValue& color = s.color.pieces[0].begin;
     std::string inputs;
     const auto input = [&](const std::string& text) { inputs += "                " + text + "\n"; };
-    input("color3f inputs:diffuseColor = " + row(s.material == Material::glow ? KeyValue{} : color, 3));
-    if (s.material == Material::glow) input("color3f inputs:emissiveColor = " + row(color, 3));
-    input(fmt::format("float inputs:metallic = {}", s.material == Material::metal ? 1 : 0));
-    input("float inputs:roughness = " + number(s.material == Material::matte ? 1 : 1 - s.shininess));
+    const auto of = [](Vec3 c) { return KeyValue{c.x, c.y, c.z, 1}; };
+    if (s.finish) {
+      const Finish& f = *s.finish;
+      input("color3f inputs:diffuseColor = " + row(s.color.constant() ? of(s.own_color) : color, 3));
+      if (!(f.emission == Vec3{})) input("color3f inputs:emissiveColor = " + row(of(f.emission), 3));
+      input("float inputs:metallic = " + number(f.metalness));
+      input("float inputs:roughness = " + number(f.roughness));
+      if (f.clearcoat > 0) input("float inputs:clearcoat = " + number(f.clearcoat));
+      if (f.clearcoat > 0) input("float inputs:clearcoatRoughness = " + number(f.clearcoat_roughness));
+      if (f.ior != 1.5) input("float inputs:ior = " + number(f.ior));
+      if (f.pattern != Pattern::none || f.has_pictures())
+        leave_out(made_, "the patterns and pictures of materials are left out: their colours and numbers stay");
+    } else {
+      input("color3f inputs:diffuseColor = " + row(s.material == Material::glow ? KeyValue{} : color, 3));
+      if (s.material == Material::glow) input("color3f inputs:emissiveColor = " + row(color, 3));
+      input(fmt::format("float inputs:metallic = {}", s.material == Material::metal ? 1 : 0));
+      input("float inputs:roughness = " + number(s.material == Material::matte ? 1 : 1 - s.shininess));
+    }
     input("float inputs:opacity = " + number(s.opacity.pieces[0].begin[0]));
     return fmt::format("look_{}", materials_.try_emplace(inputs, materials_.size() + 1).first->second);
   }

@@ -299,6 +299,29 @@ TEST(Gltf, WhatFadesInRestsOpaque) {
   EXPECT_EQ(factor(1), (std::vector<double>{0, 0, 1, 0.75}));
 }
 
+TEST(Gltf, FinishesGoWithTheirExtensions) {
+  const Glb file = as_glb(
+      "range 1f 2f\ncreate a box material=gold\ncreate b box color=red roughness=0.3 clearcoat=1 "
+      "clearcoat-roughness=0.05\n"
+      "create c sphere material=glass\ncreate d box emission=orange emission-strength=3 sheen=#ff0000\n"
+      "create e box metalness=0.5 color=white\n");
+  ASSERT_EQ(file.json["materials"].size(), 5u);
+  const auto m = [&](std::size_t i) { return file.json["materials"][i]; };
+  const Json gold = m(0)["pbrMetallicRoughness"];
+  EXPECT_EQ(gold["metallicFactor"], 1);
+  EXPECT_NEAR(gold["roughnessFactor"], 0.18, 1e-6);
+  EXPECT_NEAR(gold["baseColorFactor"][1], 0.71, 1e-6);
+  EXPECT_EQ(m(1)["extensions"]["KHR_materials_clearcoat"]["clearcoatFactor"], 1);
+  EXPECT_NEAR(m(1)["extensions"]["KHR_materials_clearcoat"]["clearcoatRoughnessFactor"], 0.05, 1e-6);
+  EXPECT_EQ(m(1)["pbrMetallicRoughness"]["baseColorFactor"][0], 1);
+  EXPECT_EQ(m(2)["extensions"]["KHR_materials_transmission"]["transmissionFactor"], 1);
+  EXPECT_EQ(m(2)["extensions"]["KHR_materials_volume"]["thicknessFactor"], 0.5);
+  EXPECT_NEAR(m(3)["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"], 3, 1e-6);
+  EXPECT_EQ(m(3)["emissiveFactor"][0], 1);
+  EXPECT_EQ(m(3)["extensions"]["KHR_materials_sheen"]["sheenColorFactor"][0], 1);
+  EXPECT_EQ(m(4)["pbrMetallicRoughness"]["metallicFactor"], 0.5);
+}
+
 // 6 plots with 4 million triangles each, if each frame had its own: fewer meshes are kept, evenly over the film.
 TEST(Gltf, AFilmWithTooManyShapesKeepsFewerOfThem) {
   const Glb file = as_glb(
