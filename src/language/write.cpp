@@ -338,10 +338,8 @@ struct Writer {
 
   void rest() {
     for (const auto& [time, camera] : *s.cuts) {
-      if (time != Time{INT64_MIN}) out += "at " + point(time) + " ";
-      out += "look through " + name_of(camera);
-      const auto way = s.cut_ways->find(time);
-      out += (way == s.cut_ways->end() ? "" : " " + write_cut_way(way->second, s.rate)) + "\n";
+      out += (time == Time{INT64_MIN} ? "" : "at " + point(time) + " ") + "look through " + name_of(camera);
+      out += s.cut_ways->count(time) == 0 ? "\n" : " " + write_cut_way(s.cut_ways->at(time), s.rate) + "\n";
     }
     for (const auto& [time, note] : *s.notes)
       out += "at " + point(time) + " note " + write_text(note.text) +

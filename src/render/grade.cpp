@@ -21,6 +21,11 @@ constexpr Rows product(const Rows& a, const Rows& b) {
   return m;
 }
 
+float sound(float x) { return x > 0 ? std::min(x, 1e6F) : 0; }  // NaN becomes 0
+Vec3 sound_light(const float* p) {
+  return {static_cast<double>(sound(p[0])), static_cast<double>(sound(p[1])), static_cast<double>(sound(p[2]))};
+}
+
 // ---- white balance
 
 constexpr Rows xyz_of_rgb{{{0.4123907993, 0.3575843394, 0.1804807884},
@@ -103,6 +108,77 @@ Vec3 viewed(Vec3 light, const Development& how) {
   return signals(light);
 }
 
+// ---- edges of bright light
+
+// A pixel at the edge of bright light is the mean of two lights. Its picture is the mean of their pictures: that of the
+// mean light would be nearly as bright as the brighter one, so edges would have steps.
+class BrightEdges {
+ public:
+  BrightEdges(const LinearPicture& picture, const Development& how) : picture_(picture), how_(how) {
+    for (std::vector<float>& row : peaks_) row.resize(static_cast<std::size_t>(picture.width));
+  }
+  // Goes to a row; each call is for the next one.
+  void to_row(int y) {
+    if (y_ != y - 1)
+      for (const int near : {y - 1, y}) fill(near);
+    fill(y + 1), y_ = y;
+  }
+  // Returns the signals of a pixel.
+  Vec3 at(int x) const {
+    const Vec3 plain = viewed(light_at(x, y_), how_);
+    if (!(std::max({most_[0], most_[1], most_[2]}) > 1)) return plain;
+    const Found f = look_around(x);
+    const double range = f.high - f.low, here = peak(x, y_);
+    const double contrast = std::clamp((f.high / (f.low + 0.05) - 2) / 4, 0.0, 1.0);
+    if (!(f.high > 1) || !(contrast > 0) || here <= f.low || here >= f.high) return plain;
+    const double share = (here - f.low) / range;
+    const Vec3 dark = viewed(light_at(f.low_x, f.low_y), how_), bright = viewed(light_at(f.high_x, f.high_y), how_);
+    Vec3 s;
+    for (int c = 0; c < 3; ++c) {
+      const double both = (1 - share) * light_of_signal(dark[c]) + share * light_of_signal(bright[c]);
+      s[c] = (1 - contrast) * plain[c] + contrast * signal_of(both);
+    }
+    return s;
+  }
+
+ private:
+  struct Found {
+    double low = 1e30, high = -1;
+    int low_x = 0, low_y = 0, high_x = 0, high_y = 0;
+  };
+  Found look_around(int x) const {
+    Found f;
+    for (int j = std::max(y_ - 1, 0); j <= std::min(y_ + 1, picture_.height - 1); ++j)
+      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, picture_.width - 1); ++i) {
+        const double is = peak(i, j);
+        if (is < f.low) f.low = is, f.low_x = i, f.low_y = j;
+        if (is > f.high) f.high = is, f.high_x = i, f.high_y = j;
+      }
+    return f;
+  }
+  const float* pixel_at(int x, int y) const {
+    return &picture_.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width) +
+                               static_cast<std::size_t>(x))];
+  }
+  Vec3 light_at(int x, int y) const { return sound_light(pixel_at(x, y)); }
+  static std::size_t kept(int y) { return static_cast<std::size_t>((y + 3) % 3); }
+  double peak(int x, int y) const { return static_cast<double>(peaks_[kept(y)][static_cast<std::size_t>(x)]); }
+  void fill(int y) {
+    most_[kept(y)] = 0;
+    if (y < 0 || y >= picture_.height) return;
+    for (int x = 0; x < picture_.width; ++x) {
+      const float* const p = pixel_at(x, y);
+      const float is = std::max({sound(p[0]), sound(p[1]), sound(p[2])});
+      peaks_[kept(y)][static_cast<std::size_t>(x)] = is, most_[kept(y)] = std::max(most_[kept(y)], is);
+    }
+  }
+  const LinearPicture& picture_;
+  const Development& how_;
+  int y_ = -2;
+  std::array<std::vector<float>, 3> peaks_;  // of three rows: the brightest channel of each pixel
+  std::array<float, 3> most_{};              // and that of the row
+};
+
 // ---- grain
 
 std::uint64_t stirred(std::uint64_t h) {
@@ -139,21 +215,22 @@ void grain_of_row(NoiseRow& above, NoiseRow& below, int y, std::vector<float>& o
 
 // ---- pictures
 
-float sound(float x) { return x > 0 ? std::min(x, 1e6F) : 0; }  // NaN becomes 0
-
 struct ShownPixel {
   Vec3 signal;  // straight
   double opacity = 1;
 };
 
 // As to_shown: an opacity is raised so far that straight light can be as bright as the pixel.
-ShownPixel shown_pixel(const float* p, const Development& how, float grain) {
-  const Vec3 light{static_cast<double>(sound(p[0])), static_cast<double>(sound(p[1])),
-                   static_cast<double>(sound(p[2]))};
+ShownPixel shown_pixel(const float* p, const BrightEdges& edges, int x, const Development& how, float grain) {
   ShownPixel s;
-  if (!how.opaque) s.opacity = std::min(std::max({light.x, light.y, light.z, static_cast<double>(sound(p[3]))}), 1.0);
-  if (!(s.opacity > 0)) return s;
-  s.signal = viewed(1 / s.opacity * light, how);
+  if (how.opaque) {
+    s.signal = edges.at(x);
+  } else {
+    const Vec3 light = sound_light(p);
+    s.opacity = std::min(std::max({light.x, light.y, light.z, static_cast<double>(sound(p[3]))}), 1.0);
+    if (!(s.opacity > 0)) return s;
+    s.signal = viewed(1 / s.opacity * light, how);
+  }
   if (how.grade.grain > 0)
     for (int c = 0; c < 3; ++c) {  // strongest in the middle, none on black and white
       const double is = s.signal[c];
@@ -168,11 +245,13 @@ void each_shown(const LinearPicture& picture, const Development& how, const Put&
   for_rows(picture.width, picture.height, [&](int first, int end) {
     NoiseRow above(how.time, picture.width), below = above;
     std::vector<float> grain(width);
+    BrightEdges edges(picture, how);
     for (int y = first; y < end; ++y) {
+      edges.to_row(y);
       if (how.grade.grain > 0) grain_of_row(above, below, y, grain);
       for (std::size_t x = 0; x < width; ++x) {
         const std::size_t at = 4 * (static_cast<std::size_t>(y) * width + x);
-        put(at, shown_pixel(&picture.rgba[at], how, grain[x]));
+        put(at, shown_pixel(&picture.rgba[at], edges, static_cast<int>(x), how, grain[x]));
       }
     }
   });
@@ -196,7 +275,7 @@ void grade_light(LinearPicture& picture, const Grade& grade) {
       const std::size_t row = 4 * static_cast<std::size_t>(picture.width);
       for (std::size_t i = row * static_cast<std::size_t>(first); i < row * static_cast<std::size_t>(end); i += 4) {
         float* const p = &picture.rgba[i];
-        Vec3 c{static_cast<double>(sound(p[0])), static_cast<double>(sound(p[1])), static_cast<double>(sound(p[2]))};
+        Vec3 c = sound_light(p);
         if (balances) c = product(m, c);
         for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(std::max(c[k], 0.0));
       }
@@ -228,7 +307,8 @@ void develop(const LinearPicture& picture, const Development& how, Picture& out)
 }
 
 void develop(LinearPicture& picture, const Development& how) {
-  each_shown(picture, how, [&](std::size_t at, const ShownPixel& s) {
+  const LinearPicture light = picture;
+  each_shown(light, how, [&](std::size_t at, const ShownPixel& s) {
     for (int c = 0; c < 3; ++c)
       picture.rgba[at + static_cast<std::size_t>(c)] = static_cast<float>(s.opacity * light_of_signal(s.signal[c]));
     picture.rgba[at + 3] = static_cast<float>(s.opacity);

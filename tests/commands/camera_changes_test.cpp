@@ -38,7 +38,7 @@ TEST(CameraChanges, TheLastWordCounts) {
   const Loaded longer = load_text(cameras + "at 48f look through b for 12f\n", "");
   EXPECT_EQ(longer.document.range().second, longer.document.rate().frame(60));
   // Whoever removes the camera removes the change.
-  EXPECT_TRUE(load_text(cameras + "at 48f look through b for 12f\ndelete b\n", "").document.scene().cut_ways->empty());
+  EXPECT_TRUE(load_text(cameras + "at 48f look through b for 12f\nremove b\n", "").document.scene().cut_ways->empty());
 }
 
 TEST(CameraChanges, FramesWithinDifferFromTheirNeighbours) {

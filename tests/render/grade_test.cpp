@@ -87,6 +87,25 @@ TEST(Grade, ViewsNeverGetDarkerWithMoreLight) {
   }
 }
 
+// Half of a pixel at the edge of a lamp is covered: its picture is half of that of the lamp.
+TEST(Grade, EdgesOfBrightLightAreSmooth) {
+  LinearPicture p = plane_of(9, 3, {0, 0, 0});
+  for (int y = 0; y < 3; ++y)
+    for (int x = 4; x < 9; ++x)
+      for (int c = 0; c < 3; ++c) p.rgba[static_cast<std::size_t>(4 * (9 * y + x) + c)] = x == 4 ? 10 : 20;
+  for (const auto view : {Grade::plain, Grade::filmic, Grade::agx, Grade::neutral}) {
+    Development how;
+    how.grade.view = view;
+    Picture out;
+    develop(p, how, out);
+    const double bright = decoded(pixel(out, 7, 1).g / 255.0);
+    EXPECT_GT(bright, 0.9);
+    EXPECT_NEAR(decoded(pixel(out, 4, 1).g / 255.0), bright / 2, 0.01) << view;
+    EXPECT_EQ(pixel(out, 5, 1), pixel(out, 7, 1));
+    EXPECT_EQ(pixel(out, 3, 1).g, pixel(out, 0, 1).g);
+  }
+}
+
 TEST(Grade, WhiteBalanceMakesALampWhite) {
   // Tungsten light (2856 K, illuminant A: x = 0.44757, y = 0.40745) in linear sRGB.
   const double x = 0.44757 / 0.40745, z = (1 - 0.44757 - 0.40745) / 0.40745;
