@@ -10,8 +10,6 @@
 namespace betwixt {
 namespace {
 
-// The radius of contact shading, as a part of the picture's height.
-constexpr double reach = 1.0 / 16;
 constexpr int seen_unit = 0, depth_unit = 1, closed_unit = 2;
 
 // What is deeper than FARTHEST is the background, or a floor so far away that its depths are all the same.
@@ -32,15 +30,15 @@ float depth_at(ivec2 at) { return texelFetch(depths, at, 0).r; }
 float metres(float z) { return abs(lens.y) * mix(1.0, z * z, perspective); }
 float reach(float z) { return radius * 2.0 * across.y / size.y * mix(1.0, z, perspective); }
 
-// What depth grows by from pixel to pixel, on the side where those next to it are in line with it, as depths of a plane are; and
-// how much they are not.
+// What depth grows by from pixel to pixel, on the side where those next to it are more in line with it, as depths of a plane
+// are, with half of what they are not, as on a ball; and how much they are not.
 vec2 slope(ivec2 at, ivec2 off, float depth) {
   ivec2 a = at - 2 * off, b = at + 2 * off;
   float a1 = depth_at(max(at - off, 0)), a2 = depth_at(max(a, 0));
   float b1 = depth_at(min(at + off, ivec2(size) - 1)), b2 = depth_at(min(b, ivec2(size) - 1));
   float bent_a = any(lessThan(a, ivec2(0))) ? 1e9 : abs(2.0 * a1 - a2 - depth);
   float bent_b = any(greaterThanEqual(b, ivec2(size))) ? 1e9 : abs(2.0 * b1 - b2 - depth);
-  return bent_a < bent_b ? vec2(depth - a1, bent_a) : vec2(b1 - depth, bent_b);
+  return bent_a < bent_b ? vec2(1.5 * depth - 2.0 * a1 + 0.5 * a2, bent_a) : vec2(2.0 * b1 - 0.5 * b2 - 1.5 * depth, bent_b);
 }
 vec3 slopes(ivec2 at, float depth) {
   vec2 x = slope(at, ivec2(1, 0), depth), y = slope(at, ivec2(0, 1), depth);
@@ -49,16 +47,25 @@ vec3 slopes(ivec2 at, float depth) {
 )";
 
 // The share of the light from everywhere, by its cosine, that what is nearby keeps away: in slices through the line of
-// sight, what there is on either side between the surface's own plane and a place above it (Jimenez et al. 2016,
-// "Practical real-time strategies for accurate indirect occlusion"), the less the farther away it is in space: beyond
-// the radius nothing, whatever covers it in the picture. A pattern of pixels, PATTERN along a side, turns the slices
-// and moves the steps.
+// sight, each half of them in 32 parts of the same light. What is met closes the parts from its front to some way
+// behind it (Therrien et al. 2023, "Screen space indirect lighting with visibility bitmask"), the fewer times the
+// farther away it is in space: beyond the radius never, whatever covers it in the picture. A pattern of pixels, PATTERN
+// along a side, turns the slices, moves the steps and says how far away is too far.
 const char* const measure_fragment = R"(
 out vec4 color;
 vec3 place(vec2 at, float z) { return vec3((2.0 * (at + 0.5) / size - 1.0 - middle_at) * across * mix(1.0, z, perspective), z); }
 // The share in a slice from the line of sight up to an angle c and s are of, where the normal's are x and y; less what is the same.
 float up_to(float angle, float c, float s, vec2 normal) {
   return 0.5 * angle * normal.y - 0.25 * ((2.0 * c * c - 1.0) * normal.x + 2.0 * c * s * normal.y);
+}
+uint parts_up_to(float share) {
+  int count = int(floor(clamp(share, 0.0, 33.0)));
+  return count >= 32 ? 0xffffffffu : (1u << uint(count)) - 1u;
+}
+float count_of(uint bits) {
+  bits -= (bits >> 1u) & 0x55555555u;
+  bits = (bits & 0x33333333u) + ((bits >> 2u) & 0x33333333u);
+  return float((((bits + (bits >> 4u)) & 0x0f0f0f0fu) * 0x01010101u) >> 24u);
 }
 void main() {
   ivec2 last = ivec2(size) - 1, cell = ivec2(gl_FragCoord.xy), middle = min(SIDE2 * cell + SIDE2 / 2, last);
@@ -70,7 +77,7 @@ void main() {
   n *= inversesqrt(max(dot(n, n), 1e-30));
   n *= dot(n, to_eye) < 0.0 ? -1.0 : 1.0;
   // What is so narrow, or curves so much, that it shows no plane is left as it is.
-  float known = clamp(1.5 - 5.0 * s.z * metres(z) * radius / far, 0.0, 1.0);
+  float known = clamp(1.5 - 0.7 * s.z * metres(z) * radius / far, 0.0, 1.0);
   // What rises less than this above the plane does not count: depths have 24 bits.
   float bias = 0.03 + 4.0 * metres(z) * 6e-8 * radius / far;
   vec2 own = vec2(cell % PATTERN), all = vec2(1.0, PATTERN) / float(PATTERN * PATTERN);
@@ -86,22 +93,25 @@ void main() {
     float share = max(length(normal), 1e-6);
     normal /= share;
     for (int side = -1; side <= 1; side += 2) {
-      float f = float(side), most = 0.0;
+      float f = float(side), too_far = fract(turn + 0.618034 * float(2 * k + (side + 1) / 2));
       float plane = up_to(atan(normal.y, normal.x) + f * 1.57079633, -f * normal.y, f * normal.x, normal);
+      float whole = plane + 0.25 * normal.x, scale = 32.0 / max(whole, 1e-6);
+      uint closed = 0u;
       for (int j = 0; j < STEPS; ++j) {
         float t = (float(j) + start) / float(STEPS);
         ivec2 at = middle + side * ivec2(round((1.0 + (radius - 1.0) * t * t) * way)), inside = clamp(at, ivec2(0), last);
         float there = depth_at(inside);
-        vec3 v = place(vec2(inside), away(there)) - here;
-        float vv = dot(v, v), part = vv / (far * far);
+        vec3 v = place(vec2(inside), away(there)) - here, w = v - THICK * far * to_eye;
+        float part = dot(v, v) / (far * far);
+        v *= inversesqrt(max(dot(v, v), 1e-30)), w *= inversesqrt(max(dot(w, w), 1e-30));
         float near = at == inside && there < FARTHEST ? max(1.0 - part * part, 0.0) : 0.0;
-        v *= inversesqrt(max(vv, 1e-30));
         near *= near * clamp(dot(v, n) / bias - 1.0, 0.0, 1.0);
-        float c = clamp(dot(v, to_eye), -1.0, 1.0);
-        float open = up_to(f * acos(c), c, f * sqrt(1.0 - c * c), normal);
-        most = max(most, near > 0.0 ? near * (plane - open) : 0.0);
+        float c = clamp(dot(v, to_eye), -1.0, 1.0), d = clamp(dot(w, to_eye), -1.0, 1.0);
+        float front = plane - up_to(f * acos(c), c, f * sqrt(1.0 - c * c), normal);
+        float back = dot(w, n) > 0.0 ? plane - up_to(f * acos(d), d, f * sqrt(1.0 - d * d), normal) : 0.0;
+        if (near > too_far) closed |= parts_up_to(front * scale + start) & ~parts_up_to(back * scale + start);
       }
-      sum += share * most;
+      sum += share * whole * count_of(closed) / 32.0;
     }
   }
   color = vec4(min(known * sum / float(SLICES), 1.0), known, 0.0, 1.0);
@@ -115,7 +125,7 @@ out vec4 color;
 void main() {
   ivec2 cell = ivec2(gl_FragCoord.xy), end = ivec2(size) - 1, last = textureSize(closed, 0) - 1;
   ivec2 middle = min(SIDE2 * cell, end);
-  float depth = depth_at(middle), z = away(depth), scale = 4.0 * metres(z) / reach(z);
+  float depth = depth_at(middle), z = away(depth), scale = 13.0 * metres(z) / reach(z);
   vec3 s = slopes(middle, depth);
   float sum = 0.0, all = 0.0;
   int looks = depth < FARTHEST ? PATTERN * PATTERN : 0;
@@ -136,7 +146,7 @@ uniform sampler2D seen, closed;
 out vec4 color;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy), last = textureSize(closed, 0) - 1, corner = at / SIDE2;
-  float depth = depth_at(at), receives = texelFetch(seen, at, 0).a, z = away(depth), scale = metres(z) / reach(z);
+  float depth = depth_at(at), receives = texelFetch(seen, at, 0).a, z = away(depth), scale = 3.0 * metres(z) / reach(z);
   vec2 part = vec2(at - SIDE2 * corner) / float(SIDE2);
   float sum = 0.0, all = 0.0;
   int looks = depth < FARTHEST && receives > 0.0 ? 4 : 0;
@@ -165,9 +175,10 @@ Result<ContactShading> ContactShading::create(const Canvas& canvas) {
     if (!made) return made.error();
     *t = *std::move(made);
   }
-  const std::string defines =
-      fmt::format("#define SIDE2 {}\n#define SLICES 6\n#define STEPS 6\n#define PATTERN {}\n#define FARTHEST 0.99999\n",
-                  2 * canvas.side(), canvas.height() < 500 ? 2 : 4);
+  const std::string defines = fmt::format(
+      "#define SIDE2 {}\n#define SLICES 4\n#define STEPS 9\n#define THICK 0.4\n#define PATTERN {}\n#define FARTHEST "
+      "0.99999\n",
+      2 * canvas.side(), canvas.height() < 500 ? 2 : 4);
   for (const auto& [program, fragment] :
        {std::pair{&c.measure_, measure_fragment}, {&c.even_, smooth_fragment}, {&c.darken_, darken_fragment}}) {
     auto made = gl::new_program(gl::fill_vertex, std::string(common) + fragment, defines);
@@ -193,7 +204,7 @@ void ContactShading::set(const gl::Program& program, const Canvas& canvas, const
   put("across", 1 / view.sx, 1 / view.sy);
   put("middle_at", view.shift_x, -view.shift_y);
   put("size", seen_.width, seen_.height);
-  glUniform1f(at("radius"), static_cast<float>(reach * canvas.height() * canvas.side()));
+  glUniform1f(at("radius"), static_cast<float>(contact_reach * canvas.height() * canvas.side()));
 }
 
 void ContactShading::draw(const Canvas& canvas, const View& view) const {

@@ -40,6 +40,12 @@ struct Lighting {
   Vec3 zenith, horizon, below;  // the sky, if it is visible
 };
 
+// Returns what metals mirror of the sky: less saturated than it is seen, since gold under pure blue would be olive.
+inline Vec3 in_metal(Vec3 sky) {
+  const double gray = 0.2126 * sky.x + 0.7152 * sky.y + 0.0722 * sky.z;
+  return 0.3 * sky + 0.7 * gray * Vec3{1, 1, 1};
+}
+
 // `center`: the middle of the scene, in eye space.
 // `sun`: that of the sky.
 Lighting lighting_of(const std::vector<Light>&, const View&, Vec3 center, const Surroundings& = {},

@@ -126,7 +126,7 @@ void PathTracer::add_background(double down, Vec3 along, double left, CameraSamp
 
 Vec3 PathTracer::environment_radiance(Vec3 along, RayKind kind) const {
   if (kind == RayKind::reflected_by_metal && around_.sky)
-    return sky_radiance(along.y, smoothstep(0.02, -0.02, along.y));
+    return in_metal(sky_radiance(along.y, smoothstep(0.02, -0.02, along.y)));
   const Vec3 dome = mix(lighting_.ground, lighting_.sky, std::clamp(0.5 + along.y / 0.35, 0.0, 1.0));
   return (kind == RayKind::reflected_by_metal ? 3 : 1) * dome;
 }

@@ -177,9 +177,9 @@ void Surfaces::set_mirrored(const Look& look, const FrameSettings& frame) {
   const auto at = [&](const char* name) { return gl::uniform(look.program, name); };
   const auto& [view, lighting, shadows, layers, around, metal, contact, clear] = frame;
   glUseProgram(look.program.id());
-  glUniform3fv(at("top"), 1, four(around.sky ? lighting.zenith : 3 * lighting.sky, 0).data());
-  glUniform3fv(at("bottom"), 1, four(around.sky ? lighting.horizon : 3 * lighting.sky, 0).data());
-  glUniform3fv(at("under"), 1, four(around.sky ? lighting.below : 3 * lighting.ground, 0).data());
+  glUniform3fv(at("top"), 1, four(around.sky ? in_metal(lighting.zenith) : 3 * lighting.sky, 0).data());
+  glUniform3fv(at("bottom"), 1, four(around.sky ? in_metal(lighting.horizon) : 3 * lighting.sky, 0).data());
+  glUniform3fv(at("under"), 1, four(around.sky ? in_metal(lighting.below) : 3 * lighting.ground, 0).data());
   glUniform4fv(at("floor_color"), 1, four(around.ground.value_or(Vec3{}), around.ground ? 1 : 0).data());
   glUniform1f(at("floor_height"), static_cast<float>(-view.eye.y));
 }

@@ -99,8 +99,9 @@ bool Things::take(const Columns& c) {
   const std::size_t before = things_.size();
   find_changed(c);
   for (const std::uint32_t i : changed_) adopt(things_[i], c, i);
-  all_changed_ = !camera_ || !same_camera(*camera_, c.camera) || flat_ != c.surroundings.flat;
-  flat_ = c.surroundings.flat;
+  const bool touched = c.surroundings.contact && c.surroundings.ground;
+  all_changed_ = !camera_ || !same_camera(*camera_, c.camera) || flat_ != c.surroundings.flat || touched_ != touched;
+  flat_ = c.surroundings.flat, touched_ = touched;
   if (!all_changed_ && changed_.empty() && things_.size() == before) return false;
   if (all_changed_) {
     camera_ = c.camera;
@@ -115,6 +116,8 @@ bool Things::take(const Columns& c) {
     const double reach = view_.reach(t.bounds);
     nearest = std::min(nearest, t.depth - reach), farthest = std::max(farthest, t.depth + reach);
   }
+  // The floor in front of the objects needs depths as far as contact shading reaches.
+  if (touched_) nearest -= 2 * contact_reach / view_.sy * (view_.orthographic ? 1 : std::max(nearest, 0.0));
   view_.fit(nearest, farthest);
   return true;
 }

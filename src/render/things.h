@@ -97,7 +97,8 @@ class Things {
   std::optional<Camera> camera_;
   View view_;
   bool good_ = false, all_changed_ = false;
-  bool flat_ = false;  // Surroundings::flat
+  bool flat_ = false;     // Surroundings::flat
+  bool touched_ = false;  // whether contact shading darkens the floor
   std::vector<std::uint32_t> changed_;
   std::uint64_t casters_ = 0;
 };

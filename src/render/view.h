@@ -20,6 +20,9 @@ struct Bounds {
 // Returns the bounds of a box that a matrix moves.
 Bounds bounds_of(const Box&, const Mat4&);
 
+// The radius of contact shading, as a part of the picture's height.
+inline constexpr double contact_reach = 0.2;
+
 struct View {
   Vec3 eye;                  // world
   Vec3 right, up, backward;  // world, the camera's x, y and z
