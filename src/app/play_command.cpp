@@ -32,10 +32,7 @@ namespace {
 
 struct PlayCall {
   std::string file, frames, listen, record;
-  PictureCall picture{{.width = 960,
-                       .height = 540,
-                       .samples = 1,
-                       .device = Device::automatic}};  // a character averages its pixels anyway
+  PictureCall picture{{.width = 960, .height = 540, .samples = 1, .device = Device::automatic}};
   bool terminal = false, loop = false, mute = false, overwrite = false;
   std::string said = "--frames";  // the caller's name for the frames, in errors
 };

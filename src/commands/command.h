@@ -150,8 +150,6 @@ ValueReader values(Command&);
 // Reads the pictures or meshes that code names in quotes, if `f` shows such files; "walk%03d.png" names all numbers.
 bool files_in_code(Command&, FunctionId f, const std::string& source, std::string_view about);
 bool may_use(Command&, std::string& path, std::string_view about, std::filesystem::path& where);
-// Reads a picture of linear light. Makes `path` relative to the first script's folder.
-bool read_sky(Command&, std::string& path, std::string_view about, std::shared_ptr<const LinearPicture>& light);
 // Fails if the document would exceed the limit of MemoryBudget with these contents of files.
 bool has_room(Command&, const ContentBytes&, std::string_view about);
 // Stores the meshes of a file under its path and their own names. Fails if there is no room for them (MemoryBudget).

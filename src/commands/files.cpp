@@ -221,7 +221,7 @@ bool part_of_scene(Command& k, FunctionId f, std::string& path, std::string_view
   fs::path where;
   if (!may_use(k, path, about, where)) return false;
   const std::string file = std::exchange(path, path + part);
-  const auto has = [&] { return f == fn::file ? s.meshes->contains(path) : s.pictures->contains(path); };
+  const auto has = [&] { return f == fn::file ? k.scene.meshes->contains(path) : k.scene.pictures->contains(path); };
   if (has()) return true;
   const auto scene = scene_of_file(k, where);
   if (!scene) return c.fail(scene.error(), about);
@@ -329,22 +329,6 @@ bool keep_meshes(Command& k, const std::string& path, const SceneFile& scene, st
   if (!has_room(k, bytes, about)) return false;
   for (const SceneMesh* m : fresh) s.meshes.edit()[path + "#" + m->name] = m->mesh;
   for (auto& [name, picture] : pictures) s.pictures.edit()[name] = picture;
-  return true;
-}
-
-bool read_sky(Command& k, std::string& path, std::string_view about, std::shared_ptr<const LinearPicture>& light) {
-  fs::path where;
-  if (!may_use(k, path, about, where)) return false;
-  const auto read = KeptResults::get("sky", where.string(), [&]() -> Result<std::shared_ptr<const LinearPicture>> {
-    auto picture = read_linear_picture(where.string());
-    if (!picture) return picture.error();
-    return std::make_shared<const LinearPicture>(*std::move(picture));
-  });
-  if (!read) return k.cursor.fail(read.error(), about);
-  ContentBytes bytes;
-  bytes.add(*read);
-  if (!has_room(k, bytes, about)) return false;
-  light = *read;
   return true;
 }
 

@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "base/kept_results.h"
 #include "base/names.h"
 #include "betwixt/picture.h"
 #include "commands/command.h"
+#include "scene/memory.h"
 
 namespace betwixt {
 namespace {
@@ -21,6 +24,23 @@ bool bounded(Command& k, const char* what, double low, double high, double& out)
   if (!values(k).scalar(out)) return false;
   if (out >= low && out <= high) return true;
   return c.fail(ErrorCode::range, fmt::format("{} must be from {} to {}", what, low, high), c.since(start));
+}
+
+// Reads a picture of the whole sky. Makes `path` relative to the first script's folder.
+bool read_sky(Command& k, std::string& path, std::string_view about, std::shared_ptr<const LinearPicture>& light) {
+  std::filesystem::path where;
+  if (!may_use(k, path, about, where)) return false;
+  const auto read = KeptResults::get("sky", where.string(), [&]() -> Result<std::shared_ptr<const LinearPicture>> {
+    auto picture = read_linear_picture(where.string());
+    if (!picture) return picture.error();
+    return std::make_shared<const LinearPicture>(*std::move(picture));
+  });
+  if (!read) return k.cursor.fail(read.error(), about);
+  ContentBytes bytes;
+  bytes.add(*read);
+  if (!has_room(k, bytes, about)) return false;
+  light = *read;
+  return true;
 }
 
 bool sky_option(Command& k, std::string_view key, Sky& sky) {

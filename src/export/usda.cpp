@@ -292,12 +292,12 @@ class UsdMaker : UsdText {
     if (s.finish) {
       const Finish& f = *s.finish;
       input("color3f inputs:diffuseColor = " + row(s.color.constant() ? of(s.own_color) : color, 3));
-      if (!(f.emission == Vec3{})) input("color3f inputs:emissiveColor = " + row(of(f.emission), 3));
+      input("color3f inputs:emissiveColor = " + row(of(f.emission), 3));
       input("float inputs:metallic = " + number(f.metalness));
       input("float inputs:roughness = " + number(f.roughness));
-      if (f.clearcoat > 0) input("float inputs:clearcoat = " + number(f.clearcoat));
-      if (f.clearcoat > 0) input("float inputs:clearcoatRoughness = " + number(f.clearcoat_roughness));
-      if (f.ior != 1.5) input("float inputs:ior = " + number(f.ior));
+      input("float inputs:clearcoat = " + number(f.clearcoat));
+      input("float inputs:clearcoatRoughness = " + number(f.clearcoat_roughness));
+      input("float inputs:ior = " + number(f.ior));
       if (f.pattern != Pattern::none || f.has_pictures())
         leave_out(made_, "the patterns and pictures of materials are left out: their colours and numbers stay");
     } else {

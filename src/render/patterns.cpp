@@ -15,7 +15,8 @@ struct vec2 {
   vec2(float x_, float y_) : x(x_), y(y_) {}
 };
 struct vec3 {
-  float x, y, z;
+  float x = 0, y = 0, z = 0;
+  vec3() = default;
   template <class X, class Y, class Z>
   vec3(X x_, Y y_, Z z_) : x(static_cast<float>(x_)), y(static_cast<float>(y_)), z(static_cast<float>(z_)) {}
 };
