@@ -4,8 +4,6 @@
 // Compiles the libraries that consist of headers.
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_GIF
-#define STBI_NO_HDR
-#define STBI_NO_LINEAR
 #define STBI_NO_PIC
 #define STBI_NO_PNM
 #define STBI_NO_PSD

@@ -293,11 +293,12 @@ class UsdMaker : UsdText {
       const Finish& f = *s.finish;
       input("color3f inputs:diffuseColor = " + row(s.color.constant() ? of(s.own_color) : color, 3));
       input("color3f inputs:emissiveColor = " + row(of(f.emission), 3));
-      input("float inputs:metallic = " + number(f.metalness));
-      input("float inputs:roughness = " + number(f.roughness));
-      input("float inputs:clearcoat = " + number(f.clearcoat));
-      input("float inputs:clearcoatRoughness = " + number(f.clearcoat_roughness));
-      input("float inputs:ior = " + number(f.ior));
+      for (const auto& [name, is] : {std::pair{"metallic", f.metalness},
+                                     {"roughness", f.roughness},
+                                     {"clearcoat", f.clearcoat},
+                                     {"clearcoatRoughness", f.clearcoat_roughness},
+                                     {"ior", f.ior}})
+        input(fmt::format("float inputs:{} = {}", name, number(is)));
       if (f.pattern != Pattern::none || f.has_pictures())
         leave_out(made_, "the patterns and pictures of materials are left out: their colours and numbers stay");
     } else {
