@@ -293,12 +293,7 @@ class UsdMaker : UsdText {
       const Finish& f = *s.finish;
       input("color3f inputs:diffuseColor = " + row(s.color.constant() ? of(s.own_color) : color, 3));
       input("color3f inputs:emissiveColor = " + row(of(f.emission), 3));
-      for (const auto& [name, is] : {std::pair{"metallic", f.metalness},
-                                     {"roughness", f.roughness},
-                                     {"clearcoat", f.clearcoat},
-                                     {"clearcoatRoughness", f.clearcoat_roughness},
-                                     {"ior", f.ior}})
-        input(fmt::format("float inputs:{} = {}", name, number(is)));
+      for (const auto& [name, is] : finish_inputs(f)) input(fmt::format("float inputs:{} = {}", name, number(is)));
       if (f.pattern != Pattern::none || f.has_pictures())
         leave_out(made_, "the patterns and pictures of materials are left out: their colours and numbers stay");
     } else {

@@ -160,4 +160,12 @@ void UsdText::lens(int depth, bool orthographic, double wide) {
   line(depth, "}");
 }
 
+std::vector<std::pair<std::string_view, double>> finish_inputs(const Finish& f) {
+  return {{"metallic", f.metalness},
+          {"roughness", f.roughness},
+          {"clearcoat", f.clearcoat},
+          {"clearcoatRoughness", f.clearcoat_roughness},
+          {"ior", f.ior}};
+}
+
 }  // namespace betwixt

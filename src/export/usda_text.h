@@ -65,4 +65,7 @@ class UsdText {
                                "mesh", "skeleton", "animation", "surface", "view"};
 };
 
+// Returns the numbers of a finish that UsdPreviewSurface has, by their names there.
+std::vector<std::pair<std::string_view, double>> finish_inputs(const Finish&);
+
 }  // namespace betwixt
