@@ -56,6 +56,8 @@ case ${1-} in
       "$1" frame "$root/examples/$2.bx" --at "$3f" -o "$root/docs/pictures/gallery/$2.png" --size 480x270 || exit 1
       set -- "$1" "${@:4}"
     done
+    "$1" frame "$root/examples/materials.bx" --at 48f -o "$root/docs/pictures/look/materials.png" --size 1280x720 --samples 16 || exit 1
+    "$1" frame "$root/examples/still-life.bx" --at 90f -o "$root/docs/pictures/look/still-life.png" --size 1280x720 --samples 16 || exit 1
     # The films of docs/look.md. Each film has the name of the heading above it.
     folder=$(mktemp -d) || exit 1
     awk -v folder="$folder" '/^## /{name = tolower($2)} /^```/{inside = !inside; next} inside{print >(folder "/" name ".bx")}' "$root/docs/look.md"
