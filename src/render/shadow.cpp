@@ -16,6 +16,7 @@ namespace {
 const char* const uniforms = R"(
 uniform mat4 clip;
 uniform vec4 light;
+uniform float push;  // 1: away from the light, by `look.x` metres
 )";
 const char* const shadow_vertex = R"(
 #ifdef VEIL
@@ -30,7 +31,9 @@ void main() {
   vec4 e;
   p.xyz = outline(position.xy, light, e);
 #endif
-  gl_Position = clip * vec4(dot(row_x, p), dot(row_y, p), dot(row_z, p), 1.0);
+  vec3 at = vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
+  at += push * look.x * (light.w > 0.5 ? at * inversesqrt(max(dot(at, at), 1e-30)) : -light.xyz);
+  gl_Position = clip * vec4(at, 1.0);
 }
 )";
 // What lets some light through casts a shadow with holes, which softening makes a lighter one; what lets half of it
@@ -174,6 +177,16 @@ bool reaches(const Mat4& clip, Vec3 center, double radius) {
       if (dot(n, center) + at(3) < -radius * length(n)) return false;
     }
   return true;
+}
+
+// Returns half of an object's least measure.
+double half_thickness(const Thing& t, Store& store) {
+  const Form::Realised& plain = t.form->plain(store);
+  const Mat4 m = t.world * plain.local;
+  const Vec3 half = plain.mesh->box.half();
+  double least = INFINITY;
+  for (int k = 0; k < 3; ++k) least = std::min(least, half[k] * length(column(m, k)));
+  return least;
 }
 
 }  // namespace
@@ -320,6 +333,7 @@ void Shadows::draw_some(const Part& one, Things& things, const Made& light, bool
     Group& g = groups[{mesh, t.mirrored, t.closed, far}];
     g.batch = {mesh, nullptr, nullptr, t.mirrored, t.closed, ball, false, 0, g.batch.count + 1};
     g.instances.push_back(instance_of(t, world * local));
+    g.instances.back().look[0] = static_cast<float>(far ? half_thickness(t, things.store()) : 0);
   }
   std::vector<Instance> all;
   for (auto& [key, g] : groups) {
@@ -334,13 +348,19 @@ void Shadows::draw_some(const Part& one, Things& things, const Made& light, bool
                                             one, light);
     if (program == nullptr) continue;
     glUseProgram(program->id());
-    // Closed objects cast by their far side: then lit surfaces are never in their own shadow, however few triangles
-    // there are. The depth is not offset, so that no light leaks in where the object touches another. Boxes, which are
-    // exact, cast by their near side: nothing leaks at all.
+    // Closed objects cast by their far side, or by their middle if that is nearer to the light: then lit surfaces are
+    // not in their own shadow, however few triangles there are, and no light leaks in where an object touches or enters
+    // another. Boxes, which are exact, cast by their near side.
     const bool far = std::get<3>(key);
     glCullFace(far ? GL_FRONT : GL_BACK);
     (far ? glDisable : glEnable)(GL_POLYGON_OFFSET_FILL);
     draw_triangles(g.batch, instances_, false);
+    if (!far) continue;
+    const GLint push = gl::uniform(*program, "push");
+    glUniform1f(push, 1);
+    glCullFace(GL_BACK);
+    draw_triangles(g.batch, instances_, false);
+    glUniform1f(push, 0);
   }
 }
 
