@@ -53,7 +53,7 @@ case ${1-} in
     mkdir -p "$root/docs/pictures/gallery"
     set -- "$1" $films
     for (( ; $# > 1; )); do
-      "$1" frame "$root/examples/$2.bx" --at "$3f" -o "$root/docs/pictures/gallery/$2.png" --size 480x270 || exit 1
+      "$1" frame "$root/examples/$2.bx" --at "$3f" -o "$root/docs/pictures/gallery/$2.png" --size 960x540 || exit 1
       set -- "$1" "${@:4}"
     done
     "$1" frame "$root/examples/materials.bx" --at 48f -o "$root/docs/pictures/look/materials.png" --size 1280x720 --samples 16 || exit 1
@@ -62,7 +62,7 @@ case ${1-} in
     folder=$(mktemp -d) || exit 1
     awk -v folder="$folder" '/^## /{name = tolower($2)} /^```/{inside = !inside; next} inside{print >(folder "/" name ".bx")}' "$root/docs/look.md"
     for film in "$folder"/*.bx; do
-      name=${film##*/} name=${name%.bx} how='--size 480x270'
+      name=${film##*/} name=${name%.bx} how='--size 960x540'
       # Only the style `traced` gets its picture "before" here too. Both are smaller, because grain takes many bytes.
       if [ "$name" = traced ]; then
         how='--size 440x248'

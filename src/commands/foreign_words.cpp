@@ -144,7 +144,6 @@ constexpr ForeignWord all_foreign_words[] = {
     {"gsap", to_event, "at"},
     {"along", "a motion along a path needs a segment: at 1f..48f ball.position along road", "motion"},
     {"image", to_picture, "rectangle texture"},
-    {"picture", to_picture, "rectangle texture"},
     {"photo", to_picture, "rectangle texture"},
     {"video", to_film_in, "texture rectangle"},
     {"movie", to_film_in, "texture rectangle"},

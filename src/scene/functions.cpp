@@ -361,6 +361,9 @@ std::vector<FunctionSpec> make_functions() {
   made.insert(made.end(), std::begin(chart_functions), std::end(chart_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
+  for (std::size_t f = 0; f < made.size(); ++f)
+    for (const KindRow& row : kinds())
+      if (is_of_finish(static_cast<FunctionId>(f)) && row.fill == Fill::nothing) made[f].kinds &= ~bit(row.kind);
   for (FunctionSpec& f : made) {
     const bool everywhere = f.kinds == all_kinds, by_kinds = f.kinds == shared;
     for (const KindRow& row : kinds()) {

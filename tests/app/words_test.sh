@@ -68,8 +68,8 @@ is 'a voice is always the same' "$(cmp talk.wav again.wav && cmp talk.words agai
 check 'a variant that is not there' 2 "espeak-ng has no voice 'en+zz'" words --say talk.txt --voice en+zz -o x.wav
 printf 'film flat\ncreate voice sound say="One square." voice="en-gb-scotland"\ncaptions on voice\nrange 1f voice.end\n' >said.bx
 check 'a film that says a text' 0 'said.srt: 1 caption' words said.bx
-check 'and is heard' 0 '' render said.bx -o said.wav
-verdict 'its sound is not silence' "$(ffmpeg -hide_banner -i said.wav -af volumedetect -f null - 2>&1 | sed -n 's/.*max_volume: -\([0-9]\)\..*/yes/p')" 'silence'
+check 'and is heard' 0 '' render said.bx -o said.mov --size 64x36
+verdict 'its sound is not silence' "$(ffmpeg -hide_banner -i said.mov -af volumedetect -f null - 2>&1 | sed -n 's/.*max_volume: -\([0-9]\)\..*/yes/p')" 'silence'
 check 'a voice that is not there' 2 "espeak-ng has no voice 'xx'" words --say talk.txt --voice xx -o x.wav
 
 cat >errors.py <<'PYTHON'

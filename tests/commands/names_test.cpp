@@ -44,7 +44,7 @@ TEST(Names, AliasesThatGoRoundOrMultiplyEnd) {
 // shows: G14
 TEST(Names, Define) {
   const LoadedFilm s(
-      "define heat number 20\ndefine wind vector\ndefine glow color red\ndefine angle2 angle 90deg\n"
+      "define heat number 20\ndefine wind vector\ndefine warmth color red\ndefine angle2 angle 90deg\n"
       "define lit boolean on\ndefine label text \"x\"\ndefine turn orientation\n"
       "create b sphere heat=30\ncreate c sphere\nb.wind\n 1f (0 0 0) linear\n 3f (2 4 6)\n"
       "at 2f b.wind.y 9\nset c.lit off\n");
@@ -52,7 +52,7 @@ TEST(Names, Define) {
   expect_numbers(s, {{"b.heat", "1f", {30}},
                      {"c.heat", "1f", {20}},
                      {"b.wind", "2f", {1, 9, 3}},
-                     {"c.glow", "1f", {1, 0, 0}},
+                     {"c.warmth", "1f", {1, 0, 0}},
                      {"b.lit", "1f", {1}},
                      {"c.lit", "1f", {0}}});
 }

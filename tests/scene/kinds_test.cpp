@@ -111,7 +111,8 @@ TEST(Functions, SharedOnesAreNamedByTheirKinds) {
 // What each kind can be told, as the language's page lists it, beside what all have.
 TEST(Functions, KindsHaveTheirs) {
   const std::vector<std::pair<Kind, std::set<std::string>>> own{
-      {Kind::group, {}},
+      {Kind::group,
+       {"opacity", "blend", "mask", "blur", "glow", "glow-size", "drop-shadow", "shadow-color", "shadow-opacity"}},
       {Kind::sphere, {"radius"}},
       {Kind::box, {"size"}},
       {Kind::cylinder, {"radius", "height"}},
@@ -123,7 +124,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::points, {"points", "size"}},
       {Kind::mesh, {"file", "joints"}},
       {Kind::sound, {"file", "words", "at", "from", "until", "gain", "fade-in", "fade-out"}},
-      {Kind::light, {"range", "intensity", "shines", "shadow"}},
+      {Kind::light, {"range", "intensity", "shines", "shadow", "shape", "size", "cone", "cone-edge", "picture"}},
       {Kind::camera, {"lens", "fov", "height", "roll", "shutter", "f-stop", "focus"}},
       {Kind::curve, {"points", "width", "smooth", "closed", "dash", "trim"}},
       {Kind::trace, {"of", "within", "point", "from", "until", "last", "width", "dash", "trim"}}},
@@ -138,14 +139,23 @@ TEST(Functions, KindsHaveTheirs) {
            {Kind::gear, {"teeth", "module", "inner"}},
            {Kind::arrow, {"to", "width"}}};
   const Scene s;
-  const auto common = function_names(s, Kind::group);
+  // What all have is what groups and cameras have.
+  const auto of_groups = function_names(s, Kind::group), of_cameras = function_names(s, Kind::camera);
+  std::set<std::string> common;
+  for (const auto name : of_groups)
+    if (std::find(of_cameras.begin(), of_cameras.end(), name) != of_cameras.end()) common.emplace(name);
   EXPECT_EQ(common.size(), 30U);
+  const std::set<std::string> finishes{
+      "metalness",    "roughness",     "emission",      "emission-strength", "clearcoat",    "clearcoat-roughness", "sheen",
+      "sheen-roughness", "transmission", "ior",         "thickness",         "normal-strength", "normal-map",       "roughness-map",
+      "metalness-map", "occlusion-map", "emission-map", "texture-projection", "texture-tile", "texture-move",        "texture-turn"};
   const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "stroke-round", "dash", "trim"};
   for (const bool is_flat : {false, true})
     for (const auto& [kind, names] : is_flat ? flat : own) {
       std::set<std::string> all(common.begin(), common.end());
       all.insert(names.begin(), names.end());
       if (is_flat) all.insert(outlines.begin(), outlines.end());
+      if (drawable(kind)) all.insert(finishes.begin(), finishes.end());
       const auto has = function_names(s, kind);
       EXPECT_EQ(std::set<std::string>(has.begin(), has.end()), all) << name_of(kind);
     }
