@@ -120,8 +120,7 @@ const FunctionSpec function_rows[] = {
      .type = Type::text,
      .rest = Text(std::string("plastic")),
      .words = material_words(),
-     .sentence = "What it is made of. `glow`: it shows its own color, without light. A material from `gold` on has a "
-                 "color, a roughness and a pattern of its own; what you set yourself replaces these.",
+     .sentence = "What it is made of. `glow`: its own color without light. What you set replaces parts of it.",
      .written = "plastic, gold, glass, oak …",
      .example = "set ball.material \"metal\""},
     {.name = "texture",
@@ -361,13 +360,11 @@ std::vector<FunctionSpec> make_functions() {
   made.insert(made.end(), std::begin(chart_functions), std::end(chart_functions));
   made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
   made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
-  for (std::size_t f = 0; f < made.size(); ++f)
-    for (const KindRow& row : kinds())
-      if (is_of_finish(static_cast<FunctionId>(f)) && row.fill == Fill::nothing) made[f].kinds &= ~bit(row.kind);
   for (FunctionSpec& f : made) {
     const bool everywhere = f.kinds == all_kinds, by_kinds = f.kinds == shared;
+    const bool drawn = is_of_finish(static_cast<FunctionId>(&f - made.data()));
     for (const KindRow& row : kinds()) {
-      if (everywhere && !row.placed) f.kinds &= ~bit(row.kind);
+      if (everywhere && (!row.placed || (drawn && row.fill == Fill::nothing))) f.kinds &= ~bit(row.kind);
       if (by_kinds && has_word(row.functions, f.name)) f.kinds |= bit(row.kind);
     }
   }

@@ -141,9 +141,10 @@ TEST(Computed, WordsAreThoseThatThereAre) {
   EXPECT_EQ(first.items[1].shape->letters.align, Align::left);
   EXPECT_EQ(later.items[1].shape->letters.align, Align::right);
   EXPECT_TRUE(first.problems.empty());
-  EXPECT_TRUE(problem("create b sphere\nset b.material = \"'gld'\"\n")
-                  .starts_with("b.material: the procedure \"'gld'\" gives no value: 'gld' is not one of plastic, matte, "
-                               "metal, glow, gold, silver"));
+  EXPECT_TRUE(
+      problem("create b sphere\nset b.material = \"'gld'\"\n")
+          .starts_with("b.material: the procedure \"'gld'\" gives no value: 'gld' is not one of plastic, matte, "
+                       "metal, glow, gold, silver"));
   EXPECT_EQ(problem("create b sphere\nset b.material = \"vec(1, 2, 3)\"\n"),
             "b.material: the procedure \"vec(1, 2, 3)\" gives no value: it must return a text, not a vector");
 }

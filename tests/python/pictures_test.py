@@ -99,11 +99,11 @@ class Pictures(unittest.TestCase):
     def test_wrong_calls(self):
         film = betwixt.loads(FLAT)
         for how, said in (({"style": "shadd"}, "there is no style 'shadd'"), ({"size": (0, 4)}, "a picture of 0x4"),
-                          ({"samples": 3}, "3 samples"), ({"shutter": "x"}, "'x' is not a shutter time"),
+                          ({"samples": 3}, "3 samples"), ({"samples": "many"}, "samples is a number"), ({"shutter": "x"}, "'x' is not a shutter time"),
                           ({"subframes": 0}, "subframes are 1 to 4096")):
             with self.assertRaisesRegex(betwixt.Error, said):
                 film.picture(1, **how)
-        for how in ({"size": 3}, {"size": (1, 2, 3)}, {"size": ("a", "b")}, {"colour": 1}, {"samples": "many"}):
+        for how in ({"size": 3}, {"size": (1, 2, 3)}, {"size": ("a", "b")}, {"colour": 1}):
             with self.assertRaises(TypeError):
                 film.picture(1, **how)
         self.assertIn("shaded", betwixt.styles())

@@ -146,9 +146,11 @@ TEST(Functions, KindsHaveTheirs) {
     if (std::find(of_cameras.begin(), of_cameras.end(), name) != of_cameras.end()) common.emplace(name);
   EXPECT_EQ(common.size(), 30U);
   const std::set<std::string> finishes{
-      "metalness",    "roughness",     "emission",      "emission-strength", "clearcoat",    "clearcoat-roughness", "sheen",
-      "sheen-roughness", "transmission", "ior",         "thickness",         "normal-strength", "normal-map",       "roughness-map",
-      "metalness-map", "occlusion-map", "emission-map", "texture-projection", "texture-tile", "texture-move",        "texture-turn"};
+      "metalness",           "roughness",       "emission",           "emission-strength", "clearcoat",
+      "clearcoat-roughness", "sheen",           "sheen-roughness",    "transmission",      "ior",
+      "thickness",           "normal-strength", "normal-map",         "roughness-map",     "metalness-map",
+      "occlusion-map",       "emission-map",    "texture-projection", "texture-tile",      "texture-move",
+      "texture-turn"};
   const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "stroke-round", "dash", "trim"};
   for (const bool is_flat : {false, true})
     for (const auto& [kind, names] : is_flat ? flat : own) {

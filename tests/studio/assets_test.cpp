@@ -161,8 +161,8 @@ class AssetsTest : public QObject {
     s.drag("asset_looks", "metal", picture, s.spot("hand"));
     QVERIFY2(s.text().contains("create hand box material=metal\n") || s.text().contains("set hand.material metal\n"),
              qPrintable(s.text()));
-    s.drag("asset_looks", "gold", picture, s.spot("ball"));
-    QVERIFY2(s.text().contains("  1f gold\n"), qPrintable(s.text()));
+    s.drag("asset_looks", "tomato", picture, s.spot("ball"));
+    QVERIFY2(s.text().contains("  1f tomato\n"), qPrintable(s.text()));
     s.workspace.undo();
     s.workspace.undo();
     QCOMPARE(s.text(), before);

@@ -62,7 +62,9 @@ std::vector<std::string> materials() {
   return all;
 }
 std::string film_of_material(const std::string& material) {
-  return "background transparent\ncreate s sphere color=#d8a13a material=" + material +
+  const bool plain = material == "plastic" || material == "matte" || material == "metal" || material == "glow";
+  return "background transparent\ncreate s sphere " + std::string(plain ? "color=#d8a13a " : "") +
+         "material=" + material +
          "\ncreate sun light shines=sun position=(-3 5 6)\ncreate eye camera position=(0 0 3.1) look-at=(0 0 0)\n";
 }
 
