@@ -21,7 +21,7 @@ class PartsTest : public QObject {
   Q_OBJECT
 
   struct Shown : ShownProperties {
-    explicit Shown(const QByteArray& text, const char* selected = "ball") : ShownProperties(text, selected, 700) {}
+    explicit Shown(const QByteArray& text, const char* selected = "ball") : ShownProperties(text, selected, 1600) {}
     PartsView& parts(const char* function) {
       auto* button = panel.findChild<QToolButton*>(QString("unfold_") + function);
       if (!button) qFatal("no %s", function);

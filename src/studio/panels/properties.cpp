@@ -24,12 +24,13 @@ namespace betwixt::studio {
 namespace {
 
 // Groups of functions in the order shown: the place, the kind's own functions, the look, functions of the film.
-enum class Group : std::uint8_t { place, own_kind, look, film };
+enum class Group : std::uint8_t { place, own_kind, look, finish, film };
 Group group_of(const FunctionView& f) {
   const auto built_in = built_in_functions();
   if (f.id >= built_in.size()) return Group::film;
   const FunctionSpec& spec = built_in[f.id];
   if (spec.name == "display") return Group::look;
+  if (is_of_finish(static_cast<FunctionId>(f.id))) return Group::finish;
   if (!(spec.kinds & bit(Kind::group))) return Group::own_kind;
   return spec.place ? Group::place : Group::look;
 }
@@ -200,6 +201,7 @@ void Properties::rebuild() {
   const std::pair<Group, QString> groups[] = {{Group::place, tr("Place")},
                                               {Group::own_kind, text_of(name_of(*built_of_))},
                                               {Group::look, tr("Look")},
+                                              {Group::finish, tr("Finish")},
                                               {Group::film, tr("Film")}};
   for (const auto& [group, title] : groups) {
     QWidget* section = nullptr;
