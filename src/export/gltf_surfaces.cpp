@@ -186,7 +186,8 @@ Status Surfaces::add_finish(const Finish& f, Json& m) {
     extend("KHR_materials_sheen",
            {{"sheenColorFactor", numbers(of_color(f.sheen), 3)}, {"sheenRoughnessFactor", f.sheen_roughness}});
   if (f.transmission > 0) extend("KHR_materials_transmission", {{"transmissionFactor", f.transmission}});
-  if (f.transmission > 0 && f.thickness > 0) extend("KHR_materials_volume", {{"thicknessFactor", f.thickness}});
+  if (f.transmission > 0 && f.thickness > 0)  // a body has one side
+    extend("KHR_materials_volume", {{"thicknessFactor", f.thickness}}), m["doubleSided"] = false;
   if (f.ior != 1.5) extend("KHR_materials_ior", {{"ior", f.ior}});
   if (f.pattern != Pattern::none)
     leave_out(film_.made, "the patterns of materials such as oak are left out: their colour and their roughness stay");

@@ -54,7 +54,8 @@ void take(Lighting& r, std::vector<Candidate>& sorted) {
 void add_front(Lighting::One& one, const Light& l) {
   if (l.sun || !finite(l.direction) || !finite(l.across)) return;
   one.aim = normalize(l.direction, {0, -1, 0}), one.across = normalize(l.across, {1, 0, 0});
-  if (std::isfinite(l.cone) && l.cone > 0) one.cone = std::min(l.cone, 3.1), one.cone_edge = l.cone_edge;
+  if (std::isfinite(l.cone) && l.cone > 0)
+    one.cone = std::min(l.cone, 3.1), one.cone_edge = l.cone_edge, one.picture = l.picture;
   if (l.shape == LightShape::point || !std::isfinite(l.width) || !std::isfinite(l.height)) return;
   one.shape = l.shape;
   one.half_width = std::clamp(l.width / 2, 1e-4, 1e6), one.half_height = std::clamp(l.height / 2, 1e-4, 1e6);

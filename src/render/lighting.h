@@ -33,6 +33,7 @@ struct Lighting {
     LightShape shape = LightShape::point;
     Vec3 aim{0, -1, 0}, across{1, 0, 0};  // where it shines to, and the direction of its width
     double half_width = 0, half_height = 0, cone = 0, cone_edge = 0;
+    std::shared_ptr<const Picture> picture = {};  // that a cone projects; null if it has none
   };
   std::vector<One> lights;      // at most `most`; first those that cast shadows, then the strongest
   std::size_t casting = 0;      // how many of them cast shadows, at most `most_casting`

@@ -55,7 +55,8 @@ PhysicalSurfaces::Look* PhysicalSurfaces::need(unsigned features) {
     constexpr std::pair<Feature, const char*> names[] = {
         {ball, "BALL"},         {pictures, "PICTURES"}, {projected, "PROJECTED"}, {pattern, "PATTERN"},
         {coated, "COATED"},     {through, "THROUGH"},   {ground, "GROUND"},       {areas, "AREAS"},
-        {shadowed, "SHADOWED"}, {contact, "RECEIVES"},  {rich, "RICH"},           {levels, "LEVELS"}};
+        {shadowed, "SHADOWED"}, {contact, "RECEIVES"},  {rich, "RICH"},           {levels, "LEVELS"},
+        {projects, "PROJECTS"}};
     std::string defines = fmt::format("#define TAPS 2\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n", seeds,
                                       (features & rich) != 0 ? Lighting::most_casting : 1,
                                       (features & (rich | levels)) != 0 ? Shadows::most_maps : 1);
@@ -83,7 +84,8 @@ PhysicalSurfaces::Look* PhysicalSurfaces::need(unsigned features) {
                                     {"metalness_map", metalness_at},
                                     {"occlusion_map", occlusion_at},
                                     {"emission_map", emission_at},
-                                    {"seen", seen_at}});
+                                    {"seen", seen_at},
+                                    {"slide", slide_at}});
     glUniform2fv(place(look, "seeds"), seeds, spread_seeds().data());
   }
   glUseProgram(look.program.id());
@@ -112,8 +114,9 @@ void PhysicalSurfaces::set(const Surfaces::FrameSettings& frame, SkyAround sky) 
   encodes_ = false, receives_ = frame.contact;
   const auto& all = frame.lighting.lights;
   common_ = (frame.contact ? contact : 0U) | (frame.shadows.empty() ? 0U : shadowed) | shadow_features(frame) |
-            (std::any_of(all.begin(), all.end(), is_lamp_with_front) ? areas : 0U);
+            (slide_ ? projects : 0U) | (std::any_of(all.begin(), all.end(), is_lamp_with_front) ? areas : 0U);
   need_sky_light();
+  if (slide_) gl::use_texture(slide_at, Store::need_texture(*slide_));
   glActiveTexture(GL_TEXTURE0 + around_at);
   glBindTexture(GL_TEXTURE_CUBE_MAP, around_.id());
   // One level of the cube instead of two saves a twelfth of the time of films that ask for no light at all.

@@ -20,6 +20,10 @@ class PhysicalSurfaces {
   explicit PhysicalSurfaces(bool unclamped) : unclamped_(unclamped) {}
   // For the calls below. Without a sky, the ambient light is that of the lighting.
   void set(const Surfaces::FrameSettings&, SkyAround);
+  // The picture that a lamp projects, by its index, or null. A picture has one such lamp. Call it before set().
+  void set_slide(std::shared_ptr<const StoredTexture> slide, std::size_t light) {
+    slide_ = std::move(slide), slide_light_ = light;
+  }
   void write_encoded(bool);
   void draw_opaque(const Things&, std::span<const std::uint32_t>);
   void draw_transparent(const Things&, std::span<const std::uint32_t>);
@@ -40,8 +44,9 @@ class PhysicalSurfaces {
     areas = 128,
     shadowed = 256,
     contact = 512,
-    rich = 1024,   // several shadows, or soft ones
-    levels = 2048  // several maps of one light
+    rich = 1024,     // several shadows, or soft ones
+    levels = 2048,   // several maps of one light
+    projects = 4096  // a lamp projects a picture
   };
   struct Look {
     gl::Program program;
@@ -64,6 +69,8 @@ class PhysicalSurfaces {
   std::unordered_map<unsigned, Look> looks_;
   const Surfaces::FrameSettings* frame_ = nullptr;
   SkyAround sky_;
+  std::shared_ptr<const StoredTexture> slide_;
+  std::size_t slide_light_ = 0;
   std::shared_ptr<const SkyLight> sent_;
   std::array<Vec3, 9> irradiance_{};
   gl::Texture around_, seen_, white_, flat_;

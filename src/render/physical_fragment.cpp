@@ -230,6 +230,13 @@ void main() {
     strength_here *= i == 0 ? unshadowed : 1.0;
 #endif
     vec3 arriving = light_color[i].rgb * strength_here;
+#if defined(PROJECTS)
+    if (i == int(slide_of.x)) {
+      vec3 away = -to / max(dot(light_aim[i].xyz, -to), 1e-9) * slide_of.y;
+      vec2 on_slide = 0.5 + vec2(dot(away, light_across[i].xyz), dot(away, cross(light_aim[i].xyz, light_across[i].xyz)));
+      arriving *= textureLod(slide, on_slide, 0.0).rgb;
+    }
+#endif
     diffuse += arriving;
 #if !defined(GROUND)
     vec3 h = normalize(l + v);

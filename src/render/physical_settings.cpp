@@ -67,6 +67,10 @@ void PhysicalSurfaces::set_frame(Look& look) {
               frame.around.fog ? static_cast<float>(1 / (fog.to - fog.from)) : 0);
   glUniform1f(at("encodes"), encodes_ ? 1 : 0);
   glUniform1f(at("receives"), receives_ ? 1 : 0);
+  if (slide_) {
+    const auto [sine, cosine] = sine_cosine(lighting.lights[slide_light_].cone / 2);
+    glUniform2f(at("slide_of"), static_cast<float>(slide_light_), static_cast<float>(cosine / (2 * sine)));
+  }
   if ((common_ & shadowed) != 0) set_shadow_maps(look.program, frame);
 }
 

@@ -68,6 +68,10 @@ uniform vec4 sky_turn;          // cosine and sine of its turn; factor of its li
 uniform vec3 irradiance[9];
 uniform samplerCube around;     // blurred for each roughness
 uniform float blurs;            // its last level
+#if defined(PROJECTS)
+uniform sampler2D slide;        // what one lamp with a cone projects
+uniform vec2 slide_of;          // that lamp; 1 / the width of the cone one metre away
+#endif
 #if defined(RECEIVES)
 uniform float receives;
 #endif

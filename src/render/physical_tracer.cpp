@@ -228,6 +228,16 @@ double cone_of(const Lighting::One& l, Vec3 from_lamp) {
   return s * s * (3 - 2 * s);
 }
 
+// The colour that a lamp with a picture sends in a direction.
+Vec3 projected_color(const Lighting::One& l, Vec3 from_lamp) {
+  if (!l.picture || !(l.cone > 0)) return l.color;
+  const auto [sine, cosine] = sine_cosine(l.cone / 2);
+  const double deep = dot(from_lamp, l.aim), wide = 2 * deep * sine / std::max(cosine, 1e-6);
+  if (!(wide > 0)) return {};
+  return l.color *
+         picture_color(*l.picture, 0.5 + dot(from_lamp, l.across) / wide, 0.5 + dot(from_lamp, axis_y(l)) / wide);
+}
+
 }  // namespace
 
 Vec3 PhysicalTracer::from_light(const SurfacePoint& p, const Scattering& s, std::size_t i,
@@ -257,7 +267,7 @@ Vec3 PhysicalTracer::from_light(const SurfacePoint& p, const Scattering& s, std:
   const Vec3 value = strength > 0 ? strength * s.value(along) : Vec3{};
   if (!(largest(value) > 0)) return {};
   const double distance = l.sun ? INFINITY : std::sqrt(dot(to, to)) * (1 - coplanar_tolerance);
-  return (casts ? world_.transmittance({p.start, along}, distance) : 1) * (value * l.color);
+  return (casts ? world_.transmittance({p.start, along}, distance) : 1) * (value * projected_color(l, -along));
 }
 
 Vec3 PhysicalTracer::from_lights(const SurfacePoint& p, const Scattering& s, bool all, PixelSampler& sampler) const {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The style `shaded`: shadow maps, then opaque surfaces, the background, transparent surfaces, and the picture.
+#include <algorithm>
+
 #include "render/contact.h"
 #include "render/lines.h"
 #include "render/module.h"
@@ -82,6 +84,11 @@ class Shaded final : public Module {
                                       around, all.metal, contact, canvas_.linear() && around.clear};
     const bool encoded = canvas_.can_write_encoded();
     canvas_.begin(scenery_.background, around.clear);
+    const auto has_slide = [](const Lighting::One& l) { return l.picture && l.cone > 0; };
+    const auto slide = std::find_if(lighting.lights.begin(), lighting.lights.end(), has_slide);
+    const bool any = slide != lighting.lights.end();
+    physical_.set_slide(any ? things_.store().texture(slide->picture) : nullptr,
+                        static_cast<std::size_t>(slide - lighting.lights.begin()));
     physical_.set(now, std::move(sky));
     physical_.write_encoded(encoded);
     physical_.draw_opaque(things_, all.solid);

@@ -96,6 +96,8 @@ Vec3 bumped(const Finish& f, Vec3 color, Vec3 on, Vec3 n, double width, double h
 
 }  // namespace
 
+Vec3 picture_color(const Picture& p, double u, double v) { return texel_at(p, u, v).color; }
+
 // Adds what the finish of an object makes of a point: its pictures, its pattern, its bumps.
 void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) const {
   const Finish& f = *b.finish;

@@ -77,6 +77,9 @@ inline Vec3 unit(Vec3 v) {
 }
 inline double largest(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+// Returns the linear colour of a picture, which repeats; (0 0) is its top left.
+Vec3 picture_color(const Picture&, double u, double v);
+
 class World {
  public:
   static Result<World> create();

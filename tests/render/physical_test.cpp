@@ -151,6 +151,36 @@ TEST(Physical, ConesEndWhereTheyShould) {
   }
 }
 
+// Left is red and the upper half is blue, seen from behind the lamp.
+TEST(Physical, AConeProjectsItsPictureUpright) {
+  auto slide = std::make_shared<Picture>(Picture{16, 16, std::vector<std::uint8_t>(16 * 16 * 4, 255)});
+  for (std::size_t y = 0; y < 16; ++y)
+    for (std::size_t x = 0; x < 16; ++x) {
+      std::uint8_t* const c = &slide->rgba[4 * (16 * y + x)];
+      c[0] = x < 8 ? 255 : 0, c[1] = 0, c[2] = y < 8 ? 255 : 0;
+    }
+  for (const std::string style : {"shaded", "traced"}) {
+    Finish dull;
+    dull.roughness = 1, dull.specular = 0;
+    Item wall = item(square(), scaling({8, 8, 1}), {1, 1, 1}, Material::plastic);
+    wall.finish = std::make_shared<const Finish>(dull);
+    Frame f = frame_of({wall}, {});
+    f.camera.orthographic = true, f.camera.height = 4;
+    f.surroundings.ambient = Vec3{};
+    Light l;
+    l.position = {0, 0, 2}, l.direction = {0, 0, -1}, l.across = {1, 0, 0};
+    l.cone = 2 * std::atan(0.5), l.cone_edge = 0, l.casting = Casting::off, l.picture = slide;
+    f.lights = {l};
+    const LinearPicture p = light_of(f, style, 64);
+    const Vec3 upper_left = light_at(p, 26, 26), lower_right = light_at(p, 38, 38), lower_left = light_at(p, 26, 38);
+    EXPECT_GT(upper_left.x, 0.3) << style;
+    EXPECT_GT(upper_left.z, 0.3) << style;
+    EXPECT_LT(lower_right.x + lower_right.z, 0.02) << style;
+    EXPECT_GT(lower_left.x, 0.3) << style;
+    EXPECT_LT(lower_left.z, 0.02) << style;
+  }
+}
+
 // The text of the patterns is compiled twice, as C++ and as GLSL: both styles must show the same colours.
 TEST(Physical, PatternsAreTheSameInBothLanguages) {
   for (const MaterialRow& row : materials()) {
