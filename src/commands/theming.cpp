@@ -13,6 +13,7 @@
 #include "scene/flat_functions.h"
 #include "scene/formula_parts.h"
 #include "scene/kinds.h"
+#include "scene/materials.h"
 #include "scene/theme.h"
 
 namespace betwixt {
@@ -83,11 +84,22 @@ bool is_solid(Kind kind) {
 
 }  // namespace
 
+namespace {
+
+// Returns whether its material has a colour of its own.
+bool is_of_a_color(const Object& o) {
+  const Slot* const slot = o.find(fn::material);
+  const auto* word = slot && slot->set ? std::get_if<Text>(&*slot->set) : nullptr;
+  return word && !material_row(**word).plain;
+}
+
+}  // namespace
+
 void give_theme_color(Command& k, Object& o) {
   const Theme& theme = theme_of(k.scene);
   const bool own_colors = (furnished_kinds & bit(o.kind)) != 0;  // a plot takes one of the palette
   if (k.scene.appearance.theme->name.empty() || !drawable(o.kind) || own_colors || o.find(fn::color) ||
-      o.find(fn::texture))
+      o.find(fn::texture) || is_of_a_color(o))
     return;
   if (inked_kinds & bit(o.kind)) {
     if (!shown_part(o)) o.slot(fn::color).set = theme.ink;

@@ -2,47 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/path_tracer.h"
 
+#include "render/blends.h"
+#include "render/traced_sampling.h"
+
 namespace betwixt::traced {
 namespace {
 
 constexpr int max_layers = 64;  // of transparent surfaces
 constexpr int max_bounces = 24, bounces_before_roulette = 3;
 
-Vec3 mix(Vec3 a, Vec3 b, double s) { return (1 - s) * a + s * b; }
-double smoothstep(double from, double to, double x) {
-  const double s = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return s * s * (3 - 2 * s);
-}
-
-// Converts a vector from coordinates about a direction to the world.
-Vec3 from_frame(Vec3 axis, Vec3 v) {
-  const Vec3 x = unit(cross(std::abs(axis.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, axis));
-  return v.x * x + v.y * cross(axis, x) + v.z * axis;
-}
-Vec3 cylindrical(double radius, double turn, double z) {
-  const auto [sine, cosine] = sine_cosine(2 * pi * turn);
-  return {radius * cosine, radius * sine, z};
-}
 // Reflects directions that would enter the object.
 Vec3 kept_outside(Vec3 face, Vec3 along) {
   const double into = std::min(dot(along, face), 0.0);
   return along - 2 * into * face;
-}
-
-// Samples a direction with the density of ambient light (cosine-weighted).
-Vec3 sample_cosine_hemisphere(Vec3 normal, const std::array<double, 2>& random) {
-  return from_frame(normal, cylindrical(std::sqrt(random[0]), random[1], std::sqrt(1 - random[0])));
-}
-
-// Samples a reflection by one of the visible microfacets of a rough surface (GGX): on the sphere to which the surface
-// is scaled, these are a cap about the direction of sight.
-Vec3 sample_ggx(Vec3 normal, Vec3 toward, double alpha, const std::array<double, 2>& random) {
-  const Vec3 x = from_frame(normal, {1, 0, 0}), y = from_frame(normal, {0, 1, 0});
-  const Vec3 sight = unit({alpha * dot(toward, x), alpha * dot(toward, y), std::max(dot(toward, normal), 1e-4)});
-  const double z = (1 - random[0]) * (1 + sight.z) - sight.z;
-  const Vec3 facet = cylindrical(std::sqrt(std::max(1 - z * z, 0.0)), random[1], z) + sight;
-  const Vec3 h = from_frame(normal, unit({alpha * facet.x, alpha * facet.y, std::max(facet.z, 1e-9)}));
-  return unit(2 * dot(toward, h) * h - toward);
 }
 
 // Returns the light after a reflection by metal: multiplied in the wide primaries of BT.2020, as in `shaded`.
@@ -228,8 +200,10 @@ Vec3 PathTracer::indirect_light(const Surface& s, int depth, PixelSampler& sampl
     specular_probability = std::max(specular_probability, 0.25 * s.point.shine);
   const bool is_specular = specular_probability > 0 && sampler.next_1d() < specular_probability;
   const auto random = sampler.next_2d();
-  const Vec3 along = is_specular ? sample_ggx(s.point.normal, s.toward, s.roughness * s.roughness, random)
-                                 : sample_cosine_hemisphere(s.point.normal, random);
+  const Vec3 along =
+      is_specular
+          ? mirrored_at(sample_visible_facet(s.point.normal, s.toward, s.roughness * s.roughness, random), s.toward)
+          : sample_cosine_hemisphere(s.point.normal, random);
   const RayKind kind = s.kind == RayKind::ambient || !is_specular ? RayKind::ambient
                        : s.metal                                  ? RayKind::reflected_by_metal
                                                                   : RayKind::reflected;

@@ -16,26 +16,12 @@
 namespace betwixt {
 namespace {
 
-constexpr int seeds = 40;
-
-std::vector<float> spread_seeds() {
-  std::vector<float> r;
-  for (int k = 0; k < seeds; ++k) {
-    const double away = std::sqrt((k + 0.5) / seeds);
-    const auto [sine, cosine] = sine_cosine(pi * (3 - std::sqrt(5.0)) * k);
-    r.push_back(static_cast<float>(away * cosine)), r.push_back(static_cast<float>(away * sine));
-  }
-  return r;
-}
-
 bool is_lamp_with_front(const Lighting::One& l) { return l.shape != LightShape::point || l.cone > 0; }
 
 }  // namespace
 
 unsigned PhysicalSurfaces::shadow_features(const Surfaces::FrameSettings& frame) {
-  if (frame.shadows.empty()) return 0;
-  if (frame.shadows.back().light > 0 || frame.shadows.front().spread > 0) return rich;
-  return frame.shadows.size() > 1 ? levels : 0U;
+  return has_rich_shadows(frame) ? rich : frame.shadows.size() > 1 ? levels : 0U;
 }
 
 bool needs_physical(const Things& things, const Scenery& scenery, const SkyAround& sky) {
@@ -53,22 +39,26 @@ PhysicalSurfaces::Look* PhysicalSurfaces::need(unsigned features) {
   if (look.refused) return nullptr;
   if (look.program.id() == 0) {
     constexpr std::pair<Feature, const char*> names[] = {
-        {ball, "BALL"},         {pictures, "PICTURES"}, {projected, "PROJECTED"}, {pattern, "PATTERN"},
-        {coated, "COATED"},     {through, "THROUGH"},   {ground, "GROUND"},       {areas, "AREAS"},
-        {shadowed, "SHADOWED"}, {contact, "RECEIVES"},  {rich, "RICH"},           {levels, "LEVELS"},
+        {ball, "BALL"},           {pictures, "PICTURES\n#define TEXTURED"},
+        {projected, "PROJECTED"}, {pattern, "PATTERN"},
+        {coated, "COATED"},       {through, "THROUGH"},
+        {ground, "GROUND"},       {areas, "AREAS"},
+        {shadowed, "SHADOWED"},   {contact, "RECEIVES"},
+        {rich, "RICH"},           {levels, "LEVELS"},
         {projects, "PROJECTS"}};
-    std::string defines = fmt::format("#define TAPS 2\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n", seeds,
-                                      (features & rich) != 0 ? Lighting::most_casting : 1,
-                                      (features & (rich | levels)) != 0 ? Shadows::most_maps : 1);
+    std::string defines =
+        fmt::format("#define TAPS 2\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n#define PHYSICAL\n",
+                    shadow_seeds, (features & rich) != 0 ? Lighting::most_casting : 1,
+                    (features & (rich | levels)) != 0 ? Shadows::most_maps : 1);
     for (const auto& [bit, name] : names)
       if ((features & bit) != 0) defines += fmt::format("#define {}\n", name);
     if (unclamped_) defines += "#define OPEN\n";
     const std::string vertex = (features & ground) != 0 ? std::string(gl::fill_vertex)
-                                                        : std::string(vertex_inputs) + ball_outline + physical_vertex;
+                                                        : std::string(vertex_inputs) + ball_outline + surface_vertex;
     std::string fragment = std::string(encoded_function) + physical_inputs;
     if ((features & shadowed) != 0) fragment += shadow_lookup;
     if ((features & pattern) != 0) fragment += pattern_shader;
-    auto made = gl::new_program(vertex, fragment + physical_fragment, defines);
+    auto made = gl::new_program(vertex, fragment + surface_functions + physical_fragment + surface_end, defines);
     if (!made) {
       look.refused = true;
       return nullptr;
@@ -86,7 +76,7 @@ PhysicalSurfaces::Look* PhysicalSurfaces::need(unsigned features) {
                                     {"emission_map", emission_at},
                                     {"seen", seen_at},
                                     {"slide", slide_at}});
-    glUniform2fv(place(look, "seeds"), seeds, spread_seeds().data());
+    glUniform2fv(place(look, "seeds"), shadow_seeds, sunflower().data());
   }
   glUseProgram(look.program.id());
   if (look.frame != frame_number_) set_frame(look), look.frame = frame_number_;
@@ -233,33 +223,9 @@ void PhysicalSurfaces::draw_through(const Canvas& canvas, const Things& things,
 }
 
 void PhysicalSurfaces::draw_transparent(const Things& things, std::span<const std::uint32_t> numbers) {
-  const Batches batches = sorted_singles(things, numbers);
-  glass_.set(things, batches.order);
   receives_ = false, ++frame_number_;
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  Once once;
-  for (const Batch& b : batches.batches) {
-    if (b.mesh->parts.empty()) continue;
-    Store::need_triangles(*b.mesh);
-    set_facing(b.mirrored, true);
-    glBindVertexArray(b.mesh->triangles.id());
-    glass_.bind(b.first);
-    (b.closed ? glEnable : glDisable)(GL_CULL_FACE);
-    if (b.line) {
-      once.begin();
-    } else if (b.closed) {
-      glCullFace(GL_FRONT);
-      draw_parts(things, batches, b);
-      glCullFace(GL_BACK);
-    }
-    draw_parts(things, batches, b);
-    Once::end();
-  }
-  glDepthMask(GL_TRUE);
+  const Batches batches = sorted_singles(things, numbers);
+  draw_over(things, batches, glass_, true, [&](const Batch& b) { draw_parts(things, batches, b); });
 }
 
 void PhysicalSurfaces::draw_setting(const Surfaces::FrameSettings& frame, const Gradient& gradient, bool encoded) {
@@ -291,26 +257,11 @@ void PhysicalSurfaces::draw_setting(const Surfaces::FrameSettings& frame, const 
     seen_of_ = sky_.light();
   }
   gl::use_texture(seen_at, seen_.id());
-  const View& v = frame.view;
-  const auto put = [&](const char* name, Vec3 value) { glUniform3fv(place(*look, name), 1, quad(value, 0).data()); };
-  const Vec3 aside = v.shift_x / v.sx * v.right + v.shift_y / v.sy * v.up;
-  put("ray", v.orthographic ? -v.backward : -v.backward - aside);
-  put("ray_x", v.orthographic ? Vec3{} : 1 / v.sx * v.right);
-  put("ray_y", v.orthographic ? -0.5 * v.up : -1 / v.sy * v.up);
-  put("from_x", v.orthographic ? 1 / v.sx * v.right : Vec3{});
-  put("from_y", v.orthographic ? -1 / v.sy * v.up : Vec3{});
+  put_setting(look->program, frame);
+  const auto put = [&](const char* name, Vec3 value) { glUniform3fv(place(*look, name), 1, four(value, 0).data()); };
   put("top", gradient.top), put("bottom", gradient.bottom);
-  const bool floor = frame.around.ground && v.eye.y > 0;
   glUniform2f(place(*look, "shape"), gradient.bends ? 1 : 0, sky_seen ? 1 : 0);
-  glUniform1f(place(*look, "empty"), frame.clear ? 1 : 0);
-  glUniform4fv(place(*look, "floor_color"), 1, quad(frame.around.ground.value_or(Vec3{}), floor ? 1 : 0).data());
-  glUniform1f(place(*look, "floor_height"), static_cast<float>(-v.eye.y));
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  gl::fill();
+  fill_behind();
   encodes_ = was, ++frame_number_;
 }
 

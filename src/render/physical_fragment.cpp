@@ -14,16 +14,6 @@ vec3 irradiance_at(vec3 in_world) {
   return sky_turn.z * max(sum, 0.0);
 }
 
-vec3 rolled(vec3 c) {
-#if defined(OPEN)
-  return c;
-#endif
-  const float start = 0.8, room = 1.0 - start;
-  float peak = max(c.r, max(c.g, c.b)), over = max(peak - start, 0.0);
-  float shown = peak - over + room * over / (room + over);
-  return mix(c * (shown / max(peak, 1e-30)), vec3(shown), 1.0 - 1.0 / (0.15 * (peak - shown) + 1.0));
-}
-
 // The share of light that a rough surface reflects from all around: for a reflectance of 0 and what a reflectance adds.
 vec2 reflected_shares(float nv, float rough) {
   vec4 r = rough * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
@@ -44,8 +34,8 @@ vec3 edge_of(vec3 a, vec3 b) {
 float light_of_area(vec3 middle, vec3 x, vec3 y, vec3 n) {
   vec3 a = normalize(middle - x - y), b = normalize(middle + x - y), c = normalize(middle + x + y), d = normalize(middle - x + y);
   vec3 f = edge_of(a, b) + edge_of(b, c) + edge_of(c, d) + edge_of(d, a);
-  float l = length(f), z = abs(dot(f, n)) * sign(dot(middle, n) + 1e-6);
-  z = dot(middle, n) >= 0.0 ? abs(dot(f, n)) : -abs(dot(f, n));
+  float l = length(f);
+  float z = dot(middle, n) >= 0.0 ? abs(dot(f, n)) : -abs(dot(f, n));
   return max((l * l + z) / (l + 1.0), 0.0);
 }
 #endif
@@ -102,14 +92,10 @@ void main() {
   vec4 base = vec4(mix(vec3(1.0), paint.rgb, part_color.a) * part_color.rgb, paint.a);
   vec3 spot = at, across = facing, on = local, on_facing = local_facing;
 #if defined(BALL)
-  vec3 along_sight = disc * e.w - e.xyz;
-  float stretch = inversesqrt(max(dot(along_sight, along_sight), 1e-30));
-  along_sight *= stretch;
-  float b = dot(disc, along_sight);
-  float go = -b - sqrt(max(b * b - dot(disc, disc) + 1.0, 0.0));
-  spot += go * stretch * (at * e.w - move);
-  across += go * stretch * (facing * e.w - turn);
-  on_facing = disc + go * along_sight;
+  vec2 go = onto_ball(disc, e);
+  spot += go.x * go.y * (at * e.w - move);
+  across += go.x * go.y * (facing * e.w - turn);
+  on_facing = disc + go.x * go.y * (disc * e.w - e.xyz);
   on = on_facing * ball_radius;
   vec4 there = vec4(spot, 1.0);
   gl_FragDepth = 0.5 * dot(depth_row, there) / dot(w_row, there) + 0.5;
@@ -305,23 +291,6 @@ void main() {
   float open = dot(soft, luminance) / max(dot(sum, luminance), 1e-6);
   float received = mix(0.5, 1.0, clamp(open, 0.0, 1.0));
 #endif
-  sum = rolled(sum);
-  color = glows ? vec4(base.rgb * base.a, base.a) : vec4(sum, opacity);
-  float far = mix(-dot(spot, toward_eye.xyz), length(spot), toward_eye.w);
-  color.rgb = mix(color.rgb, fog_color * color.a, clamp((far - fog_range.x) * fog_range.y, 0.0, 1.0));
-#if defined(GROUND)
-  color.rgb = mix(back, color.rgb, cover);
-  color.a = mix(color.a, cover, empty);
-#endif
-#if defined(RECEIVES)
-  received *= glows ? 0.0 : 1.0 - clamp((far - fog_range.x) * fog_range.y, 0.0, 1.0);
-#if defined(GROUND)
-  received *= cover;
-#endif
-  color.a = mix(color.a, received, receives);
-#endif
-  color.rgb = mix(color.rgb, encoded(color.rgb), encodes);
-}
 )";
 
 }  // namespace betwixt

@@ -32,18 +32,18 @@ void PhysicalSurfaces::set_frame(Look& look) {
   const Mat4 c = view.clip();
   glUniformMatrix4fv(at("clip"), 1, GL_FALSE, to_float(c).data());
   glUniformMatrix4fv(at("clip_again"), 1, GL_FALSE, to_float(c).data());
-  glUniform4fv(at("depth_row"), 1, quad({c(2, 0), c(2, 1), c(2, 2)}, c(2, 3)).data());
-  glUniform4fv(at("w_row"), 1, quad({c(3, 0), c(3, 1), c(3, 2)}, c(3, 3)).data());
-  glUniform4fv(at("toward_eye"), 1, (view.orthographic ? quad(view.backward, 0) : quad({}, 1)).data());
+  glUniform4fv(at("depth_row"), 1, four({c(2, 0), c(2, 1), c(2, 2)}, c(2, 3)).data());
+  glUniform4fv(at("w_row"), 1, four({c(3, 0), c(3, 1), c(3, 2)}, c(3, 3)).data());
+  glUniform4fv(at("toward_eye"), 1, (view.orthographic ? four(view.backward, 0) : four({}, 1)).data());
   std::array<std::array<float, 4>, Lighting::most> places{}, colors{}, aims{}, across{}, forms{};
   for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
     const Lighting::One& l = lighting.lights[i];
-    places[i] = quad(l.place, l.sun ? 0 : 1);
-    colors[i] = quad(l.color, l.sun ? 0 : 1 / (l.range * l.range));
+    places[i] = four(l.place, l.sun ? 0 : 1);
+    colors[i] = four(l.color, l.sun ? 0 : 1 / (l.range * l.range));
     const auto [edge_out, cos_out] = sine_cosine(l.cone / 2);
     const auto [edge_in, cos_in] = sine_cosine(l.cone / 2 * (1 - std::clamp(l.cone_edge, 0.001, 1.0)));
-    aims[i] = quad(l.aim, l.cone > 0 ? cos_out : -2);
-    across[i] = quad(l.across, l.half_width);
+    aims[i] = four(l.aim, l.cone > 0 ? cos_out : -2);
+    across[i] = four(l.across, l.half_width);
     forms[i] = {static_cast<float>(l.half_height), static_cast<float>(l.shape),
                 static_cast<float>(1 / std::max(cos_in - cos_out, 1e-6)), 1};
   }
@@ -62,7 +62,7 @@ void PhysicalSurfaces::set_frame(Look& look) {
               static_cast<float>(sky_ ? sky_.share() : 1), 0);
   glUniform1f(at("blurs"), sky_ ? SkyLight::levels - 1 : 0);
   const Surroundings::Fog fog = frame.around.fog.value_or(Surroundings::Fog{});
-  glUniform3fv(at("fog_color"), 1, quad(fog.color, 0).data());
+  glUniform3fv(at("fog_color"), 1, four(fog.color, 0).data());
   glUniform2f(at("fog_range"), static_cast<float>(fog.from),
               frame.around.fog ? static_cast<float>(1 / (fog.to - fog.from)) : 0);
   glUniform1f(at("encodes"), encodes_ ? 1 : 0);
@@ -122,7 +122,7 @@ void PhysicalSurfaces::set_finish(Look& look, const Batch& batch, const Thing& t
   const auto [sine, cosine] = sine_cosine(f.turn);
   glUniform1f(at("has_finish"), batch.finish ? 1 : 0);
   glUniform4f(at("base_finish"), as(f.metalness), as(f.roughness), as(f.specular), as(f.normal_strength));
-  glUniform3fv(at("emission"), 1, quad(f.emission, 0).data());
+  glUniform3fv(at("emission"), 1, four(f.emission, 0).data());
   glUniformMatrix4fv(at("to_object"), 1, GL_FALSE, to_float(t.to_object).data());
   if (batch.ball) glUniform1f(at("ball_radius"), as(t.shape->radius));
   if ((features & pictures) != 0) {
@@ -138,13 +138,13 @@ void PhysicalSurfaces::set_finish(Look& look, const Batch& batch, const Thing& t
   }
   if ((features & pattern) != 0) {
     glUniform1i(at("pattern_kind"), static_cast<GLint>(f.pattern));
-    glUniform3fv(at("second"), 1, quad(f.second, 0).data());
+    glUniform3fv(at("second"), 1, four(f.second, 0).data());
     glUniform1f(at("bumps"), as(f.pattern_bumps));
     glUniform4f(at("pattern_tile"), as(f.tile_x), as(f.tile_y), as(cosine), as(sine));
   }
   if ((features & coated) != 0) {
     glUniform2f(at("coat"), as(f.clearcoat), as(f.clearcoat_roughness));
-    glUniform4fv(at("sheen"), 1, quad(f.sheen, f.sheen_roughness).data());
+    glUniform4fv(at("sheen"), 1, four(f.sheen, f.sheen_roughness).data());
   }
   if ((features & through) != 0)
     glUniform4f(at("through"), as(f.transmission), as(f.ior), as(f.thickness), as(behind_levels_ - 1));

@@ -4,40 +4,6 @@
 
 namespace betwixt {
 
-const char* const physical_vertex = R"(
-uniform mat4 clip;
-uniform vec4 toward_eye;  // a direction and 0 (orthographic), or the origin and 1
-uniform mat4 to_object;
-#if defined(BALL)
-out vec3 disc;             // the same as `at` in mesh space
-flat out vec4 e;           // the eye in mesh space
-flat out vec3 move, turn;  // what e is to positions and normals
-#endif
-out vec3 at, facing, local, local_facing;
-out vec2 place;
-flat out vec4 paint;
-flat out vec2 gloss;
-vec3 normal_of(vec3 n) { return normal_x * n.x + normal_y * n.y + normal_z * n.z; }
-void main() {
-  vec4 p = vec4(position, 1.0);
-  facing = normal_of(normal), local_facing = normal;
-  place = uv;
-#if defined(BALL)
-  p.xyz = outline(position.xy, toward_eye, e);
-  disc = p.xyz;
-  facing = normal_of(disc), local_facing = disc;
-  turn = normal_of(e.xyz);
-  move = (1.0 - e.w) * toward_eye.xyz;
-#endif
-  local = (to_object * p).xyz;
-  local_facing = transpose(inverse(mat3(to_object))) * local_facing;
-  at = vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
-  paint = color;
-  gloss = look;
-  gl_Position = clip * vec4(at, 1.0);
-}
-)";
-
 const char* const physical_inputs = R"(
 #if defined(GROUND)
 in vec2 at;
@@ -50,7 +16,9 @@ uniform float empty;
 uniform sampler2D seen;    // the sky as it is seen (equirectangular)
 #else
 in vec3 at, facing, local, local_facing;
+#if defined(PICTURES)
 in vec2 place;
+#endif
 flat in vec4 paint;
 flat in vec2 gloss;
 #endif
@@ -63,7 +31,7 @@ uniform vec4 light_place[16];
 uniform vec4 light_color[16];
 uniform vec4 light_aim[16];     // where a lamp shines to; the cosine of half its cone, -2 without
 uniform vec4 light_across[16];  // the direction of its width; half of that
-uniform vec4 light_form[16];    // half its height; 0 a point, 1 a disc, 2 a rectangle; 1 / the cone's edge; what of it is lit
+uniform vec4 light_form[16];    // half its height; 0 a point, 1 a disc, 2 a rectangle; 1 / the cone's edge
 uniform vec4 sky_turn;          // cosine and sine of its turn; factor of its light
 uniform vec3 irradiance[9];
 uniform samplerCube around;     // blurred for each roughness
@@ -111,7 +79,7 @@ uniform sampler2D behind_it;
 uniform mat4 clip_again;
 #endif
 #if defined(BALL)
-uniform float ball_radius;
+uniform float ball_radius;  // in object space
 in vec3 disc;
 flat in vec4 e;
 flat in vec3 move, turn;

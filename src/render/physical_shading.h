@@ -8,8 +8,8 @@
 
 namespace betwixt {
 
-extern const char* const physical_vertex;
-// The fragment stage is: physical_inputs, shadow_lookup if SHADOWED, pattern_shader if PATTERN, physical_fragment.
+// The vertex stage is surface_vertex (shading.h). The fragment stage is: physical_inputs, shadow_lookup if SHADOWED,
+// pattern_shader if PATTERN, surface_functions, physical_fragment, surface_end.
 extern const char* const physical_inputs;
 extern const char* const physical_fragment;
 

@@ -3,6 +3,7 @@
 #include "render/physical_tracer.h"
 
 #include "render/path_tracer.h"
+#include "render/traced_sampling.h"
 #include "scene/materials.h"
 
 namespace betwixt::traced {
@@ -12,14 +13,6 @@ constexpr int most_bounces = 16, bounces_before_chance = 3;
 // Paths that reach a light by way of a second surface are limited to this, or single ones would be white dots.
 constexpr double brightest_indirect = 4;
 
-Vec3 framed(Vec3 axis, Vec3 v) {
-  const Vec3 x = unit(cross(std::abs(axis.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, axis));
-  return v.x * x + v.y * cross(axis, x) + v.z * axis;
-}
-Vec3 round(double radius, double turn, double z) {
-  const auto [sine, cosine] = sine_cosine(2 * pi * turn);
-  return {radius * cosine, radius * sine, z};
-}
 double fifth(double x) { return x * x * x * x * x; }
 
 // The shares of light from all around that a rough surface reflects, by the cosine of the angle of sight and the
@@ -55,7 +48,7 @@ class ReflectedShares {
       double reversed = 0, step = 0.5;
       for (int bits = i; bits > 0; bits /= 2, step /= 2) reversed += step * (bits % 2);
       const double u = (i + 0.5) / count, c = std::sqrt((1 - u) / (1 + (a2 - 1) * u));
-      const Vec3 h = round(std::sqrt(std::max(1 - c * c, 0.0)), reversed, c);
+      const Vec3 h = cylindrical(std::sqrt(std::max(1 - c * c, 0.0)), reversed, c);
       const double vh = dot(v, h), nl = 2 * vh * h.z - v.z;
       if (!(nl > 0) || !(vh > 0)) continue;
       const double seen = 2 * nl / (nl * std::sqrt(nv * nv * (1 - a2) + a2) + nv * std::sqrt(nl * nl * (1 - a2) + a2));
@@ -85,14 +78,6 @@ double density_of(double nh, double nv, double a) {
   const double shown = 2 * nv / (nv + std::sqrt(nv * nv * (1 - a * a) + a * a));
   return shown * facets(nh, a) / (4 * pi * std::max(nv, 1e-9));
 }
-Vec3 visible_facet(Vec3 n, Vec3 toward, double a, const std::array<double, 2>& random) {
-  const Vec3 x = framed(n, {1, 0, 0}), y = framed(n, {0, 1, 0});
-  const Vec3 sight = unit({a * dot(toward, x), a * dot(toward, y), std::max(dot(toward, n), 1e-4)});
-  const double z = (1 - random[0]) * (1 + sight.z) - sight.z;
-  const Vec3 facet = round(std::sqrt(std::max(1 - z * z, 0.0)), random[1], z) + sight;
-  return framed(n, unit({a * facet.x, a * facet.y, std::max(facet.z, 1e-9)}));
-}
-
 double balance(double own, double other) { return own / (own + other); }
 
 }  // namespace
@@ -173,12 +158,12 @@ double Scattering::density(Vec3 l) const {
 }
 
 Scattering::Sample Scattering::sample_through(PixelSampler& sampler) const {
-  const Vec3 h = visible_facet(n_, toward_, alpha_, sampler.next_2d());
+  const Vec3 h = sample_visible_facet(n_, toward_, alpha_, sampler.next_2d());
   Sample s{-toward_, 1 / to_through_ * (transmission_ * tint_), 0, true};
   if (thin_) return s;
   const double eta = leaves_ ? ior_ : 1 / ior_, c = dot(toward_, h), k = 1 - eta * eta * (1 - c * c);
   if (k < 0) {  // all of it is reflected inside
-    s.along = unit(2 * c * h - toward_), s.through = false;
+    s.along = mirrored_at(h, toward_), s.through = false;
     return s;
   }
   s.along = unit((eta * c - std::sqrt(k)) * h - eta * toward_);
@@ -192,10 +177,10 @@ Scattering::Sample Scattering::sample(PixelSampler& sampler) const {
   const double rest = choice - to_through_;
   Sample s;
   if (rest < to_diffuse_)
-    s.along = framed(n_, round(std::sqrt(random[0]), random[1], std::sqrt(1 - random[0])));
+    s.along = sample_cosine_hemisphere(n_, random);
   else {
-    const Vec3 h = visible_facet(n_, toward_, rest < to_diffuse_ + to_mirror_ ? alpha_ : coat_alpha_, random);
-    s.along = unit(2 * dot(toward_, h) * h - toward_);
+    const Vec3 h = sample_visible_facet(n_, toward_, rest < to_diffuse_ + to_mirror_ ? alpha_ : coat_alpha_, random);
+    s.along = mirrored_at(h, toward_);
   }
   s.density = density(s.along);
   if (s.density > 0) s.weight = 1 / (pi * s.density) * value(s.along);
@@ -249,17 +234,17 @@ Vec3 PhysicalTracer::from_light(const SurfacePoint& p, const Scattering& s, std:
   double strength = 1;
   if (is_area(l)) {
     Vec3 on{2 * random[0] - 1, 2 * random[1] - 1, 0};
-    if (l.shape == LightShape::disc) on = round(std::sqrt(random[0]), random[1], 0);
+    if (l.shape == LightShape::disc) on = cylindrical(std::sqrt(random[0]), random[1], 0);
     to = to + on.x * l.half_width * l.across + on.y * l.half_height * axis_y(l);
     const double d2 = std::max(dot(to, to), 1e-12), facing = -dot(l.aim, to) / std::sqrt(d2);
     if (!(facing > 0)) return {};
     const double density = d2 / (facing * area_of(l));
     strength = 1 / (pi * density) * balance(density, s.density(unit(to)));
   } else if (is_disc(l)) {
-    to = to + framed(unit(to), round(l.size * std::sqrt(random[0]), random[1], 0));
+    to = to + from_frame(unit(to), cylindrical(l.size * std::sqrt(random[0]), random[1], 0));
     strength = balance(1 / steradians(l), s.density(unit(to)));
   } else if (!l.sun) {
-    if (l.size > 0) to = to + framed(unit(to), round(l.size * std::sqrt(random[0]), random[1], 0));
+    if (l.size > 0) to = to + from_frame(unit(to), cylindrical(l.size * std::sqrt(random[0]), random[1], 0));
     const double window = std::max(1 - dot(to, to) / (l.range * l.range), 0.0);
     strength = window * window * cone_of(l, unit(-to));
   }

@@ -7,9 +7,14 @@ namespace betwixt {
 const char* const surface_vertex = R"(
 uniform mat4 clip;
 uniform vec4 toward_eye;  // a direction and 0 (orthographic), or the origin and 1
+#if defined(PHYSICAL)
+uniform mat4 to_object;  // from mesh space
+out vec3 local, local_facing;
+#endif
 #if defined(TEXTURED)
 out vec2 place;
-#elif defined(BALL)
+#endif
+#if defined(BALL)
 out vec3 disc;         // the same as `at` in mesh space
 flat out vec4 e;       // the eye in mesh space
 flat out vec3 move, turn;  // what e is to positions and normals
@@ -23,12 +28,17 @@ void main() {
   facing = normal_of(normal);
 #if defined(TEXTURED)
   place = uv;
-#elif defined(BALL)
+#endif
+#if defined(BALL)
   p.xyz = outline(position.xy, toward_eye, e);
   disc = p.xyz;
   facing = normal_of(disc);
   turn = normal_of(e.xyz);
   move = (1.0 - e.w) * toward_eye.xyz;
+#endif
+#if defined(PHYSICAL)
+  local = (to_object * p).xyz;
+  local_facing = transpose(inverse(mat3(to_object))) * normal;
 #endif
   at = vec3(dot(row_x, p), dot(row_y, p), dot(row_z, p));
   paint = color;
@@ -204,12 +214,7 @@ float lit(vec3 spot, vec3 n) {
 
 )";
 
-const char* const surface_fragment = R"(
-// Sky above, ground below, a soft horizon between.
-vec3 surroundings(float up, float blur) {
-  return mix(ground, sky, clamp(0.5 + up / (0.35 + 1.65 * blur), 0.0, 1.0));
-}
-
+const char* const surface_functions = R"(
 // What is brighter than can be shown rolls off, and goes over into white: Khronos' neutral tone mapping without its toe.
 vec3 rolled(vec3 c) {
 #if defined(OPEN)
@@ -219,6 +224,24 @@ vec3 rolled(vec3 c) {
   float peak = max(c.r, max(c.g, c.b)), over = max(peak - start, 0.0);
   float shown = peak - over + room * over / (room + over);
   return mix(c * (shown / max(peak, 1e-30)), vec3(shown), 1.0 - 1.0 / (0.15 * (peak - shown) + 1.0));
+}
+
+#if defined(BALL)
+// From the disc along the line of sight to the sphere: how far, and 1 / the length of that line.
+vec2 onto_ball(vec3 from, vec4 eye) {
+  vec3 along = from * eye.w - eye.xyz;
+  float stretch = inversesqrt(max(dot(along, along), 1e-30));
+  along *= stretch;
+  float b = dot(from, along);
+  return vec2(-b - sqrt(max(b * b - dot(from, from) + 1.0, 0.0)), stretch);
+}
+#endif
+)";
+
+const char* const surface_fragment = R"(
+// Sky above, ground below, a soft horizon between.
+vec3 surroundings(float up, float blur) {
+  return mix(ground, sky, clamp(0.5 + up / (0.35 + 1.65 * blur), 0.0, 1.0));
 }
 
 #if defined(RICH) && !defined(GROUND)
@@ -285,14 +308,9 @@ void main() {
   vec3 spot = at, across = facing;
 #endif
 #if defined(BALL)
-  // From the disc along the line of sight to the sphere.
-  vec3 along = disc * e.w - e.xyz;
-  float stretch = inversesqrt(max(dot(along, along), 1e-30));
-  along *= stretch;
-  float b = dot(disc, along);
-  float go = -b - sqrt(max(b * b - dot(disc, disc) + 1.0, 0.0));
-  spot += go * stretch * (at * e.w - move);
-  across += go * stretch * (facing * e.w - turn);
+  vec2 go = onto_ball(disc, e);
+  spot += go.x * go.y * (at * e.w - move);
+  across += go.x * go.y * (facing * e.w - turn);
   vec4 there = vec4(spot, 1.0);
   gl_FragDepth = 0.5 * dot(depth_row, there) / dot(w_row, there) + 0.5;
 #endif
@@ -350,8 +368,11 @@ void main() {
   float open = dot(soft * base.a + shiny - specular * f0, luminance) / max(dot(sum, luminance), 1e-6);
   float received = mix(0.65, 1.0, clamp(open, 0.0, 1.0));
 #endif
-  sum = rolled(sum);
   bool glows = gloss.y == 3.0 || unlit > 0.5;
+)";
+
+const char* const surface_end = R"(
+  sum = rolled(sum);
   color = glows ? vec4(base.rgb * base.a, base.a) : vec4(sum, opacity);
   float far = mix(-dot(spot, toward_eye.xyz), length(spot), toward_eye.w);
   color.rgb = mix(color.rgb, fog_color * color.a, clamp((far - fog_range.x) * fog_range.y, 0.0, 1.0));

@@ -8,10 +8,13 @@
 namespace betwixt {
 
 extern const char* const surface_vertex;
-// The fragment stage is these three, one behind the other. `shadow_lookup` needs the uniforms of the shadow maps, and
-// light_place.
+// The fragment stage is these five, one behind the other. `shadow_lookup` needs the uniforms of the shadow maps, and
+// light_place. `surface_end` makes the colour of the light `sum` with its `opacity`, or of what `glows`, and ends
+// main().
 extern const char* const surface_inputs;
 extern const char* const shadow_lookup;
+extern const char* const surface_functions;
 extern const char* const surface_fragment;
+extern const char* const surface_end;
 
 }  // namespace betwixt

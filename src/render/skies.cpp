@@ -5,52 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/blends.h"
+
 namespace betwixt {
 namespace {
-
-Vec3 mixed(Vec3 a, Vec3 b, double s) { return (1 - s) * a + s * b; }
-double smooth(double from, double to, double x) {
-  const double s = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return s * s * (3 - 2 * s);
-}
-Vec3 turned(Vec3 v, double angle) {
-  const auto [s, c] = sine_cosine(angle);
-  return {c * v.x + s * v.z, v.y, c * v.z - s * v.x};
-}
-
-// ---- the sky of a day
-
-struct DaySky {
-  Vec3 sun;  // towards it; it may be below the horizon
-  Vec3 zenith, horizon, glow, light;
-};
-
-DaySky day_at(double hour) {
-  constexpr double highest = 1.05;  // radians
-  const double along = pi * (std::clamp(hour, 0.0, 24.0) - 6) / 12;
-  const auto [up, across] = sine_cosine(along);
-  const auto [lift, flat] = sine_cosine(highest);
-  DaySky s;
-  s.sun = normalize(Vec3{across, up * lift, up * flat * 0.6}, {0, 1, 0});
-  const double high = s.sun.y;
-  const double day = smooth(-0.15, 0.35, high);     // how much of the full light there is
-  const double low = 1 - smooth(0.02, 0.42, high);  // how red the light is
-  s.zenith = mixed({0.012, 0.018, 0.045}, mixed({0.115, 0.235, 0.60}, {0.10, 0.135, 0.30}, low), day);
-  s.horizon = mixed({0.03, 0.035, 0.06}, mixed({0.58, 0.72, 0.90}, {0.80, 0.47, 0.27}, low), day);
-  s.glow = day * mixed({0.45, 0.42, 0.36}, {1.5, 0.62, 0.16}, low);
-  s.light = smooth(-0.03, 0.10, high) * mixed({0.92, 0.86, 0.76}, {0.88, 0.40, 0.14}, low);
-  return s;
-}
-
-Vec3 day_radiance(const DaySky& s, Vec3 d) {
-  const Vec3 ground{0.16, 0.15, 0.135};
-  const double up = std::max(d.y, 0.0), near = 1 - up, haze = near * near * near * near;
-  const double toward = std::max(dot(d, s.sun), 0.0), t2 = toward * toward, t4 = t2 * t2, t8 = t4 * t4,
-               t64 = t8 * t8 * t8 * t8 * t8 * t8 * t8 * t8;
-  Vec3 sky = mixed(s.zenith, s.horizon, haze + 0.25 * near * (1 - haze));
-  sky = sky + (0.25 * t4 * (0.35 + 0.65 * haze) + 0.8 * t64) * s.glow;
-  return mixed(sky, mixed({1, 1, 1}, s.horizon, 0.5) * ground, smooth(0.0, -0.05, d.y));
-}
 
 // ---- a studio
 
@@ -69,10 +27,10 @@ constexpr Softbox softboxes[] = {
     {{0.10, 1.0, -0.15}, 0.50, 0.50, 0.6, {0.75, 0.75, 0.75}},  // from above
 };
 
-double within(double at, double half, double soft) { return 1 - smooth(half * (1 - soft), half, std::abs(at)); }
+double within(double at, double half, double soft) { return 1 - smoothstep(half * (1 - soft), half, std::abs(at)); }
 
 Vec3 studio_radiance(Vec3 d) {
-  Vec3 light = mixed({0.05, 0.048, 0.046}, {0.15, 0.156, 0.168}, smooth(-0.35, 0.9, d.y));
+  Vec3 light = mix({0.05, 0.048, 0.046}, {0.15, 0.156, 0.168}, smoothstep(-0.35, 0.9, d.y));
   for (const Softbox& box : softboxes) {
     const Vec3 n = normalize(box.toward);
     const double deep = dot(d, n);
@@ -118,38 +76,58 @@ Vec3 picture_radiance(const LinearPicture& p, Vec3 d) {
   return sum;
 }
 
-double hour_of(const Sky& sky) { return sky.kind == Sky::sunset ? 17.72 : sky.hour; }
-
 }  // namespace
 
-std::optional<SkySun> sun_of(const Sky& sky) {
-  if (sky.kind == Sky::studio)
-    return SkySun{turned(normalize(softboxes[0].toward), sky.turn), sky.strength * Vec3{0.58, 0.56, 0.525}, 0.16,
-                  false};
-  if (sky.kind != Sky::day && sky.kind != Sky::sunset) return std::nullopt;
-  const DaySky day = day_at(hour_of(sky));
-  if (!(day.light.x > 0) || day.sun.y <= 0) return std::nullopt;
-  return SkySun{turned(day.sun, sky.turn), sky.strength * day.light, 0.0175, true};
+SkyModel::Day SkyModel::day_at(double hour) {
+  constexpr double highest = 1.05;  // radians
+  const double along = pi * (std::clamp(hour, 0.0, 24.0) - 6) / 12;
+  const auto [up, across] = sine_cosine(along);
+  const auto [lift, flat] = sine_cosine(highest);
+  Day s;
+  s.sun = normalize(Vec3{across, up * lift, up * flat * 0.6}, {0, 1, 0});
+  const double high = s.sun.y;
+  const double day = smoothstep(-0.15, 0.35, high);     // how much of the full light there is
+  const double low = 1 - smoothstep(0.02, 0.42, high);  // how red the light is
+  s.zenith = mix({0.012, 0.018, 0.045}, mix({0.115, 0.235, 0.60}, {0.10, 0.135, 0.30}, low), day);
+  s.horizon = mix({0.03, 0.035, 0.06}, mix({0.58, 0.72, 0.90}, {0.80, 0.47, 0.27}, low), day);
+  s.glow = day * mix({0.45, 0.42, 0.36}, {1.5, 0.62, 0.16}, low);
+  s.light = smoothstep(-0.03, 0.10, high) * mix({0.92, 0.86, 0.76}, {0.88, 0.40, 0.14}, low);
+  return s;
 }
 
-Vec3 sky_radiance(const Sky& sky, Vec3 along) {
-  const Vec3 d = turned(along, -sky.turn);
-  switch (sky.kind) {
+Vec3 SkyModel::day_radiance(const Day& s, Vec3 d) {
+  const Vec3 ground{0.16, 0.15, 0.135};
+  const double up = std::max(d.y, 0.0), near = 1 - up, haze = near * near * near * near;
+  const double toward = std::max(dot(d, s.sun), 0.0), t2 = toward * toward, t4 = t2 * t2, t8 = t4 * t4,
+               t64 = t8 * t8 * t8 * t8 * t8 * t8 * t8 * t8;
+  Vec3 sky = mix(s.zenith, s.horizon, haze + 0.25 * near * (1 - haze));
+  sky = sky + (0.25 * t4 * (0.35 + 0.65 * haze) + 0.8 * t64) * s.glow;
+  return mix(sky, mix({1, 1, 1}, s.horizon, 0.5) * ground, smoothstep(0.0, -0.05, d.y));
+}
+
+SkyModel::SkyModel(const Sky& sky) : sky_(sky) {
+  constexpr double at_sunset = 17.72;
+  if (sky.kind == Sky::day || sky.kind == Sky::sunset) day_ = day_at(sky.kind == Sky::sunset ? at_sunset : sky.hour);
+}
+
+std::optional<SkySun> SkyModel::sun() const {
+  if (sky_.kind == Sky::studio) return SkySun{normalize(softboxes[0].toward), {0.58, 0.56, 0.525}, 0.16};
+  if (!(day_.light.x > 0) || day_.sun.y <= 0) return std::nullopt;
+  return SkySun{day_.sun, day_.light, 0.0175};
+}
+
+Vec3 SkyModel::radiance(Vec3 d) const {
+  switch (sky_.kind) {
     case Sky::studio:
-      return sky.strength * studio_radiance(d);
+      return studio_radiance(d);
     case Sky::day:
-    case Sky::sunset: {
-      static thread_local double known = -1;
-      static thread_local DaySky day;
-      if (known != hour_of(sky)) known = hour_of(sky), day = day_at(known);
-      return sky.strength * day_radiance(day, d);
-    }
-    case Sky::overcast: {
-      const Vec3 above = (1 + 2 * std::max(d.y, 0.0)) / 3 * Vec3{0.86, 0.89, 0.94};
-      return sky.strength * mixed(above, {0.19, 0.185, 0.175}, smooth(0.0, -0.08, d.y));
-    }
+    case Sky::sunset:
+      return day_radiance(day_, d);
+    case Sky::overcast:
+      return mix((1 + 2 * std::max(d.y, 0.0)) / 3 * Vec3{0.86, 0.89, 0.94}, {0.19, 0.185, 0.175},
+                 smoothstep(0.0, -0.08, d.y));
     case Sky::picture:
-      return sky.light ? sky.strength * picture_radiance(*sky.light, d) : Vec3{};
+      return sky_.light ? picture_radiance(*sky_.light, d) : Vec3{};
     case Sky::none:
       break;
   }

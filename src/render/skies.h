@@ -19,10 +19,25 @@ struct SkySun {
   Vec3 toward;      // unit length
   Vec3 color;       // linear light, as that of a sun: a surface of colour a that faces it shows a·c
   double size = 0;  // the radius of its disc one metre away
-  bool visible = true;
 };
-std::optional<SkySun> sun_of(const Sky&);
-// `along`: from the eye, unit length. The strength of the sky is included.
-Vec3 sky_radiance(const Sky&, Vec3 along);
+// The same sky without its turn and its strength, which SkyAround adds.
+class SkyModel {
+ public:
+  explicit SkyModel(const Sky&);
+  std::optional<SkySun> sun() const;
+  Vec3 radiance(Vec3 along) const;  // `along`: from the eye, unit length
+
+ private:
+  // Of a clear day.
+  struct Day {
+    Vec3 sun;  // towards it; it may be below the horizon
+    Vec3 zenith, horizon, glow, light;
+  };
+  static Day day_at(double hour);
+  static Vec3 day_radiance(const Day&, Vec3 along);
+
+  Sky sky_;
+  Day day_;
+};
 
 }  // namespace betwixt

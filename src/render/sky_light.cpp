@@ -112,24 +112,33 @@ std::vector<SkyLobe> lobes_of(double roughness, std::size_t finest, std::size_t 
   return all;
 }
 
+// The spherical harmonics up to the second degree, without their constants.
+std::array<double, 9> harmonics(Vec3 d) {
+  return {1, d.y, d.z, d.x, d.x * d.y, d.y * d.z, 3 * d.z * d.z - 1, d.x * d.z, d.x * d.x - d.y * d.y};
+}
+
 }  // namespace
 
-SkyLight::SkyLight(const Sky& sky, const std::optional<Vec3>& ground) : sky_(sky), sun_(sun_of(sky)) {
-  const auto fill = [&] {
-    cube_[0] = level_of(side);
-    each_pixel(cube_[0], [&](int face, int x, int y, double s, double t) {
-      put(cube_[0], face, x, y, radiance(normalize(direction(face, s, t))));
+SkyLight::SkyLight(const Sky& sky, const std::optional<Vec3>& ground) : sky_(sky), sun_(sky_.sun()) {
+  const auto halves = [this] {
+    std::vector<Level> all{level_of(side)};
+    each_pixel(all[0], [&](int face, int x, int y, double s, double t) {
+      put(all[0], face, x, y, radiance(normalize(direction(face, s, t))));
     });
+    while (all.back().side > 4) all.push_back(half_of(all.back()));
+    return all;
   };
-  fill();
-  blur();
-  if (!ground) return;
-  // The floor shows its own light below the horizon, and so lights things from there.
-  Vec3 light = irradiance({0, 1, 0});
-  if (sun_) light = light + std::max(sun_->toward.y, 0.0) * sun_->color;
-  floor_ = *ground * light, has_floor_ = true;
-  fill();
-  blur();
+  std::vector<Level> halved = halves();
+  sum_up(halved);
+  if (ground) {
+    // The floor shows its own light below the horizon, and so lights things from there.
+    Vec3 light = irradiance({0, 1, 0});
+    if (sun_) light = light + std::max(sun_->toward.y, 0.0) * sun_->color;
+    floor_ = *ground * light, has_floor_ = true;
+    halved = halves();
+    sum_up(halved);
+  }
+  blur(halved);
 }
 
 Vec3 SkyLight::radiance(Vec3 along) const {
@@ -139,16 +148,13 @@ Vec3 SkyLight::radiance(Vec3 along) const {
 }
 
 Vec3 SkyLight::irradiance(Vec3 n) const {
-  const std::array<double, 9> by{
-      1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
+  const std::array<double, 9> by = harmonics(n);
   Vec3 sum;
   for (std::size_t i = 0; i < 9; ++i) sum = sum + by[i] * irradiance_[i];
   return {std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)};
 }
 
-void SkyLight::blur() {
-  std::vector<SkyLevel> halved{cube_[0]};
-  while (halved.back().side > 4) halved.push_back(half_of(halved.back()));
+void SkyLight::sum_up(const std::vector<Level>& halved) {
   sums_.clear();
   double sum = 0;
   each_pixel(halved[1], [&](int face, int x, int y, double s, double t) {
@@ -165,14 +171,17 @@ void SkyLight::blur() {
   each_pixel(coarse, [&](int face, int x, int y, double s, double t) {
     const double away = 1 + s * s + t * t, share = 1 / (away * std::sqrt(away));
     const Vec3 d = normalize(direction(face, s, t)), light = share * pixel(coarse, face, x, y);
-    const std::array<double, 9> by{
-        1, d.y, d.z, d.x, d.x * d.y, d.y * d.z, 3 * d.z * d.z - 1, d.x * d.z, d.x * d.x - d.y * d.y};
+    const std::array<double, 9> by = harmonics(d);
     for (std::size_t i = 0; i < 9; ++i) sums[i] = sums[i] + by[i] * light;
     whole += share;
   });
   // Squares of the constants of the harmonics times 4 pi, and the shares that the cosine leaves: 1, 2/3 and 1/4.
   constexpr std::array<double, 9> constants{1, 2, 2, 2, 15.0 / 4, 15.0 / 4, 5.0 / 16, 15.0 / 4, 15.0 / 16};
   for (std::size_t i = 0; i < 9; ++i) irradiance_[i] = constants[i] / whole * sums[i];
+}
+
+void SkyLight::blur(const std::vector<Level>& halved) {
+  cube_[0] = halved[0];
   for (int k = 1; k < levels; ++k) {
     SkyLevel level = level_of(side >> k);
     const double roughness = static_cast<double>(k) / (levels - 1);

@@ -32,7 +32,7 @@ class SkyLight {
   // The light from a direction, with the floor below the horizon.
   Vec3 radiance(Vec3 along) const;
   // The sky without the floor.
-  Vec3 seen(Vec3 along) const { return sky_radiance(sky_, along); }
+  Vec3 seen(Vec3 along) const { return sky_.radiance(along); }
   const std::optional<SkySun>& sun() const { return sun_; }
 
   // A direction with the density with which sample() chooses it, per steradian: the brighter the more often.
@@ -45,8 +45,10 @@ class SkyLight {
   double density(Vec3 along) const;
 
  private:
-  void blur();
-  Sky sky_;
+  // `halved`: the sky, with each side half of the one before.
+  void sum_up(const std::vector<Level>& halved);
+  void blur(const std::vector<Level>& halved);
+  SkyModel sky_;
   std::optional<SkySun> sun_;
   Vec3 floor_;  // the light that it sends
   bool has_floor_ = false;

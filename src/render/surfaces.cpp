@@ -8,37 +8,20 @@
 #include <cmath>
 
 #include "render/balls.h"
+#include "render/physical_units.h"
 #include "render/shading.h"
 
 namespace betwixt {
 namespace {
-
-std::array<float, 4> four(Vec3 v, double w) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
-}
 
 // Lookups along a side, and the texels between them: each blends four texels, so no steps are visible.
 constexpr int shadow_taps = 2;
 constexpr float shadow_step = 2;
 constexpr int picture_unit = 0, shadow_unit = 1, depth_unit = 2;
 
-// Lookups for a soft shadow, distributed over a disc like the seeds of a sunflower.
-constexpr int shadow_seeds = 40;
-std::array<float, 2 * shadow_seeds> sunflower() {
-  std::array<float, 2 * shadow_seeds> r;
-  const double golden = pi * (3 - std::sqrt(5.0));
-  for (int k = 0; k < shadow_seeds; ++k) {
-    const double away = std::sqrt((k + 0.5) / shadow_seeds);
-    r[static_cast<std::size_t>(2 * k)] = static_cast<float>(away * std::cos(golden * k));
-    r[static_cast<std::size_t>(2 * k + 1)] = static_cast<float>(away * std::sin(golden * k));
-  }
-  return r;
-}
-
 // Returns whether the simple programs are not enough.
 bool is_rich(const Surfaces::FrameSettings& frame) {
-  return (!frame.shadows.empty() && (frame.shadows.back().light > 0 || frame.shadows.front().spread > 0)) ||
-         (frame.metal && (frame.around.sky || frame.around.ground));
+  return has_rich_shadows(frame) || (frame.metal && (frame.around.sky || frame.around.ground));
 }
 
 // Returns the largest depth of everything that is drawn after each of them.
@@ -51,13 +34,39 @@ std::vector<double> depths_later(const Things& things, const Batches& sorted) {
   return farthest;
 }
 
+// Draws the depth alone, so that afterwards only the nearest of the lit surfaces are drawn.
+void draw_depth(const std::function<void()>& draw) {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDepthMask(GL_TRUE);
+  draw();
+  glDepthMask(GL_FALSE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
 }  // namespace
+
+std::array<float, 2 * shadow_seeds> sunflower() {
+  std::array<float, 2 * shadow_seeds> r;
+  const double golden = pi * (3 - std::sqrt(5.0));
+  for (int k = 0; k < shadow_seeds; ++k) {
+    const double away = std::sqrt((k + 0.5) / shadow_seeds);
+    r[static_cast<std::size_t>(2 * k)] = static_cast<float>(away * std::cos(golden * k));
+    r[static_cast<std::size_t>(2 * k + 1)] = static_cast<float>(away * std::sin(golden * k));
+  }
+  return r;
+}
+
+bool has_rich_shadows(const Surfaces::FrameSettings& frame) {
+  return !frame.shadows.empty() && (frame.shadows.back().light > 0 || frame.shadows.front().spread > 0);
+}
 
 Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const char* defines) const {
   const std::string vertex =
       fills ? std::string(gl::fill_vertex) : std::string(vertex_inputs) + ball_outline + surface_vertex;
   auto program = gl::new_program(
-      vertex, std::string(encoded_function) + surface_inputs + shadow_lookup + surface_fragment,
+      vertex,
+      std::string(encoded_function) + surface_inputs + shadow_lookup + surface_functions + surface_fragment +
+          surface_end,
       fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n{}{}{}{}{}", shadow_taps,
                   shadow_seeds, (variant & rich) != 0 ? Lighting::most_casting : 1,
                   (variant & (rich | levels)) != 0 ? Shadows::most_maps : 1,
@@ -208,10 +217,24 @@ void Surfaces::draw_setting(const FrameSettings& frame, const Gradient& gradient
   if (made == nullptr) return;
   const Look& ground = *made;
   set_program(ground, frame);
-  const View& v = frame.view;
-  const Surroundings& around = frame.around;
+  put_setting(ground.program, frame);
   const auto put = [&](const char* name, Vec3 value) {
     glUniform3fv(gl::uniform(ground.program, name), 1, four(value, 0).data());
+  };
+  const Lighting& light = frame.lighting;
+  const bool sky = frame.around.sky && !frame.around.clear;
+  put("top", sky ? light.zenith : gradient.top), put("bottom", sky ? light.horizon : gradient.bottom);
+  put("under", light.below);
+  glUniform2f(gl::uniform(ground.program, "shape"), gradient.bends ? 1 : 0, sky ? 1 : 0);
+  glUniform1f(ground.encodes, encoded ? 1 : 0);
+  glUniform1f(ground.receives, frame.contact ? 1 : 0);
+  fill_behind();
+}
+
+void put_setting(const gl::Program& program, const Surfaces::FrameSettings& frame) {
+  const View& v = frame.view;
+  const auto put = [&](const char* name, Vec3 value) {
+    glUniform3fv(gl::uniform(program, name), 1, four(value, 0).data());
   };
   // An orthographic picture shows the sky as if it were in perspective.
   const Vec3 aside = v.shift_x / v.sx * v.right + v.shift_y / v.sy * v.up;
@@ -220,18 +243,13 @@ void Surfaces::draw_setting(const FrameSettings& frame, const Gradient& gradient
   put("ray_y", v.orthographic ? -0.5 * v.up : -1 / v.sy * v.up);
   put("from_x", v.orthographic ? 1 / v.sx * v.right : Vec3{});
   put("from_y", v.orthographic ? -1 / v.sy * v.up : Vec3{});
-  const Lighting& light = frame.lighting;
-  const bool sky = around.sky && !around.clear;
-  put("top", sky ? light.zenith : gradient.top), put("bottom", sky ? light.horizon : gradient.bottom);
-  put("under", light.below);
-  glUniform2f(gl::uniform(ground.program, "shape"), gradient.bends ? 1 : 0, sky ? 1 : 0);
-  glUniform1f(gl::uniform(ground.program, "empty"), frame.clear ? 1 : 0);
-  const bool seen = around.ground && v.eye.y > 0;
-  glUniform4fv(gl::uniform(ground.program, "floor_color"), 1,
-               four(around.ground.value_or(Vec3{}), seen ? 1 : 0).data());
-  glUniform1f(gl::uniform(ground.program, "floor_height"), static_cast<float>(-v.eye.y));
-  glUniform1f(ground.encodes, encoded ? 1 : 0);
-  glUniform1f(ground.receives, frame.contact ? 1 : 0);
+  glUniform1f(gl::uniform(program, "empty"), frame.clear ? 1 : 0);
+  const bool seen = frame.around.ground && v.eye.y > 0;
+  glUniform4fv(gl::uniform(program, "floor_color"), 1, four(frame.around.ground.value_or(Vec3{}), seen ? 1 : 0).data());
+  glUniform1f(gl::uniform(program, "floor_height"), static_cast<float>(-v.eye.y));
+}
+
+void fill_behind() {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -271,15 +289,6 @@ void Surfaces::receive_contact(bool receives) {
   });
 }
 
-// Draws the depth alone, so that afterwards only the nearest of the lit surfaces are drawn.
-void Surfaces::draw_depth(const Batch& b) {
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glDepthMask(GL_TRUE);
-  draw_parts(b);
-  glDepthMask(GL_FALSE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
 void Surfaces::draw_opaque(const Things& things, std::span<const std::uint32_t> numbers) {
   const Batches batches = batches_of(things, numbers);
   solid_.set(things, batches.order);
@@ -302,9 +311,13 @@ void Surfaces::draw_opaque(const Things& things, std::span<const std::uint32_t> 
 }
 
 void Surfaces::draw_transparent(const Things& things, std::span<const std::uint32_t> numbers) {
-  const Batches batches = sorted_singles(things, numbers);
-  glass_.set(things, batches.order);
   receive_contact(false);
+  draw_over(things, sorted_singles(things, numbers), glass_, !flat_, [&](const Batch& b) { draw_parts(b); });
+}
+
+void draw_over(const Things& things, const Batches& batches, Instances& instances, bool lit,
+               const std::function<void(const Batch&)>& draw) {
+  instances.set(things, batches.order);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
@@ -317,19 +330,19 @@ void Surfaces::draw_transparent(const Things& things, std::span<const std::uint3
     Store::need_triangles(*b.mesh);
     set_facing(b.mirrored, true);
     glBindVertexArray(b.mesh->triangles.id());
-    glass_.bind(b.first);
+    instances.bind(b.first);
     (b.closed ? glEnable : glDisable)(GL_CULL_FACE);
     if (b.line) {
       const Thing& line = things[batches.order[b.first]];
       const bool hides = later[b.first] > line.depth - line.bounds.radius();  // some part of it may be behind
-      if (!flat_ && line.look.material != Material::glow && !hides) draw_depth(b);
+      if (lit && line.look.material != Material::glow && !hides) draw_depth([&] { draw(b); });
       once.begin();
     } else if (b.closed) {
       glCullFace(GL_FRONT);
-      draw_parts(b);
+      draw(b);
       glCullFace(GL_BACK);
     }
-    draw_parts(b);
+    draw(b);
     Once::end();
   }
   glDepthMask(GL_TRUE);

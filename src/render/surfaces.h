@@ -4,6 +4,8 @@
 // Lit surfaces: the shader program, and how objects are drawn with it.
 #pragma once
 
+#include <functional>
+
 #include "render/batches.h"
 #include "render/canvas.h"
 #include "render/lighting.h"
@@ -47,7 +49,6 @@ class Surfaces {
   void prepare(const Look&) const;
   void use(std::size_t variant);
   void draw_parts(const Batch&);
-  void draw_depth(const Batch&);
   Result<Look> new_look(bool fills, std::size_t variant, const char* defines) const;
   template <class F>
   void each_made(F&&);
@@ -66,7 +67,21 @@ class Surfaces {
   bool unclamped_ = false;
 };
 
+// ---- What physical surfaces (physical.h) share with these.
+
+// Lookups for a soft shadow, distributed over a disc like the seeds of a sunflower. The software driver unrolls loops
+// over arrays of 32 and fewer, which takes four times as long.
+inline constexpr int shadow_seeds = 40;
+std::array<float, 2 * shadow_seeds> sunflower();
+// Returns whether several lights, or soft ones, cast shadows.
+bool has_rich_shadows(const Surfaces::FrameSettings&);
 // Sets the uniforms of the shadow maps of a program.
 void set_shadow_maps(const gl::Program&, const Surfaces::FrameSettings&);
+// Sets the uniforms of a program that draws the floor and what is behind everything; fill_behind() draws it.
+void put_setting(const gl::Program&, const Surfaces::FrameSettings&);
+void fill_behind();
+// Draws transparent objects, the farthest first, over what is there. `lit`: of a line that crosses itself, only the
+// nearest part is drawn.
+void draw_over(const Things&, const Batches&, Instances&, bool lit, const std::function<void(const Batch&)>& draw);
 
 }  // namespace betwixt

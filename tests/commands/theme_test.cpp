@@ -51,6 +51,15 @@ TEST(Themes, ColorWhatHasNoColor) {
   EXPECT_EQ(s.loaded.document.scene().objects[0].find(fn::color), nullptr);
 }
 
+// Gold is gold under any theme.
+TEST(Themes, LeaveMaterialsTheirColors) {
+  const LoadedFilm s("theme dark\ncreate ball sphere material=gold\ncreate plain sphere material=metal\n");
+  ASSERT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+  const auto& objects = s.loaded.document.scene().objects;
+  EXPECT_EQ(objects[0].find(fn::color), nullptr);
+  EXPECT_NE(objects[1].find(fn::color), nullptr);
+}
+
 TEST(Themes, NamesFollowTheTheme) {
   const LoadedFilm s(
       "theme dark\ntheme light\ntheme lake #102030\ncreate a circle color=lake\ncreate b circle color=leaf\n"

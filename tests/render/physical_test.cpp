@@ -72,6 +72,18 @@ Item finished(const Finish& finish, Vec3 color, double radius = 1) {
   return i;
 }
 
+// A white wall before the camera, 16 pixels a metre in a picture of 64 by 64, without light.
+Frame dull_wall() {
+  Finish dull;
+  dull.roughness = 1, dull.specular = 0;
+  Item wall = item(square(), scaling({8, 8, 1}), {1, 1, 1}, Material::plastic);
+  wall.finish = std::make_shared<const Finish>(dull);
+  Frame f = frame_of({wall}, {});
+  f.camera.orthographic = true, f.camera.height = 4;
+  f.surroundings.ambient = Vec3{};
+  return f;
+}
+
 // In light that is equal from everywhere, a body that swallows none shows that light, whatever its finish is.
 TEST(Physical, WhiteBodiesAreNotSeenInEvenLight) {
   for (const std::string style : {"shaded", "traced"})
@@ -133,13 +145,7 @@ TEST(Physical, AreasLightAsTheirShareOfTheSkyIs) {
 
 TEST(Physical, ConesEndWhereTheyShould) {
   for (const std::string style : {"shaded", "traced"}) {
-    Finish dull;
-    dull.roughness = 1, dull.specular = 0;
-    Item wall = item(square(), scaling({8, 8, 1}), {1, 1, 1}, Material::plastic);
-    wall.finish = std::make_shared<const Finish>(dull);
-    Frame f = frame_of({wall}, {});
-    f.camera.orthographic = true, f.camera.height = 4;
-    f.surroundings.ambient = Vec3{};
+    Frame f = dull_wall();
     Light l;
     l.position = {0, 0, 2}, l.direction = {0, 0, -1}, l.cone = 2 * std::atan(0.5), l.cone_edge = 0,
     l.casting = Casting::off;
@@ -160,13 +166,7 @@ TEST(Physical, AConeProjectsItsPictureUpright) {
       c[0] = x < 8 ? 255 : 0, c[1] = 0, c[2] = y < 8 ? 255 : 0;
     }
   for (const std::string style : {"shaded", "traced"}) {
-    Finish dull;
-    dull.roughness = 1, dull.specular = 0;
-    Item wall = item(square(), scaling({8, 8, 1}), {1, 1, 1}, Material::plastic);
-    wall.finish = std::make_shared<const Finish>(dull);
-    Frame f = frame_of({wall}, {});
-    f.camera.orthographic = true, f.camera.height = 4;
-    f.surroundings.ambient = Vec3{};
+    Frame f = dull_wall();
     Light l;
     l.position = {0, 0, 2}, l.direction = {0, 0, -1}, l.across = {1, 0, 0};
     l.cone = 2 * std::atan(0.5), l.cone_edge = 0, l.casting = Casting::off, l.picture = slide;
@@ -247,7 +247,7 @@ TEST(Physical, SkiesLieAsTheirPictureSays) {
     }
   Sky sky;
   sky.kind = Sky::picture, sky.light = picture;
-  const auto is = [&](Vec3 d) { return sky_radiance(sky, normalize(d)); };
+  const auto is = [&](Vec3 d) { return SkyModel(sky).radiance(normalize(d)); };
   EXPECT_NEAR(is({0, 1, 0.01}).x, 1, 1e-6);
   EXPECT_NEAR(is({0, -1, 0.01}).x, 0, 1e-6);
   EXPECT_NEAR(is({1, 0.3, 0.2}).y, 1, 1e-6);
@@ -261,6 +261,7 @@ TEST(SkyLight, GivesWhatASumOverAllDirectionsGives) {
     Sky sky;
     sky.kind = kind;
     const auto light = sky_light_of(sky, {});
+    const SkyModel model(sky);
     for (const Vec3 n : {Vec3{0, 1, 0}, Vec3{0, -1, 0}, normalize(Vec3{1, 0.4, -0.3})}) {
       Vec3 sum;
       constexpr int rows = 120;
@@ -268,7 +269,7 @@ TEST(SkyLight, GivesWhatASumOverAllDirectionsGives) {
         for (int i = 0; i < 2 * rows; ++i) {
           const double y = 1 - (2 * j + 1.0) / rows, r = std::sqrt(1 - y * y), turn = pi * (i + 0.5) / rows;
           const Vec3 d{r * std::cos(turn), y, r * std::sin(turn)};
-          sum = sum + 4 * std::max(dot(d, n), 0.0) / (2 * rows * rows) * sky_radiance(sky, d);
+          sum = sum + 4 * std::max(dot(d, n), 0.0) / (2 * rows * rows) * model.radiance(d);
         }
       const Vec3 is = light->irradiance(n);
       for (int k = 0; k < 3; ++k)
