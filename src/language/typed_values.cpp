@@ -196,8 +196,13 @@ struct TypedReader {
     if (std::find(words.begin(), words.end(), s) != words.end()) return true;
     std::string all;
     for (auto w : words) all += (all.empty() ? "" : w == words.back() ? " or " : ", ") + std::string(w);
-    return c.fail(ErrorCode::type, fmt::format("{} must be {}", spec.name, all),
-                  s.empty() ? std::string_view(start, 0) : c.since(start), did_you_mean(s, words));
+    const std::string_view about = s.empty() ? std::string_view(start, 0) : c.since(start);
+    constexpr std::size_t most_listed = 12;
+    if (words.size() <= most_listed)
+      return c.fail(ErrorCode::type, fmt::format("{} must be {}", spec.name, all), about, did_you_mean(s, words));
+    const Hint near = did_you_mean(s, words);
+    return c.fail(ErrorCode::type, fmt::format("there is no {} '{}'", spec.name, s.substr(0, 60)), about,
+                  near.empty() ? fmt::format("{} is {}", spec.name, all) : near);
   }
 };
 

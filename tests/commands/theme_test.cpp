@@ -51,6 +51,20 @@ TEST(Themes, ColorWhatHasNoColor) {
   EXPECT_EQ(s.loaded.document.scene().objects[0].find(fn::color), nullptr);
 }
 
+// Few words are listed, and many are not if one of them is near.
+TEST(Materials, AWordThatIsNoneIsToldBriefly) {
+  const auto hint_of = [](const char* line) {
+    const Loaded l = load_text(line, "test.bx");
+    return l.diagnostics.empty() ? std::pair<std::string, std::string>()
+                                 : std::pair(l.diagnostics[0].what.message, std::string(l.diagnostics[0].what.hint));
+  };
+  EXPECT_EQ(hint_of("create b sphere material=gould\n"),
+            (std::pair<std::string, std::string>("there is no material 'gould'", "did you mean 'gold'?")));
+  const auto [message, hint] = hint_of("create b sphere material=qqqqqqqq\n");
+  EXPECT_EQ(message, "there is no material 'qqqqqqqq'");
+  EXPECT_TRUE(hint.starts_with("material is plastic, matte, metal, glow, gold, ")) << hint;
+}
+
 // Gold is gold under any theme.
 TEST(Themes, LeaveMaterialsTheirColors) {
   const LoadedFilm s("theme dark\ncreate ball sphere material=gold\ncreate plain sphere material=metal\n");
