@@ -19,12 +19,12 @@ using namespace betwixt;
 
 namespace {
 
-constexpr int objects = 1000, frames = 1000, changed_frame = 500;
+constexpr int ball_count = 1000, frames = 1000, changed_frame = 500;
 
 class PlainFilm {
  public:
-  PlainFilm() : tracks_(objects), worlds_(objects) {
-    for (int k = 0; k < objects; ++k) {
+  PlainFilm() : tracks_(ball_count), worlds_(ball_count) {
+    for (int k = 0; k < ball_count; ++k) {
       for (int f = 1; f <= frames; ++f) tracks_[static_cast<std::size_t>(k)].add(f, scenes::million_key(k, f));
       tracks_[static_cast<std::size_t>(k)].compile();
     }
@@ -60,7 +60,7 @@ void edits(int rounds) {
     const Time t = session.document().rate().frame(changed_frame);
     e.to(t);
     for (int k = 0; k < rounds; ++k) {
-      const std::size_t object = scenes::hash(static_cast<std::uint32_t>(k)) % objects;
+      const std::size_t object = scenes::hash(static_cast<std::uint32_t>(k)) % ball_count;
       const Vec3 value{-1, 1.0 * k, 3};
       const std::string line = fmt::format("at {}f ball{}.position (-1 {} 3)", changed_frame, object, k);
       const double command = milliseconds([&] { insist(session.enter(line).done, "a command"); });
@@ -71,7 +71,7 @@ void edits(int rounds) {
       });
       const double theirs = milliseconds([&] { plain.change(object, value); });
       insist(e.changed().size() == 1 && translation_of(e.worlds()[object]) == value, "what was edited");
-      for (std::size_t i = 0; i < objects; ++i)
+      for (std::size_t i = 0; i < ball_count; ++i)
         insist(length(translation_of(e.worlds()[i]) - translation_of(plain.worlds()[i])) < 1e-9, "a place");
       report("command", command), report("compile", compiling), report("frame", frame);
       report("betwixt", command + compiling + frame);

@@ -104,10 +104,10 @@ std::string column_word(std::string_view title, std::size_t place) {
     const bool fits = std::isalnum(static_cast<unsigned char>(c)) || c == '_';
     if (fits || (!out.empty() && out.back() != '_')) out += fits ? c : '_';
   }
-  while (out.ends_with('_')) out.pop_back();
+  if (!out.empty() && !std::isalpha(static_cast<unsigned char>(out[0]))) out.insert(0, "c");
   if (out.size() > 60) out.resize(60);
-  if (out.empty()) return fmt::format("column{}", place);
-  return std::isalpha(static_cast<unsigned char>(out[0])) ? out : "c" + out;
+  while (out.ends_with('_')) out.pop_back();
+  return out.empty() ? fmt::format("column{}", place) : out;
 }
 
 bool read_date(std::string_view s, double& days) {

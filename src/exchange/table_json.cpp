@@ -135,6 +135,8 @@ Result<std::string> table_of_json(const std::string& bytes, const std::string& n
     const std::size_t start = at == 0 ? std::string::npos : bytes.rfind('\n', at - 1);
     const std::size_t column = at - (start == std::string::npos ? 0 : start + 1) + 1;
     return fail(ErrorCode::file, fmt::format("line {}, column {} of '{}' is no JSON", line, column, name));
+  } catch (const Json::out_of_range&) {
+    return bad_json(name, "has a number that is too large", "a number is at most 1.7e308");
   }
   const auto found = inside_of(all, name, inside);
   if (!found) return found.error();

@@ -63,14 +63,20 @@ vec4 looked(sampler2D from) {
 vec4 looked(sampler2D from) { return texture(from, at_picture); }
 #endif
 #endif
-// A normal on a surface of this height, from the differences to the neighbouring pixels.
-vec3 bumped(vec3 n, vec3 spot, float height) {
-  vec3 x = dFdx(spot), y = dFdy(spot), r1 = cross(y, n), r2 = cross(n, x);
+// `v` as far as it goes along a surface with the normal n: the facets of a mesh are not quite along it.
+vec3 along(vec3 v, vec3 n) { return v - n * dot(n, v); }
+// A normal on a surface whose height changes by `rise` to the next pixels, which are at x and y.
+vec3 bumped(vec3 n, vec3 x, vec3 y, vec2 rise) {
+  vec3 r1 = cross(y, n), r2 = cross(n, x);
   float det = dot(x, r1);
-  vec3 slope = sign(det) * (dFdx(height) * r1 + dFdy(height) * r2);
-  vec3 made = abs(det) * n - slope;
+  vec3 made = abs(det) * n - sign(det) * (rise.x * r1 + rise.y * r2);
   return made * inversesqrt(max(dot(made, made), 1e-30));
 }
+#if defined(PATTERN)
+vec3 in_pattern(vec3 p) {
+  return vec3(pattern_tile.z * p.x - pattern_tile.w * p.y, pattern_tile.w * p.x + pattern_tile.z * p.y, p.z) * vec3(pattern_tile.x, pattern_tile.y, pattern_tile.x);
+}
+#endif
 #endif
 
 void main() {
@@ -135,12 +141,20 @@ void main() {
   n = dot(made, made) > 1e-12 ? normalize(made) : n;
 #endif
 #if defined(PATTERN)
-  vec3 turned_on = vec3(pattern_tile.z * on.x - pattern_tile.w * on.y, pattern_tile.w * on.x + pattern_tile.z * on.y, on.z);
-  vec3 in_pattern = turned_on * vec3(pattern_tile.x, pattern_tile.y, pattern_tile.x);
-  vec3 wide = fwidth(in_pattern);
-  Patterned has = patterned(pattern_kind, in_pattern, on_facing, max(wide.x, max(wide.y, wide.z)), base.rgb, second, rough, metal);
+  vec3 on_x = dFdx(on), on_y = dFdy(on), wide = abs(in_pattern(on_x)) + abs(in_pattern(on_y)), m = normalize(on_facing);
+  float widest = max(wide.x, max(wide.y, wide.z));
+  on_x = along(on_x, m), on_y = along(on_y, m);
+  Patterned has;
+  float heights[3];
+  // Each pixel works out its own slopes: differences that four pixels share show as blocks.
+  for (int i = 0; i < pattern_points; ++i) {
+    vec3 there = i == 0 ? on : i == 1 ? on + on_x : on + on_y;
+    Patterned one = patterned(pattern_kind, in_pattern(there), on_facing, widest, base.rgb, second, rough, metal);
+    heights[i] = one.height;
+    if (i == 0) has = one;
+  }
   base.rgb = has.color, rough = has.rough, metal = has.metal;
-  n = bumped(n, spot, has.height * bumps * strength / max(abs(pattern_tile.x), 1e-6));
+  if (pattern_points == 3) n = bumped(n, along(dFdx(spot), n), along(dFdy(spot), n), vec2(heights[1] - heights[0], heights[2] - heights[0]) * (bumps * strength / max(abs(pattern_tile.x), 1e-6)));
 #endif
 #endif
   rough = clamp(rough, 0.045, 1.0);

@@ -138,6 +138,7 @@ void PhysicalSurfaces::set_finish(Look& look, const Batch& batch, const Thing& t
   }
   if ((features & pattern) != 0) {
     glUniform1i(at("pattern_kind"), static_cast<GLint>(f.pattern));
+    glUniform1i(at("pattern_points"), f.pattern_bumps > 0 ? 3 : 1);
     glUniform3fv(at("second"), 1, four(f.second, 0).data());
     glUniform1f(at("bumps"), as(f.pattern_bumps));
     glUniform4f(at("pattern_tile"), as(f.tile_x), as(f.tile_y), as(cosine), as(sine));

@@ -64,7 +64,7 @@ uniform vec4 tile;  // how often pictures repeat, and how far they are moved
 uniform vec2 turned;  // cosine and sine
 #endif
 #if defined(PATTERN)
-uniform int pattern_kind;
+uniform int pattern_kind, pattern_points;  // 3 points, or 1 for a pattern without bumps
 uniform vec3 second;
 uniform float bumps;
 uniform vec4 pattern_tile;
