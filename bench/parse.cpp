@@ -23,11 +23,11 @@ using namespace betwixt;
 
 namespace {
 
-constexpr int objects = 1000, events = 1000;
+constexpr int object_count = 1000, events = 1000;
 
 void check(const Loaded& loaded, const Program& program) {
   insist(!has_errors(loaded.diagnostics), "the script has errors");
-  for (int k = 0; k < objects; k += 7)
+  for (int k = 0; k < object_count; k += 7)
     for (int f = 1; f <= events; f += 31) {
       const auto targets = find_targets(fmt::format("ball{}.position", k), loaded.document);
       insist(targets && targets->size() == 1, "a target is missing");
@@ -74,19 +74,20 @@ int main(int count, char** words) {
   const auto rate = [&](double ms) { return static_cast<double>(text.size()) / 1e3 / ms; };
   report("bytes", static_cast<double>(text.size()));
   for (int rounds = count > 1 ? std::atoi(words[1]) : 5; rounds > 0; --rounds) {
-    report(
-        "betwixt",
-        rate(milliseconds([&] { insist(load_text(text, "bench.bx").document.names().size() == objects, "objects"); })));
+    report("betwixt", rate(milliseconds([&] {
+             insist(load_text(text, "bench.bx").document.names().size() == object_count, "objects");
+           })));
     report("plain", rate(milliseconds([&] {
              const auto tracks = plainly(text);
-             insist(tracks.size() == objects && tracks[7].size() == events && tracks[7][30].frame == 31 &&
+             insist(tracks.size() == object_count && tracks[7].size() == events && tracks[7][30].frame == 31 &&
                         length(tracks[7][30].value - scenes::million_key(7, 31)) < 1e-9,
                     "a value of the plain code");
            })));
     report("ready", milliseconds([&] {
              const Loaded loaded = load_file(path.string());
              const Program program = Program::compile(loaded.document);
-             insist(program.frame(loaded.document.range().first).items.size() == objects, "items of the first frame");
+             insist(program.frame(loaded.document.range().first).items.size() == object_count,
+                    "items of the first frame");
            }));
   }
   const Loaded loaded = load_file(path.string());

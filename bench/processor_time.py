@@ -5,9 +5,9 @@ import resource
 import subprocess
 
 
-def processor_time(words, folder):
+def processor_time(words, folder, stderr=subprocess.PIPE):
     """Runs a program. Returns the seconds of processor time of all its threads, and its output."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run(words, cwd=folder, check=True, capture_output=True)
+    done = subprocess.run(words, cwd=folder, check=True, stdout=subprocess.PIPE, stderr=stderr)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout

@@ -68,6 +68,7 @@ struct FilmOptions {
   // in place as soon as it is made, even if the film fails later.
   bool only_missing = false;
   bool alpha = false;             // keeps transparency, if the format can hold it
+  bool drawing = false;           // a flat film: H.264 takes fewer trials, which show only in pictures of nature
   int bits = 8;                   // bits a channel of numbered PNG: 8 or 16
   Sounds sounds;                  // without it the film is silent
   std::string captions;           // a text track in the form of SRT; "": none

@@ -15,8 +15,9 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words h264_words(const FilmOptions&, const std::string& crf) {
-  return {"-c:v", "libx264", "-preset", "fast", "-crf", crf, "-pix_fmt", "yuv420p"};
+// Drawings are about as large and as good with fewer trials, in three fifths of the time.
+Words h264_words(const FilmOptions& o, const std::string& crf) {
+  return {"-c:v", "libx264", "-preset", o.drawing ? "veryfast" : "fast", "-crf", crf, "-pix_fmt", "yuv420p"};
 }
 
 // Apple's players need the tag.

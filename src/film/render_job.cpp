@@ -74,6 +74,7 @@ RenderJob render_job(const Program& program, const std::string& path, const Fram
   film.rate = frames.rate;
   film.width = pictures.width, film.height = pictures.height;
   film.alpha = document.transparent();
+  film.drawing = document.scene().appearance.flat;
   film.bits = bits;
   film.chapters = chapters_of(document, frames.time(0), frames.time(frames.count - 1) + frames.rate.span(1));
   if (has_sounds(document) && takes_sound(path))

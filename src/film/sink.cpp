@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
 #include <ranges>
 
 #include "base/files.h"
@@ -70,9 +73,13 @@ class Movie final : public Sink {
   static void lay_over_black(Parcel& parcel) {
     if (parcel.linear.width > 0) return make_opaque(parcel.linear);
     Picture& shown = parcel.picture;
-    bool clear = false;
-    for (std::size_t i = 3; i < shown.rgba.size(); i += 4) clear |= shown.rgba[i] != 255;
-    if (!clear) return;
+    std::uint32_t common = ~0U;  // the bits that all pixels have
+    for (std::size_t i = 0; i + 3 < shown.rgba.size(); i += 4) {
+      std::uint32_t pixel;
+      std::memcpy(&pixel, &shown.rgba[i], 4);
+      common &= pixel;
+    }
+    if (std::bit_cast<std::array<std::uint8_t, 4>>(common)[3] == 255) return;
     LinearPicture light = to_light(shown.width, shown.height, doubled(shown.rgba));
     make_opaque(light);
     to_shown(light, shown);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace betwixt {
 namespace {
@@ -35,11 +36,17 @@ void add_to_row(std::span<float> sums, float x0, float x1, float d) {
   sums[end] += d * in_last;
 }
 
+// Most pixels of a row lie between edges.
+bool nothing_in_eight(const float* sums) {
+  std::uint64_t bits[4];
+  std::memcpy(bits, sums, sizeof bits);
+  return (bits[0] | bits[1] | bits[2] | bits[3]) == 0;
+}
+
 }  // namespace
 
 void Area::add_inside(float x0, float y0, float x1, float y1, float sign) {
   if (!(y0 < y1)) return;
-  if (edges_.empty()) left_ = width_, right_ = 0, top_ = static_cast<int>(height_), bottom_ = 0;
   left_ = std::min({left_, x0, x1}), right_ = std::max({right_, x0, x1});
   top_ = std::min(top_, static_cast<int>(y0)), bottom_ = std::max(bottom_, static_cast<int>(std::ceil(y1)));
   edges_.push_back({x0, y0, y1, (x1 - x0) / (y1 - y0), sign});
@@ -61,7 +68,10 @@ void Area::add(float x0, float y0, float x1, float y1) {
   if ((x0 > width_) != (x1 > width_)) (x0 < x1 ? cuts[2] : cuts[1]) = y_at(width_);
   const float at[4] = {clamped(x0), clamped(x0), clamped(x1), clamped(x1)};
   for (int i = 0; i < 3; ++i)
-    if (at[i] < width_ || at[i + 1] < width_) add_inside(at[i], cuts[i], at[i + 1], cuts[i + 1], sign);
+    if (at[i] < width_ || at[i + 1] < width_)
+      add_inside(at[i], cuts[i], at[i + 1], cuts[i + 1], sign);
+    else if (cuts[i] < cuts[i + 1])
+      right_ = width_;
 }
 
 void Area::finish() {
@@ -92,6 +102,9 @@ RowCoverage CoverageRows::next(int row, std::span<float> sums, std::span<float> 
   const std::size_t end = std::min(static_cast<std::size_t>(high) + 2, sums.size());
   float sum = 0, share = 0;
   for (std::size_t i = first; i < end; ++i) {
+    while (i + 8 <= end && nothing_in_eight(&sums[i]))
+      std::fill_n(room.begin() + static_cast<std::ptrdiff_t>(i), 8, share), i += 8;
+    if (i == end) break;
     sum += sums[i];
     sums[i] = 0;
     share = std::min(std::abs(sum), 1.F);

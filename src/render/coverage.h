@@ -16,7 +16,8 @@ namespace betwixt {
 class Area {
  public:
   Area() = default;
-  Area(int width, int height) : width_(static_cast<float>(width)), height_(static_cast<float>(height)) {}
+  Area(int width, int height)
+      : width_(static_cast<float>(width)), height_(static_cast<float>(height)), left_(width_), top_(height) {}
   void add(float x0, float y0, float x1, float y1);
   // Sorts the edges; call it once, after the last edge.
   void finish();

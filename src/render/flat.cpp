@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "base/stages.h"
@@ -74,8 +75,13 @@ bool FlatPainter::draw(const Columns& columns, Picture& out) {
   if (!is_drawing(columns)) return false;
   const InStage stage(Stage::draw);
   const bool other_things = update(columns), other_scenery = scenery_.take(columns);
-  if (!flat_) return false;
+  if (!flat_) {
+    picture_ = {};
+    return false;
+  }
+  if (other_scenery || picture_.rgba.empty()) mark_all();
   if (other_things || other_scenery || picture_.rgba.empty()) fill(picture_);
+  rows_.assign(rows_.size(), {0, 0});
   out = picture_;
   return true;
 }
@@ -94,14 +100,40 @@ bool FlatPainter::draw(const Columns& columns, LinearPicture& out) {
 bool FlatPainter::update(const Columns& columns) {
   if (!things_.take(columns)) return false;
   const std::vector<Thing>& all = things_.all();
+  for (std::size_t i = all.size(); i < painted_.size(); ++i) mark(painted_[i]);
   painted_.resize(all.size());
-  const auto renew = [&](std::uint32_t i) { outline(painted_[i], all[i]); };
+  std::vector<char> renewed(all.size(), things_.all_changed() ? 1 : 0);
+  const auto renew = [&](std::uint32_t i) {
+    mark(painted_[i]);
+    outline(painted_[i], all[i]);
+    mark(painted_[i]);
+    renewed[i] = 1;
+  };
   if (things_.all_changed())
     for (std::uint32_t i = 0; i < all.size(); ++i) renew(i);
   else
     for (const std::uint32_t i : things_.changed()) renew(i);
+  const std::vector<std::uint32_t> before = std::exchange(order_, {});
   flat_ = sort();
+  // The others must keep their order.
+  const auto same = [&](std::vector<std::uint32_t> from, std::vector<std::uint32_t> to) {
+    const auto is_new = [&](std::uint32_t i) { return i >= renewed.size() || renewed[i] != 0; };
+    std::erase_if(from, is_new), std::erase_if(to, is_new);
+    return from == to;
+  };
+  if (things_.all_changed() || !same(before, order_)) mark_all();
   return true;
+}
+
+void FlatPainter::mark(const Painted& one) {
+  for (const Paint& p : one.parts) {
+    const int left = std::max(static_cast<int>(p.area.left()), 0);
+    const int right = std::min(static_cast<int>(p.area.right()) + 2, width_);
+    for (int y = p.area.top(); y < p.area.bottom(); ++y) {
+      Span& row = rows_[static_cast<std::size_t>(y)];
+      row = row.left < row.right ? Span{std::min(row.left, left), std::max(row.right, right)} : Span{left, right};
+    }
+  }
 }
 
 void FlatPainter::outline(Painted& to, const Thing& t) const {
@@ -121,22 +153,34 @@ void FlatPainter::outline(Painted& to, const Thing& t) const {
     to.good = to.good && p.depth > 1e-9 && std::abs(p.x) < 1e7 && std::abs(p.y) < 1e7;
   }
   if (!to.good) return;
+  Store::need_twins(*t.mesh);
+  const std::vector<std::uint32_t>& corners = mesh.triangles;
   const double outside = t.mirrored ? 1 : -1;  // the sign of a triangle that is seen from outside: y goes down
-  for (const StoredPart& part : t.mesh->parts) {
+  // The sign of the area of each triangle as seen; 0 if it is not drawn.
+  std::vector<signed char> seen(corners.size() / 3);
+  std::vector<std::uint32_t> part_of(seen.size());
+  for (std::size_t p = 0; p < t.mesh->parts.size(); ++p) {
+    const StoredPart& part = t.mesh->parts[p];
     to.good = to.good && part.texture == nullptr;
+    for (std::size_t k = part.first; k + 2 < part.first + part.count; k += 3) {
+      const Point &a = points[corners[k]], &b = points[corners[k + 1]], &c = points[corners[k + 2]];
+      const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+      if (area != 0 && !(t.closed && area * outside < 0)) seen[k / 3] = area < 0 ? -1 : 1;
+      part_of[k / 3] = static_cast<std::uint32_t>(p);
+    }
+  }
+  for (std::size_t p = 0; p < t.mesh->parts.size(); ++p) {
+    const StoredPart& part = t.mesh->parts[p];
     Paint paint;
     paint.area = Area(width_, height_);
-    for (std::size_t k = part.first; k + 2 < part.first + part.count; k += 3) {
-      const Point &a = points[mesh.triangles[k]], &b = points[mesh.triangles[k + 1]],
-                  &c = points[mesh.triangles[k + 2]];
-      const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-      if (area == 0 || (t.closed && area * outside < 0)) continue;
-      const Point &second = area < 0 ? c : b, &third = area < 0 ? b : c;
-      const auto edge = [&](const Point& p, const Point& q) {
-        paint.area.add(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(q.x),
-                       static_cast<float>(q.y));
-      };
-      edge(a, second), edge(second, third), edge(third, a);
+    for (std::size_t k = part.first; k < part.first + part.count / 3 * 3; ++k) {
+      const std::size_t triangle = k / 3, other = t.mesh->twins[k] / 3;
+      // Edges within an area have an opposite one beside: the two would cancel.
+      if (seen[triangle] == 0 || (other != triangle && seen[other] == seen[triangle] && part_of[other] == p)) continue;
+      const Point &a = points[corners[k]], &b = points[corners[k % 3 == 2 ? k - 2 : k + 1]];
+      const Point &start = seen[triangle] < 0 ? b : a, &end = seen[triangle] < 0 ? a : b;
+      paint.area.add(static_cast<float>(start.x), static_cast<float>(start.y), static_cast<float>(end.x),
+                     static_cast<float>(end.y));
     }
     if (paint.area.empty()) continue;
     paint.area.finish();
@@ -181,7 +225,7 @@ bool FlatPainter::sort() {
 }
 
 FlatPainter::Bytes FlatPainter::as_drawn(const Color& c) {
-  return {byte_of(encoded_as_drawn(c.r)), byte_of(encoded_as_drawn(c.g)), byte_of(encoded_as_drawn(c.b))};
+  return {byte_of(encoded_as_drawn(c.r)), byte_of(encoded_as_drawn(c.g)), byte_of(encoded_as_drawn(c.b)), 255};
 }
 
 template <bool light>
@@ -197,7 +241,7 @@ FlatPainter::Color FlatPainter::plus(const Color& sum, const Color& c, float opa
 }
 
 template <bool light, class Put>
-void FlatPainter::paint(const Put& put) const {
+void FlatPainter::paint(const std::vector<Span>& rows, const Put& put) const {
   const auto width = static_cast<std::size_t>(width_);
   struct Reader {
     const Paint* paint;
@@ -213,6 +257,8 @@ void FlatPainter::paint(const Put& put) const {
   // The parts of an object meet at their borders: they are added, so that nothing behind them shows there.
   std::vector<Color> joint(width, Color{0, 0, 0});
   for (int y = 0; y < height_; ++y) {
+    const Span& span = rows[static_cast<std::size_t>(y)];
+    if (span.left >= span.right) continue;
     const Vec3 behind = behind_row(scenery_, (y + 0.5) / height_);
     Color empty{static_cast<float>(behind.x), static_cast<float>(behind.y), static_cast<float>(behind.z)};
     if (light && !scenery_.surroundings.clear) empty.opacity = 1;
@@ -222,6 +268,8 @@ void FlatPainter::paint(const Put& put) const {
       for (Reader& r : parts) {
         const Paint& p = *r.paint;
         if (y < p.area.top() || y >= p.area.bottom()) continue;
+        if (p.area.right() + 1 < static_cast<float>(span.left) || p.area.left() > static_cast<float>(span.right))
+          continue;
         const RowCoverage covered = r.rows.next(y, sums, room);
         Color* at = (parts.size() == 1 ? row : joint).data() + covered.first;
         if (parts.size() == 1) {
@@ -245,9 +293,10 @@ void FlatPainter::paint(const Put& put) const {
 
 void FlatPainter::fill(LinearPicture& out) const {
   out.width = width_, out.height = height_;
-  const auto width = static_cast<std::size_t>(width_);
-  out.rgba.resize(4 * width * static_cast<std::size_t>(height_));
-  paint<true>([&](int y, const Vec3&, const Color&, const std::vector<Color>& row) {
+  const auto width = static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_);
+  out.rgba.resize(4 * width * height);
+  const std::vector<Span> all(height, {0, width_});
+  paint<true>(all, [&](int y, const Vec3&, const Color&, const std::vector<Color>& row) {
     float* to = out.rgba.data() + 4 * width * static_cast<std::size_t>(y);
     for (const Color& c : row)
       for (const float channel : {c.r, c.g, c.b, c.opacity}) *to++ = channel;
@@ -257,19 +306,21 @@ void FlatPainter::fill(LinearPicture& out) const {
 void FlatPainter::fill(Picture& out) const {
   out.width = width_, out.height = height_;
   const auto width = static_cast<std::size_t>(width_);
-  out.rgba.assign(4 * width * static_cast<std::size_t>(height_), 255);
-  paint<false>([&](int y, const Vec3& behind, const Color& empty, const std::vector<Color>& row) {
-    // Most pixels are empty, or equal their neighbour.
+  out.rgba.resize(4 * width * static_cast<std::size_t>(height_));
+  paint<false>(rows_, [&](int y, const Vec3& behind, const Color& empty, const std::vector<Color>& row) {
     // The graphics interface clears with exact colours.
-    const Bytes exact{byte_of(encoded(behind.x)), byte_of(encoded(behind.y)), byte_of(encoded(behind.z))};
+    const Bytes exact{byte_of(encoded(behind.x)), byte_of(encoded(behind.y)), byte_of(encoded(behind.z)), 255};
     const Bytes empty_bytes = scenery_.plain() ? exact : as_drawn(empty);
+    const Span& span = rows_[static_cast<std::size_t>(y)];
+    std::uint8_t* to =
+        out.rgba.data() + 4 * (width * static_cast<std::size_t>(y) + static_cast<std::size_t>(span.left));
+    // Most pixels are empty, or equal their neighbour.
     Color last = empty;
     Bytes bytes = empty_bytes;
-    std::uint8_t* to = out.rgba.data() + 4 * width * static_cast<std::size_t>(y);
-    for (const Color& c : row) {
+    for (int x = span.left; x < span.right; ++x, to += 4) {
+      const Color& c = row[static_cast<std::size_t>(x)];
       if (c != last) last = c, bytes = c == empty ? empty_bytes : as_drawn(c);
-      std::copy(bytes.begin(), bytes.end(), to);
-      to += 4;
+      std::memcpy(to, bytes.data(), 4);
     }
   });
 }

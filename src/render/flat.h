@@ -16,7 +16,11 @@ namespace betwixt {
 
 class FlatPainter {
  public:
-  FlatPainter(int width, int height) : things_(Purpose::surfaces, width, height), width_(width), height_(height) {}
+  FlatPainter(int width, int height)
+      : things_(Purpose::surfaces, width, height),
+        width_(width),
+        height_(height),
+        rows_(static_cast<std::size_t>(height), {0, width}) {}
   // Draws into `out`, or returns false if the picture is not flat.
   bool draw(const Columns&, Picture& out);
   bool draw(const Columns&, LinearPicture& out);  // light with opacities
@@ -38,15 +42,20 @@ class FlatPainter {
     double back = 0;    // the largest depth
     std::vector<Paint> parts;
   };
+  struct Span {  // of a row, in pixels
+    int left, right;
+  };
   bool update(const Columns&);
+  void mark_all() { rows_.assign(rows_.size(), {0, width_}); }
+  void mark(const Painted&);
   void outline(Painted&, const Thing&) const;
   bool sort();
-  // Paints row by row and calls put(y, row); light: colours are multiplied by their opacities.
+  // Paints these parts of rows and calls put(y, …, row) for each; light: colours are multiplied by their opacities.
   template <bool light, class Put>
-  void paint(const Put& put) const;
-  void fill(Picture& out) const;
+  void paint(const std::vector<Span>& rows, const Put& put) const;
+  void fill(Picture& out) const;  // draws rows_
   void fill(LinearPicture& out) const;
-  using Bytes = std::array<std::uint8_t, 3>;
+  using Bytes = std::array<std::uint8_t, 4>;  // of a pixel
   static Bytes as_drawn(const Color&);
   template <bool light>
   static Color over(const Color& below, const Color&, float opacity);
@@ -59,6 +68,7 @@ class FlatPainter {
   std::vector<std::uint32_t> order_;  // of the visible ones, from back to front
   bool flat_ = false;                 // whether the columns that were seen last are flat
   Picture picture_;                   // the last one; empty: not drawn
+  std::vector<Span> rows_;            // of picture_: what may differ now
 };
 
 }  // namespace betwixt

@@ -3,6 +3,7 @@
 #include "render/store.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 
 #include "betwixt/math.h"
@@ -178,6 +179,30 @@ void Store::need_edges(StoredMesh& m) {
   floats_at(at_end, 3, 8, 3);
   floats_at(at_corner, 2, 8, 6);
   m.edge_count = static_cast<GLsizei>(indices.size());
+}
+
+void Store::need_twins(StoredMesh& stored) {
+  const std::vector<std::uint32_t>& corners = stored.mesh->triangles;
+  const std::size_t edges = corners.size() / 3 * 3;
+  if (stored.twins.size() == edges) return;
+  stored.twins.resize(edges);
+  const auto from = [&](std::size_t k) { return corners[k]; };
+  const auto to = [&](std::size_t k) { return corners[k % 3 == 2 ? k - 2 : k + 1]; };
+  // An open hash table of edges that have no twin yet; 0 is an empty place.
+  const std::size_t places = std::bit_ceil(2 * edges + 1);
+  std::vector<std::uint32_t> table(places);
+  for (std::size_t k = 0; k < edges; ++k) {
+    const std::uint32_t a = from(k), b = to(k);
+    stored.twins[k] = static_cast<std::uint32_t>(k);
+    std::size_t at = (std::uint64_t{std::min(a, b)} * 0x9E3779B97F4A7C15U + std::max(a, b) * 0xC2B2AE3D27D4EB4FU) >> 20;
+    for (at &= places - 1; table[at] != 0; at = (at + 1) & (places - 1)) {
+      const std::uint32_t other = table[at] - 1;
+      if (stored.twins[other] != other || from(other) != b || to(other) != a) continue;
+      stored.twins[k] = other, stored.twins[other] = static_cast<std::uint32_t>(k);
+      break;
+    }
+    if (stored.twins[k] == k) table[at] = static_cast<std::uint32_t>(k) + 1;
+  }
 }
 
 GLuint Store::need_texture(const StoredTexture& t) {

@@ -38,6 +38,7 @@ struct StoredMesh {
   gl::VertexArray triangles, edges;
   gl::Buffer vertices, indices, edge_vertices, edge_indices;
   GLsizei edge_count = 0;
+  std::vector<std::uint32_t> twins;  // see need_twins()
 };
 
 // The locations of a program's inputs: a mesh's vertices, an edge's corners, and the first one of an instance.
@@ -61,6 +62,9 @@ class Store {
   // Sends the triangles. Wide lines have four corners for an edge, each with both ends.
   static void need_triangles(StoredMesh&);
   static void need_edges(StoredMesh&);
+  // Finds for each edge of each triangle (3 * triangle + 0 to 2) the same edge of another one, in the other direction;
+  // an edge without one is its own twin.
+  static void need_twins(StoredMesh&);
   // Returns the texture's id; 0 if its picture is not valid.
   static GLuint need_texture(const StoredTexture&);
   // The same for pictures of numbers, such as normals.

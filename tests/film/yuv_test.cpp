@@ -46,7 +46,7 @@ std::vector<double> by_the_book(const Picture& p, bool alpha = false) {
 
 TEST(Yuv, AgreesWithTheDefinition) {
   std::mt19937 random(11);
-  for (const auto& [w, h] : {std::pair{1, 1}, {2, 2}, {1, 4}, {5, 3}, {16, 9}, {33, 17}}) {
+  for (const auto& [w, h] : {std::pair{1, 1}, {2, 2}, {1, 4}, {5, 3}, {16, 9}, {33, 17}, {64, 4}, {71, 3}}) {
     Picture p{w, h, {}};
     for (int i = 0; i < w * h * 4; ++i) p.rgba.push_back(static_cast<std::uint8_t>(random() & 255));
     for (int i = 3; i < w * h * 4; i += 4)  // clear, opaque and all between
@@ -61,6 +61,32 @@ TEST(Yuv, AgreesWithTheDefinition) {
       for (std::size_t i = 0; i < made.size(); ++i)
         EXPECT_NEAR(made[i], expected[i], 0.58) << w << "x" << h << " at " << i << (alpha ? " with opacity" : "");
     }
+  }
+}
+
+// What a pixel becomes depends on its neighbours only, wherever it stands in a row: many are worked out at once.
+TEST(Yuv, PicturesAreThoseOfTheirParts) {
+  std::mt19937 random(12);
+  constexpr int wide = 83, part = 6;
+  Picture all{wide, 2, {}};
+  for (int i = 0; i < 2 * wide; ++i)
+    for (int k = 0; k < 4; ++k) all.rgba.push_back(k == 3 ? 255 : static_cast<std::uint8_t>(random() & 255));
+  std::vector<std::uint8_t> made, piece;
+  to_yuv420(all, false, made);
+  for (int x = 0; x + part <= wide; x += 2) {
+    Picture p{part, 2, {}};
+    for (int y = 0; y < 2; ++y) {
+      const auto from = all.rgba.begin() + 4 * (y * wide + x);
+      p.rgba.insert(p.rgba.end(), from, from + 4 * part);
+    }
+    to_yuv420(p, false, piece);
+    for (int k = 0; k < part; ++k)
+      EXPECT_EQ(piece[static_cast<std::size_t>(k)], made[static_cast<std::size_t>(x + k)]) << x << " " << k;
+    // The first and the last column of the part have no neighbours there.
+    const auto middle = static_cast<std::size_t>(2 * part + 1),
+               there = static_cast<std::size_t>(2 * (wide + 1) + x / 2 + 1);
+    EXPECT_EQ(piece[middle], made[there]) << x;
+    EXPECT_EQ(piece[middle + part / 2], made[there + (wide + 1) / 2]) << x;
   }
 }
 

@@ -247,6 +247,40 @@ TEST(Flat, PicturesWhilePlayingAreThoseOfTheFrames) {
   }
 }
 
+// Only what changes is drawn again: in place, colour, depth, size or visibility, above and below what rests.
+TEST(Flat, PicturesOfFewChangesAreThoseOfNewPainters) {
+  std::mt19937 random(9);
+  const auto any = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };
+  for (int film = 0; film < 30; ++film) {
+    std::string script = film % 3 == 0 ? "film flat\nbackground #102030 to #405060\n" : "film flat\n";
+    for (int k = 0; k < 12; ++k)
+      script +=
+          fmt::format("create s{} {} color=#{:06x} transparency={} position=({:.2f} {:.2f} {})\n", k,
+                      k % 3 == 0   ? "star"
+                      : k % 3 == 1 ? "rectangle"
+                                   : "circle",
+                      random() & 0xffffff, k % 4 == 0 ? 0.5 : 0.0, any(-9, 9), any(-5, 5), k % 5 == 0 ? 0.1 : 0.0);
+    for (int k = 0; k < 3; ++k) {
+      const char* const tracks[] = {"position.x", "position.z", "transparency", "scale.y", "scale.x", "position.y"};
+      script += fmt::format("s{}.{}\n  1f {:.2f} linear\n  12f {:.2f}\n", random() % 12, tracks[random() % 6],
+                            any(0, 1), any(0, 1));
+    }
+    script += fmt::format("at 5f hide s{0}\nat 9f show s{0}\n", random() % 12);
+    const Program p = program_of(script);
+    FlatPainter playing(80, 45);
+    Picture played, alone;
+    for (int k = 0; k < 25; ++k) {
+      const Frame frame = p.frame(Rate{24, 1}.frame(static_cast<int>(1 + random() % 12)));
+      ASSERT_TRUE(playing.draw(FrameColumns(frame).columns(), played)) << script;
+      ASSERT_TRUE(FlatPainter(80, 45).draw(FrameColumns(frame).columns(), alone));
+      const auto differs = std::mismatch(played.rgba.begin(), played.rgba.end(), alone.rgba.begin()).first;
+      const auto at = (differs - played.rgba.begin()) / 4;
+      ASSERT_TRUE(differs == played.rgba.end())
+          << script << "differs at " << at % 80 << ", " << at / 80 << " in picture " << k;
+    }
+  }
+}
+
 TEST(Flat, WhatIsNotFlatIsLeftToTheGraphics) {
   const auto flat = [](const std::string& script) {
     FlatPainter painter(64, 36);
