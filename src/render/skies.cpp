@@ -23,7 +23,7 @@ constexpr Softbox softboxes[] = {
     {{0.92, 0.22, 0.42}, 0.42, 0.70, 0.5, {0.62, 0.69, 0.80}},  // fill
     {{0.45, 0.42, -0.86}, 0.28, 0.62, 0.3, {2.1, 2.18, 2.34}},  // rim
     {{-0.75, 0.15, -0.70}, 0.20, 0.55, 0.4, {1.0, 1.0, 1.04}},  // second rim
-    {{0.05, 0.30, 1.0}, 1.25, 0.85, 0.85, {0.62, 0.62, 0.64}},  // a large pale card in front
+    {{0.10, 0.42, 1.0}, 1.40, 0.95, 0.92, {0.96, 0.945, 0.93}},  // a large card in front: flat faces mirror its edge
     {{0.10, 1.0, -0.15}, 0.50, 0.50, 0.6, {0.75, 0.75, 0.75}},  // from above
 };
 
@@ -88,10 +88,10 @@ SkyModel::Day SkyModel::day_at(double hour) {
   const double high = s.sun.y;
   const double day = smoothstep(-0.15, 0.35, high);     // how much of the full light there is
   const double low = 1 - smoothstep(0.02, 0.42, high);  // how red the light is
-  s.zenith = mix({0.012, 0.018, 0.045}, mix({0.115, 0.235, 0.60}, {0.10, 0.135, 0.30}, low), day);
-  s.horizon = mix({0.03, 0.035, 0.06}, mix({0.58, 0.72, 0.90}, {0.80, 0.47, 0.27}, low), day);
+  s.zenith = mix({0.012, 0.018, 0.045}, mix({0.135, 0.245, 0.52}, {0.10, 0.135, 0.30}, low), day);
+  s.horizon = mix({0.03, 0.035, 0.06}, mix({0.62, 0.73, 0.86}, {0.80, 0.47, 0.27}, low), day);
   s.glow = day * mix({0.45, 0.42, 0.36}, {1.5, 0.62, 0.16}, low);
-  s.light = smoothstep(-0.03, 0.10, high) * mix({0.92, 0.86, 0.76}, {0.88, 0.40, 0.14}, low);
+  s.light = smoothstep(-0.03, 0.10, high) * mix({1.08, 0.95, 0.76}, {0.88, 0.40, 0.14}, low);
   return s;
 }
 
