@@ -57,7 +57,7 @@ PathTracer::PathTracer(const World& world, const View& view, const Scenery& scen
     : world_(world),
       view_(view),
       around_(scenery.surroundings),
-      sky_(scenery, view),
+      sky_(scenery, view, world.has_finishes()),
       lighting_(lighting_of(scenery.lights, view, {}, around_, sky_.sun())),
       top_(scenery.background.value_or(Lighting::above)),
       bottom_(scenery.background ? around_.below.value_or(top_) : Lighting::beneath),

@@ -30,6 +30,10 @@ bool needs_physical(const Things& things, const Scenery& scenery, const SkyAroun
   if (sky) return true;
   for (const Light& l : scenery.lights)
     if (l.shape != LightShape::point || l.cone > 0) return true;
+  return has_finishes(things);
+}
+
+bool has_finishes(const Things& things) {
   return std::any_of(things.all().begin(), things.all().end(),
                      [](const Thing& t) { return t.visible && t.finish != nullptr; });
 }

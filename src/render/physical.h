@@ -14,6 +14,7 @@ namespace betwixt {
 
 // Returns whether a picture needs physical surfaces. `things`: those that may be seen.
 bool needs_physical(const Things&, const Scenery&, const SkyAround&);
+bool has_finishes(const Things&);  // whether a visible object has one
 
 class PhysicalSurfaces {
  public:

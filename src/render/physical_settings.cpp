@@ -16,12 +16,6 @@ std::array<Vec3, 9> dome(const Lighting& lighting) {
   return {0.5 * (lighting.sky + lighting.ground), 0.5 * (lighting.sky - lighting.ground)};
 }
 
-std::array<float, 12> texel_rows(Vec3 c) {
-  std::array<float, 12> r{};
-  for (std::size_t i = 0; i < 12; ++i) r[i] = static_cast<float>(c[static_cast<int>(i % 3)]);
-  return r;
-}
-
 }  // namespace
 
 void PhysicalSurfaces::set_frame(Look& look) {
@@ -91,12 +85,11 @@ void PhysicalSurfaces::need_sky_light() {
     const Vec3 above = 1.6 * frame_->lighting.sky, under = 1.6 * frame_->lighting.ground,
                beside = 0.5 * (above + under);
     for (GLenum face = 0; face < 6; ++face) {
-      auto rows = texel_rows(face == 2 ? above : face == 3 ? under : beside);
-      for (std::size_t i = 0; i < 12 && face != 2 && face != 3; ++i)
-        rows[i] =
-            static_cast<float>((i < 6 ? 0.5 * (above + beside) : 0.5 * (under + beside))[static_cast<int>(i % 3)]);
-      glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-      glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, 0, 0, 2, 2, GL_RGB, GL_FLOAT, rows.data());
+      const Vec3 first = face == 2 ? above : face == 3 ? under : 0.5 * (above + beside);
+      const Vec3 second = face == 2 ? above : face == 3 ? under : 0.5 * (under + beside);
+      const std::array<std::array<float, 4>, 4> texels{four(first, 1), four(first, 1), four(second, 1),
+                                                       four(second, 1)};
+      glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, 0, 0, 2, 2, GL_RGBA, GL_FLOAT, texels.data());
     }
     return;
   }

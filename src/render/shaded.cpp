@@ -41,7 +41,7 @@ class Shaded final : public Module {
     return r;
   }
   void draw_anew() override {
-    SkyAround sky(scenery_, things_.view());
+    SkyAround sky(scenery_, things_.view(), has_finishes(things_));
     if (needs_physical(things_, scenery_, sky)) return draw_physical(std::move(sky));
     const auto [solid, glass, hairlines, through, metal] = sorted();
     const View& view = things_.view();

@@ -6,13 +6,15 @@
 
 namespace betwixt {
 
-SkyAround::SkyAround(const Scenery& scenery, const View& view) {
+SkyAround::SkyAround(const Scenery& scenery, const View& view, bool has_finishes) {
   const Surroundings& around = scenery.surroundings;
   if (around.flat) return;
   Sky sky = around.environment;
-  own_ = sky.kind == Sky::none && scenery.lights.empty() && !around.sky && !around.ambient;
+  constexpr double beside_lamps = 0.45;  // as much light as the dome of other films with lamps gives
+  with_lamps_ = !scenery.lights.empty();
+  own_ = sky.kind == Sky::none && !around.sky && !around.ambient && (!with_lamps_ || has_finishes);
   if (own_) {
-    sky.kind = Sky::studio;
+    sky.kind = Sky::studio, sky.strength = with_lamps_ ? beside_lamps : sky.strength;
     const Vec3 right = normalize(Vec3{view.right.x, 0, view.right.z}, {1, 0, 0});
     cosine_ = right.x, sine_ = -right.z;
   } else {
@@ -27,7 +29,7 @@ SkyAround::SkyAround(const Scenery& scenery, const View& view) {
 }
 
 std::optional<SkySun> SkyAround::sun() const {
-  if (!light_ || !light_->sun()) return std::nullopt;
+  if (!light_ || !light_->sun() || (own_ && with_lamps_)) return std::nullopt;
   SkySun sun = *light_->sun();
   sun.toward = to_world(sun.toward), sun.color = strength_ * sun.color;
   if (own_) sun.size = 0;  // soft shadows take a multiple of the time, so a script asks for them with `sky studio`

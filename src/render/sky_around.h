@@ -13,8 +13,9 @@ namespace betwixt {
 class SkyAround {
  public:
   SkyAround() = default;  // no sky
-  // That of the script. A film with light from nowhere gets a studio that turns with the camera.
-  SkyAround(const Scenery&, const View&);
+  // That of the script. A film with light from nowhere gets a studio that turns with the camera; one with lamps and
+  // finishes gets a dim one, so that metals have something to mirror.
+  SkyAround(const Scenery&, const View&, bool has_finishes);
   explicit operator bool() const { return light_ != nullptr; }
   const std::shared_ptr<const SkyLight>& light() const { return light_; }
   bool is_default() const { return own_; }           // the renderer's own, for light from nowhere
@@ -36,6 +37,7 @@ class SkyAround {
   std::shared_ptr<const SkyLight> light_;
   double cosine_ = 1, sine_ = 0, strength_ = 1, share_ = 1;
   bool seen_behind_ = false, own_ = false;  // own_: the renderer's
+  bool with_lamps_ = false;                 // whether the script has lights
 };
 
 }  // namespace betwixt

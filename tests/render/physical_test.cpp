@@ -181,6 +181,35 @@ TEST(Physical, AConeProjectsItsPictureUpright) {
   }
 }
 
+// A film with a lamp and without a sky: metals mirror a dim studio, and are not black beside the lamp's highlight.
+TEST(Physical, MetalIsNotBlackBesideALamp) {
+  Finish f;
+  f.metalness = 1, f.roughness = 0.2;
+  Vec3 mean[2];
+  for (const bool traced : {false, true}) {
+    Frame frame = frame_of({finished(f, {1, 0.71, 0.29})}, {});
+    Light lamp;
+    lamp.position = {4, 8, 6}, lamp.range = 40;
+    frame.background = std::nullopt;
+    frame.lights = {lamp};
+    const LinearPicture p = light_of(frame, traced ? "traced" : "shaded", 64);
+    double dark = 0, all = 0;
+    for (int y = 14; y < 50; ++y)
+      for (int x = 14; x < 50; ++x) {
+        const Vec3 c = light_at(p, x, y);
+        mean[traced ? 1 : 0] = mean[traced ? 1 : 0] + 1.0 / (36 * 36) * c;
+        ++all, dark += c.x < 0.02 ? 1 : 0;
+      }
+    EXPECT_LT(dark, 0.02 * all) << traced;
+  }
+  for (const Vec3& m : mean) {
+    EXPECT_GT(m.x, 0.1);
+    EXPECT_GT(m.x, 1.3 * m.y);
+    EXPECT_GT(m.y, 1.8 * m.z);
+  }
+  EXPECT_NEAR(mean[0].x, mean[1].x, 0.12 * mean[1].x);
+}
+
 // The text of the patterns is compiled twice, as C++ and as GLSL: both styles must show the same colours.
 TEST(Physical, PatternsAreTheSameInBothLanguages) {
   for (const MaterialRow& row : materials()) {
