@@ -55,8 +55,9 @@ class Evaluation {
     Vec3 color{1, 1, 1};                     // linear light
     double transparency = 0, shininess = 0;  // as in Item
     double blend = 0;                        // how far `shape` has turned into `toward`, as in Item
-    // Pass them to shape(), texture() and finish(). Without a finish, shininess and material say how it looks.
-    std::uint32_t shape = none, toward = none, texture = none, finish = none;
+    // Pass them to shape(), texture(), finish() and gradients(). Without a finish, shininess and material say how it
+    // looks.
+    std::uint32_t shape = none, toward = none, texture = none, finish = none, gradients = none;
     Material material = Material::plastic;
     bool visible = false;
     bool casts = true;  // whether it casts shadows
@@ -69,6 +70,7 @@ class Evaluation {
   const std::shared_ptr<const Shape>& shape(std::uint32_t number) const;
   const std::shared_ptr<const Picture>& texture(std::uint32_t number) const;
   const std::shared_ptr<const Finish>& finish(std::uint32_t number) const;
+  const std::shared_ptr<const Gradients>& gradients(std::uint32_t number) const;
   // Returns the indices, in order, of the drawables in which anything differs from the previous `to`. Returns all of
   // them after the first `to`, and if `use` has changed which drawables there are.
   std::span<const std::uint32_t> changed() const;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "betwixt/finish.h"
+#include "betwixt/gradient.h"
 #include "betwixt/layer.h"
 #include "betwixt/problem.h"
 #include "betwixt/setting.h"
@@ -35,6 +36,8 @@ struct Item {
   std::shared_ptr<const Picture> texture;  // null if it has none, or only that of its mesh file
   // Its physical finish; null: shininess and material say how it looks. With a finish, these two are an approximation.
   std::shared_ptr<const Finish> finish;
+  // In place of its colour and of that of its stroke; null if it has none. The colour is then that of the first stop.
+  std::shared_ptr<const Gradients> gradients;
   // The body that it belongs to. For an attached object, this is the drawn object that you reach last if you go from
   // parent to parent. For a part by name it is the whole (car for car/wheel). Otherwise it is the object itself.
   ObjectId body;

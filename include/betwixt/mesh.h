@@ -28,6 +28,7 @@ struct MeshPart {
   std::array<float, 3> color{1, 1, 1};     // linear light
   std::shared_ptr<const Picture> texture;  // null if it has none
   bool tinted = true;                      // whether the object's own colour multiplies it
+  bool stroke = false;                     // whether it is the stroke of a flat shape
 };
 
 struct Rig;  // src/scene/rig.h

@@ -117,6 +117,7 @@ struct Shape {
   double stroke_width = 0, dash = 0, gap = 0, trim_from = 0, trim_to = 1;
   Vec3 stroke{-1, -1, -1};  // its colour in linear light; all below 0: that of the object
   bool filled = true, stroke_round = false;
+  bool stroke_graded = false;  // a gradient colours the stroke, so that it is drawn without a colour of its own
   Points points, holes;
   Text text, font;
   Text language;  // of code, whose words are parts (src/scene/code_languages.h); "": a plain text

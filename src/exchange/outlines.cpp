@@ -212,7 +212,7 @@ Mesh drawn(const Outline& outline, const Pen& pen, double depth, Winding winding
   Mesh mesh = joined(std::move(both));
   const auto all = static_cast<std::uint32_t>(mesh.triangles.size());
   mesh.parts.push_back({0, all - stroke, {1, 1, 1}, nullptr});
-  mesh.parts.push_back({all - stroke, stroke, narrow(pen.color.value_or(Vec3{1, 1, 1})), nullptr, !pen.color});
+  mesh.parts.push_back({all - stroke, stroke, narrow(pen.color.value_or(Vec3{1, 1, 1})), nullptr, !pen.color, true});
   return mesh;
 }
 

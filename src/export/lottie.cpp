@@ -7,15 +7,18 @@
 
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "export/fit.h"
 #include "export/formats.h"
-#include "export/json.h"
+#include "export/lottie_values.h"
 #include "export/planar_look.h"
 #include "export/seen.h"
 #include "track/track.h"
 
 namespace betwixt {
+namespace lottie {
 namespace {
 
 class LottieMaker {
@@ -62,19 +65,6 @@ class LottieMaker {
 
   double frame(Time t) const { return (t - options_.from).seconds() * rate_; }
 
-  static Json still(Json v) { return {{"a", 0}, {"k", std::move(v)}}; }
-  static Json key(double at, Json value, const PlanarCurve* c) {
-    Json k{{"t", at}, {"s", std::move(value)}};
-    if (!c) return k;
-    if (c->shape == PlanarCurve::held) {
-      k["h"] = 1;
-      return k;
-    }
-    const auto handle = [](double x, double y) { return Json{{"x", {x}}, {"y", {y}}}; };
-    k["o"] = handle(c->x1, c->shape == PlanarCurve::cubic ? c->y1 : 1.0 / 3);
-    k["i"] = handle(c->x2, c->shape == PlanarCurve::cubic ? c->y2 : 2.0 / 3);
-    return k;
-  }
   // rlottie distinguishes curves by two digits of their handles only, and reuses earlier curves that look equal. If
   // that would be visible, the curve is split. `unit`: pixels, degrees or percent for 1 of the number.
   void tell_apart(const PlanarCurve& c, double unit, int depth, PlanarCurves& out) {
@@ -107,7 +97,6 @@ class LottieMaker {
     made_.keys += keys.size(), made_.baked += static_cast<std::size_t>(frames_);
     return {{"a", 1}, {"k", std::move(keys)}};
   }
-  static Json listed(Json v) { return v.is_array() ? v : Json::array({std::move(v)}); }
 
   // What one layer can hold: a translation, then a rotation, then a scaling.
   struct Link {
@@ -206,7 +195,6 @@ class LottieMaker {
     }
     return {{"c", part == nullptr || part->closed}, {"v", v}, {"i", zero}, {"o", zero}};
   }
-  static double rounded(double v) { return std::round(v * 1e4) / 1e4; }
 
   // Adds a path for each part. If their number varies, surplus ones are single points, which draw nothing.
   void add_paths(const PlanarForms& forms, Json& items) {
@@ -252,15 +240,6 @@ class LottieMaker {
     }
     return out;
   }
-  static Json group(Json items) {
-    items.push_back({{"ty", "tr"},
-                     {"p", still({0, 0})},
-                     {"a", still({0, 0})},
-                     {"s", still({100, 100})},
-                     {"r", still(0)},
-                     {"o", still(100)}});
-    return {{"ty", "gr"}, {"it", std::move(items)}};
-  }
   // The front comes first: strokes.
   Json shapes(const PlanarLook& look) {
     auto out = Json::array();
@@ -275,31 +254,78 @@ class LottieMaker {
                          {"o", still(0)},
                          {"m", 1}});
       }
-      items.push_back({{"ty", "st"},
-                       {"c", colors(look.stroke)},
-                       {"o", still(100)},
-                       {"w", look.hairline ? still(hairline)
-                                           : moving(planar_curves(look.width, 0), pixels_,
-                                                    [this](double v) { return Json(v * pixels_); })},
-                       {"lc", look.round ? 2 : 1},
-                       {"lj", look.round ? 2 : 1},
-                       {"ml", 4}});
+      Json stroke = painted(look.stroke_gradient, look.stroke, "st");
+      const Json width =
+          look.hairline ? still(hairline)
+                        : moving(planar_curves(look.width, 0), pixels_, [this](double v) { return Json(v * pixels_); });
+      stroke.update(
+          {{"o", still(100)}, {"w", width}, {"lc", look.round ? 2 : 1}, {"lj", look.round ? 2 : 1}, {"ml", 4}});
+      items.push_back(std::move(stroke));
       Json whole = group(std::move(items));
       if (const Channel seen = there(look.stroked); !seen.constant())
         whole["it"].back()["o"] = moving(planar_curves(seen, 0), 100, [](double v) { return Json(100 * v); });
       out.push_back(std::move(whole));
     }
-    for (const auto& [forms, color] : {std::pair(&look.bordered, &look.stroke), std::pair(&look.filled, &look.color)}) {
+    for (const auto& [forms, color, gradient] : {std::tuple(&look.bordered, &look.stroke, &look.stroke_gradient),
+                                                 std::tuple(&look.filled, &look.color, &look.fill_gradient)}) {
       if (forms->empty()) continue;
       auto items = Json::array();
       add_paths(*forms, items);
-      items.push_back({{"ty", "fl"}, {"c", colors(*color)}, {"o", still(100)}, {"r", 1}});
+      Json fill = painted(*gradient, *color, "fl");
+      fill.update({{"o", still(100)}, {"r", 1}});
+      items.push_back(std::move(fill));
       out.push_back(group(std::move(items)));
     }
     return out;
   }
-  Json colors(const Channel& c) {
+  // Returns a fill or a stroke (`plain`: fl or st) with its colour or its gradient.
+  Json painted(const std::optional<PlanarGradient>& g, const Channel& color, const std::string& plain) {
     const auto value = [](const KeyValue& v) { return Json{v[0], v[1], v[2], 1}; };
+    if (!g) return {{"ty", plain}, {"c", keyed(color, value)}};
+    const bool linear = g->kind == GradientKind::linear;
+    const auto at = [&](double x, double y) { return Json{rounded(x * pixels_), rounded(-y * pixels_)}; };
+    const auto begin = [&](const KeyValue& v) { return at(v[0], v[1]); };
+    const auto end = [&](const KeyValue& v) { return linear ? at(v[2], v[3]) : at(v[0] + std::max(v[2], v[3]), v[1]); };
+    if (g->spread != GradientSpread::pad)
+      leave_out(made_, "gradients that repeat end with their last colour: Lottie has no others");
+    if (const KeyValue v = g->place.pieces[0].begin; !linear && std::abs(v[2] - v[3]) > 1e-3 * std::max(v[2], v[3]))
+      leave_out(made_, "radial gradients of objects that are not as wide as high are circles: Lottie has no others");
+    return {{"ty", plain == "fl" ? "gf" : "gs"},
+            {"t", linear ? 1 : 2},
+            {"s", keyed(g->place, begin)},
+            {"e", keyed(g->place, end)},
+            {"g", {{"p", g->stops.size()}, {"k", stops(*g)}}}};
+  }
+  // All stops are one value: their places and colours, then their places and opacities.
+  Json stops(const PlanarGradient& g) {
+    std::set<Time> times;
+    for (const auto* all : {&g.stops, &g.places})
+      for (const Channel& c : *all)
+        for (const KeyPiece& p : c.pieces) {
+          if (!c.constant()) times.insert(p.from), times.insert({p.until.flicks - 1});
+        }
+    const auto at = [&](Time t) {
+      auto colors = Json::array(), opacities = Json::array();
+      for (std::size_t i = 0; i < g.stops.size(); ++i) {
+        const KeyValue v = betwixt::value_at(g.stops[i], t);
+        const double place = betwixt::value_at(g.places[i], t)[0];
+        for (const double number : {place, v[0], v[1], v[2]}) colors.push_back(rounded(number));
+        for (const double number : {place, v[3]}) opacities.push_back(rounded(number));
+      }
+      colors.insert(colors.end(), opacities.begin(), opacities.end());
+      return colors;
+    };
+    if (times.empty()) return still(at(options_.from));
+    auto keys = Json::array();
+    PlanarCurve way;
+    way.shape = PlanarCurve::straight;
+    for (const Time t : times) keys.push_back(key(frame(t), at(t), t == *times.rbegin() ? nullptr : &way));
+    ++made_.channels;
+    made_.keys += keys.size(), made_.baked += static_cast<std::size_t>(frames_);
+    return {{"a", 1}, {"k", std::move(keys)}};
+  }
+  template <class F>
+  Json keyed(const Channel& c, F value) {
     if (c.constant()) return still(value(c.pieces[0].begin));
     auto keys = Json::array();
     for (std::size_t i = 0; i < c.pieces.size(); ++i) {
@@ -358,9 +384,10 @@ class LottieMaker {
 };
 
 }  // namespace
+}  // namespace lottie
 
 Result<std::string> make_lottie(const Program& program, const ExportOptions& options, Exported& made) {
-  return LottieMaker(program, options, made).make();
+  return lottie::LottieMaker(program, options, made).make();
 }
 
 }  // namespace betwixt

@@ -146,6 +146,7 @@ bool one_thing(const Shape& a, const Shape& b) {
 
 bool PlanarDrawn::looks_like(const PlanarDrawn& b) const {
   return width == b.width && from == b.from && to == b.to && round == b.round && color == b.color &&
+         (gradients == b.gradients || (gradients && b.gradients && *gradients == *b.gradients)) &&
          equal_parts(filled, b.filled) && equal_parts(bordered, b.bordered) && equal_parts(stroked, b.stroked);
 }
 

@@ -18,7 +18,9 @@ struct PlanarDrawn {
   std::vector<DrawnPart> stroked;   // lines; of each the part from `from` to `to` of its length is drawn
   double width = 0, from = 0, to = 1;
   bool round = false, hairline = false;
-  std::optional<Vec3> color;  // of the stroke, linear light; nullopt: the object's
+  std::optional<Vec3> color;                   // of the stroke, linear light; nullopt: the object's
+  std::shared_ptr<const Gradients> gradients;  // null if it has none
+  Box gradient_box;                            // in the shape's own space
   // Its source.
   std::shared_ptr<const Shape> shape, toward;
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "betwixt/object.h"
 #include "export/fit.h"
@@ -135,6 +136,87 @@ double extent_of(const PlanarLooks& looks) {
   return all.empty() ? 0 : 2 * length(all.half());
 }
 
+// ---- Gradients
+
+// Where stops are between two colours, so that a mixture of sRGB is within 2/255 of that of light: closer where a
+// channel may be dark.
+constexpr double steps_between[] = {0,   0.003, 0.01, 0.02, 0.035, 0.06, 0.09, 0.125, 0.18, 0.25, 0.36,
+                                    0.5, 0.64,  0.75, 0.82, 0.875, 0.91, 0.94, 0.965, 0.98, 0.99, 0.997};
+
+const Gradient* gradient_in(const PlanarDrawn& d, bool stroke) {
+  if (!d.gradients) return nullptr;
+  const Gradient& own = stroke ? d.gradients->stroke : d.gradients->fill;
+  const bool as_filled = stroke && own.kind == GradientKind::none && !d.color;
+  const Gradient& g = as_filled ? d.gradients->fill : own;
+  return g.kind == GradientKind::none ? nullptr : &g;
+}
+
+KeyValue place_on_plane(const Gradient& g, const Box& box) {
+  const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+  const double x = (box.low.x + box.high.x) / 2 + g.move_x * width,
+               y = (box.low.y + box.high.y) / 2 + g.move_y * height;
+  if (g.kind == GradientKind::radial) return {x, y, g.size * width / 2, g.size * height / 2};
+  const auto [sine, cosine] = sine_cosine(g.turn);
+  const double half = g.size * (width * std::abs(cosine) + height * std::abs(sine)) / 2;
+  return {x - half * cosine, y - half * sine, x + half * cosine, y + half * sine};
+}
+
+// The colour between two stops, which are mixed by their opacities.
+KeyValue between_stops(const Gradient::Stop& a, const Gradient::Stop& b, double s) {
+  const double from = (1 - s) * a.opacity, to = s * b.opacity, opacity = from + to;
+  const Vec3 light = opacity > 0 ? 1 / opacity * (from * a.color + to * b.color) : s < 0.5 ? a.color : b.color;
+  const Color c = to_srgb(light);
+  return {c.r, c.g, c.b, opacity};
+}
+
+// The mean of all colours, for drawings that cannot have the gradient.
+Vec3 mean_color(const Gradient& g) {
+  Vec3 sum;
+  double opacity = 0;
+  for (std::size_t i = 0; i < g.stops.size(); ++i) {
+    const double from = i == 0 ? 0 : (g.stops[i - 1].at + g.stops[i].at) / 2;
+    const double to = i + 1 == g.stops.size() ? 1 : (g.stops[i].at + g.stops[i + 1].at) / 2;
+    sum = sum + (to - from) * g.stops[i].opacity * g.stops[i].color, opacity += (to - from) * g.stops[i].opacity;
+  }
+  return opacity > 0 ? 1 / opacity * sum : g.stops.front().color;
+}
+
+// Returns the gradient of the fill or of the stroke, if there is one all the time; `lost` if a drawing cannot have it.
+std::optional<PlanarGradient> gradient_of(const PlanarLooks& looks, const ExportOptions& options, bool stroke,
+                                          bool& lost) {
+  const Gradient* one = nullptr;
+  bool alike = true, any = false;
+  for (const SeenThen& l : looks) {
+    if (!l.drawn) continue;
+    const Gradient* const g = gradient_in(*l.drawn, stroke);
+    alike = alike && (!any || (g == nullptr) == (one == nullptr));
+    any = true;
+    if (g != nullptr && one != nullptr)
+      alike = alike && g->kind == one->kind && g->spread == one->spread && g->stops.size() == one->stops.size();
+    if (one == nullptr) one = g;
+  }
+  if (one == nullptr) return std::nullopt;
+  if (!alike || one->kind == GradientKind::conic) return lost = true, std::nullopt;
+  PlanarGradient out{one->kind, one->spread, {}, {}, {}};
+  const double tolerance = options.keys.style == KeyStyle::baked ? 0 : options.keys.metres;
+  out.place = channel_of(looks, options, 4, tolerance,
+                         [&](const PlanarDrawn& d) { return place_on_plane(*gradient_in(d, stroke), d.gradient_box); });
+  for (std::size_t i = 0; i < one->stops.size(); ++i) {
+    const std::size_t next = std::min(i + 1, one->stops.size() - 1);
+    for (const double s : std::span(steps_between).first(next > i ? std::size(steps_between) : 1)) {
+      out.stops.push_back(channel_of(looks, options, 4, 1.0 / 512, [&](const PlanarDrawn& d) {
+        const auto& stops = gradient_in(d, stroke)->stops;
+        return between_stops(stops[i], stops[next], s);
+      }));
+      out.places.push_back(channel_of(looks, options, 1, 1e-4, [&](const PlanarDrawn& d) {
+        const auto& stops = gradient_in(d, stroke)->stops;
+        return KeyValue{(1 - s) * stops[i].at + s * stops[next].at, 0, 0, 0};
+      }));
+    }
+  }
+  return out;
+}
+
 class LookMaker {
  public:
   LookMaker(const Program& program, const ExportOptions& options, bool in_unit)
@@ -159,6 +241,19 @@ class LookMaker {
       return KeyValue{d.width, 0, 0, 0};
     });
     out.stroke = own ? channel_of(looks, options_, 3, 1.0 / 512, stroke_of) : out.color;
+    const auto grade = [&](bool stroke, std::optional<PlanarGradient>& to, Channel& plain) {
+      bool lost = false;
+      to = gradient_of(looks, options_, stroke, lost);
+      if (!lost) return;
+      out.lost_gradient = true;
+      plain = channel_of(looks, options_, 3, 1.0 / 512, [&](const PlanarDrawn& d) {
+        const Gradient* const g = gradient_in(d, stroke);
+        if (g == nullptr) return stroke_of(d);
+        const Color c = to_srgb(mean_color(*g));
+        return KeyValue{c.r, c.g, c.b, 0};
+      });
+    };
+    grade(false, out.fill_gradient, out.color), grade(true, out.stroke_gradient, out.stroke);
     if (auto drawing = joined_lines(looks, line_tolerance * extent_of(looks))) {
       out.stroked = {{options_.from, false, {{drawing->line, false}}}};
       PlanarLooks times;
@@ -235,7 +330,7 @@ Result<PlanarFilm> planar_film(const Program& program, const ExportOptions& opti
   for (const PlanarMotion& m : *motions) watch.add(m.id, std::find(turned.begin(), turned.end(), m.id) != turned.end());
   if (Status s = watch.run(); !s) return s.error();
   std::vector<PlanarDepths> depths;
-  std::vector<ObjectId> textured;
+  std::vector<ObjectId> textured, plain;
   std::map<std::string, std::vector<ObjectId>> undrawn;
   const LookMaker maker(program, options, in_unit);
   for (PlanarMotion& m : *motions) {
@@ -246,6 +341,7 @@ Result<PlanarFilm> planar_film(const Program& program, const ExportOptions& opti
     if (w.textured) textured.push_back(m.id);
     depths.push_back(std::move(w.depths));
     PlanarLook look = maker.look(m.id, w);
+    if (look.lost_gradient) plain.push_back(m.id);
     film.things.push_back({std::move(m), std::move(look)});
   }
   for (const auto& [what, ids] : undrawn) {
@@ -257,6 +353,9 @@ Result<PlanarFilm> planar_film(const Program& program, const ExportOptions& opti
   if (film.things.empty() && motions->empty())
     return fail(ErrorCode::range, "the film has no visible objects",
                 "name the objects, as in betwixt export film.bx ball -o ball.css");
+  if (!plain.empty())
+    leave_out(made, "left out: conic gradients, and gradients that become another kind, of " +
+                        names_of(document, plain) + "; their mean colours are used");
   if (!textured.empty()) leave_out(made, "left out: the textures of " + names_of(document, textured));
   const Frame first = program.frame(options.from);
   if (!first.surroundings.flat) leave_out(made, "left out: lighting; objects have their own colours");

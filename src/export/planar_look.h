@@ -4,6 +4,7 @@
 // The look of a flat film over time: outlines that change, lines that are drawn on, colours, and the drawing order.
 #pragma once
 
+#include "betwixt/gradient.h"
 #include "export/planar.h"
 
 namespace betwixt {
@@ -22,16 +23,28 @@ struct PlanarTrim {
   PlanarCurves from, to;
 };
 
+// A gradient over time, in the object's own space.
+struct PlanarGradient {
+  GradientKind kind = GradientKind::linear;
+  GradientSpread spread = GradientSpread::pad;
+  // Metres. Linear: where it begins, x and y, and where it ends; radial: its middle, and its half widths.
+  Channel place;
+  std::vector<Channel> stops;   // sRGB and opacity: as many as colours need that are mixed in linear light
+  std::vector<Channel> places;  // of the stops, 0 to 1
+};
+
 struct PlanarLook {
   PlanarForms filled;    // by the non-zero rule
   PlanarForms bordered;  // the same, in the stroke's colour: strokes seen at an angle
   PlanarForms stroked;
-  std::optional<PlanarTrim> trim;  // of the stroked lines; nullopt: all of them
-  Channel width;                   // of the stroke, metres
-  bool hairline = false;           // the stroke has a constant width in pixels
-  bool round = false;              // its ends and corners
-  Channel color, stroke;           // sRGB
-  Channel opacity;                 // 0 while it is not visible
+  std::optional<PlanarTrim> trim;                                // of the stroked lines; nullopt: all of them
+  Channel width;                                                 // of the stroke, metres
+  bool hairline = false;                                         // the stroke has a constant width in pixels
+  bool round = false;                                            // its ends and corners
+  Channel color, stroke;                                         // sRGB
+  Channel opacity;                                               // 0 while it is not visible
+  std::optional<PlanarGradient> fill_gradient, stroke_gradient;  // in place of these colours
+  bool lost_gradient = false;  // it has one that no drawing has: it goes around a point, or becomes another kind
 };
 
 struct PlanarThing {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "betwixt/pose.h"
+#include "exchange/gradient_place.h"
 #include "export/planar.h"
 #include "export/seen.h"
 #include "scene/kinds.h"
@@ -62,10 +63,13 @@ void PlanarWatch::look(Evaluation& e, std::uint32_t i, Watched& w, bool jumps) {
   w.textured = w.textured || l.texture != Evaluation::Look::none;
   betwixt::put(w.depths, e.time(), translation_of(world).z + front_of(*shape) * length(column(world, 2)));
   const bool known = !w.looks.empty() && w.looks.back().drawn && shape == w.shape && toward == w.toward;
-  if (known && l.blend == w.blend && !w.turns_out && !w.paper) return;
-  w.shape = shape, w.toward = toward, w.blend = l.blend;
+  const auto gradients = l.gradients == Evaluation::Look::none ? nullptr : e.gradients(l.gradients);
+  if (known && l.blend == w.blend && gradients == w.gradients && !w.turns_out && !w.paper) return;
+  w.shape = shape, w.toward = toward, w.gradients = gradients, w.blend = l.blend;
   auto drawn = drawn_of(shape, toward, l.blend, w.turns_out ? &world : nullptr);
   if (!drawn) w.no_drawing = a_kind(shape->kind);
+  if (drawn && gradients)
+    drawn->gradients = gradients, drawn->gradient_box = gradient_box(*shape, toward.get(), l.blend);
   if (drawn && w.paper)
     if (const auto back = inverse(pose(program_, w.paper, e.time()).world)) carry(*drawn, *back * world);
   if (drawn && known && w.looks.back().drawn->looks_like(*drawn)) return;

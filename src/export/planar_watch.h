@@ -31,6 +31,7 @@ struct Watched {
   std::string no_drawing;  // why it has no drawing: "a torus"
   // The time of the last change, and the state then.
   std::shared_ptr<const Shape> shape, toward;
+  std::shared_ptr<const Gradients> gradients;
   double blend = 0;
 };
 

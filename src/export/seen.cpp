@@ -49,6 +49,7 @@ class Watch {
       if (s.forms.empty()) {
         s.material = look.material, s.shininess = look.shininess;
         if (look.texture != Evaluation::Look::none) s.texture = e.texture(look.texture);
+        if (look.gradients != Evaluation::Look::none) graded_ = true;
         if (look.finish != Evaluation::Look::none) s.finish = e.finish(look.finish), s.own_color = look.color;
       }
       const Shape& shape = *e.shape(look.shape);
@@ -66,6 +67,7 @@ class Watch {
 
   // A shape that is only scaled is one form.
   std::vector<Seen> finish(Exported& made) {
+    if (graded_) leave_out(made, "gradients are left out: objects have their plain colours");
     for (Seen& s : all_) {
       s.color = value_keys(program_, {s.id, fn::color}, options_.from, options_.until, options_.keys);
       s.opacity = value_keys(program_, {s.id, fn::transparency}, options_.from, options_.until, options_.keys);
@@ -200,6 +202,7 @@ class Watch {
   const Program& program_;
   const ExportOptions& options_;
   std::vector<bool> as_skin_;  // by skin
+  bool graded_ = false;        // whether an object has a gradient
   std::vector<Seen> all_;
   std::vector<Known> known_;  // by index into all_
   std::unordered_map<std::uint32_t, std::size_t> at_;

@@ -9,7 +9,7 @@
 
 #include "export/fit.h"
 #include "export/formats.h"
-#include "export/planar_look.h"
+#include "export/svg_paint.h"
 #include "track/track.h"
 
 namespace betwixt {
@@ -17,19 +17,14 @@ namespace {
 
 constexpr double hairline = 1.4;  // pixels, as in the film
 
-std::string svg_color(const Color& c) {
-  const auto byte = [](double v) { return std::lround(255 * std::clamp(v, 0.0, 1.0)); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b));
-}
-std::string svg_color(const KeyValue& v) { return svg_color(Color{v[0], v[1], v[2]}); }
-
 class SvgMaker {
  public:
   SvgMaker(const Program& program, const ExportOptions& options, Exported& made)
       : program_(program),
         options_(options),
         made_(made),
-        seconds_((options.until - options.from).seconds()),
+        clock_{options.from, options.until},
+        seconds_(clock_.seconds()),
         frames_(static_cast<std::size_t>(std::max(1.0, seconds_ * program.document().rate().per_second()))) {}
 
   Result<std::string> make() {
@@ -60,12 +55,7 @@ class SvgMaker {
   }
 
  private:
-  // Browsers count in whole microseconds, and the time of a frame means the value after a jump there.
-  double share(Time t) const {
-    constexpr double a_moment = 1.5e-6;
-    if (t >= options_.until) return seconds_ > 0 ? 1 : 0;
-    return seconds_ > 0 ? std::clamp(((t - options_.from).seconds() - a_moment) / seconds_, 0.0, 1.0) : 0;
-  }
+  double share(Time t) const { return clock_.share(t); }
 
   void add_background(int width, int height, std::string& out) const {
     const std::vector<Vec3> stops = planar_background(program_, options_);
@@ -95,18 +85,23 @@ class SvgMaker {
                        rest(thing.motion.steps));
     add_steps(thing.motion.steps, "    ", out);
     animate(look.opacity, "opacity", "    ", out, [](const KeyValue& v) { return short_number(v[0]); });
-    add_filled(look.filled, look.color, out);
-    add_filled(look.bordered, look.stroke, out);
+    fill_paint_ = stroke_paint_ = "";
+    if (look.fill_gradient) fill_paint_ = add_gradient(*look.fill_gradient, "." + id + ".fill", clock_, pixels_, out);
+    if (look.stroke_gradient)
+      stroke_paint_ = add_gradient(*look.stroke_gradient, "." + id + ".stroke", clock_, pixels_, out);
+    add_filled(look.filled, look.color, fill_paint_, out);
+    add_filled(look.bordered, look.stroke, stroke_paint_, out);
     add_stroked(look, out);
     out += "  </g>\n";
     if (some) out += "  </g>\n";
   }
 
-  void add_filled(const PlanarForms& forms, const Channel& color, std::string& out) {
+  void add_filled(const PlanarForms& forms, const Channel& color, const std::string& paint, std::string& out) {
     if (forms.empty()) return;
-    out += fmt::format("    <path d=\"{}\" fill=\"{}\">\n", path_of(forms[0].parts), svg_color(color.pieces[0].begin));
+    out += fmt::format("    <path d=\"{}\" fill=\"{}\">\n", path_of(forms[0].parts),
+                       paint.empty() ? svg_color(color.pieces[0].begin) : paint);
     animate_forms(forms, out, [&](const PlanarForm& f) { return path_of(f.parts); });
-    animate(color, "fill", "      ", out, [](const KeyValue& v) { return svg_color(v); });
+    if (paint.empty()) animate(color, "fill", "      ", out, [](const KeyValue& v) { return svg_color(v); });
     out += "    </path>\n";
   }
 
@@ -144,12 +139,14 @@ class SvgMaker {
   void add_lines(const PlanarLook& look, const std::string& attributes, const std::string& inside, F written,
                  std::string& out) {
     out += fmt::format("    <path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}{}{}>\n",
-                       written(look.stroked[0]), svg_color(look.stroke.pieces[0].begin),
+                       written(look.stroked[0]),
+                       stroke_paint_.empty() ? svg_color(look.stroke.pieces[0].begin) : stroke_paint_,
                        look.hairline ? short_number(hairline) : short_number(look.width.pieces[0].begin[0] * pixels_),
                        look.round ? " stroke-linecap=\"round\" stroke-linejoin=\"round\"" : "",
                        look.hairline ? " vector-effect=\"non-scaling-stroke\"" : "", attributes);
     animate_forms(look.stroked, out, written);
-    animate(look.stroke, "stroke", "      ", out, [](const KeyValue& v) { return svg_color(v); });
+    if (stroke_paint_.empty())
+      animate(look.stroke, "stroke", "      ", out, [](const KeyValue& v) { return svg_color(v); });
     if (!look.hairline)
       animate(look.width, "stroke-width", "      ", out,
               [this](const KeyValue& v) { return short_number(v[0] * pixels_); });
@@ -253,24 +250,9 @@ class SvgMaker {
         short_number(std::max(seconds_, 1e-9)), steps ? "discrete" : "linear", times, values);
   }
 
-  // Writes linear keys from value to value.
   template <class F>
   void animate(const Channel& c, std::string_view attribute, std::string_view indent, std::string& out, F value) {
-    if (c.constant()) return;
-    std::string times, values;
-    for (const KeyPiece& p : c.pieces)
-      for (const auto& [t, v] : {std::pair(p.from, p.begin), std::pair(p.until, p.end)}) {
-        const char* between = times.empty() ? "" : ";";
-        times += fmt::format("{}{:.9g}", between, share(t)), values += between + value(v);
-      }
-    close(times, values);
-    out += fmt::format("{}<animate attributeName=\"{}\" dur=\"{}s\" fill=\"freeze\" keyTimes=\"{}\" values=\"{}\"/>\n",
-                       indent, attribute, short_number(std::max(seconds_, 1e-9)), times, values);
-  }
-  // Key times begin with 0 and end with 1.
-  static void close(std::string& times, std::string& values) {
-    if (times.ends_with(";1")) return;
-    times += ";1", values += values.substr(values.rfind(';'));
+    clock_.animate(c, attribute, indent, out, value);
   }
 
   template <class F>
@@ -328,9 +310,11 @@ class SvgMaker {
   const Program& program_;
   const ExportOptions& options_;
   Exported& made_;
+  const SvgClock clock_;
   const double seconds_;
   const std::size_t frames_;
   double pixels_ = 1;
+  std::string fill_paint_, stroke_paint_;  // of the present thing: "" for its plain colours
 };
 
 }  // namespace

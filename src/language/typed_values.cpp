@@ -11,6 +11,7 @@
 #include "base/utf8.h"
 #include "language/code_names.h"
 #include "language/values.h"
+#include "scene/gradient_stops.h"
 #include "scene/kinds.h"
 
 namespace betwixt {
@@ -129,6 +130,7 @@ struct TypedReader {
     if (spec.written == "\"FORMULA\"" && !values.scene.names.find(s.substr(0, s.find('\''))))
       s = with_values(s, c.lets, c.place);
     if (!spec.words.empty() && !is_choice(s)) return false;
+    if (spec.name.ends_with("gradient-stops") && !s.empty() && !are_stops(s)) return false;
     if (spec.name == "text" && s.size() > most_letters && count_characters(s) > most_letters)
       return c.fail(ErrorCode::range, fmt::format("a text can have at most {} letters", most_letters),
                     std::string_view(start, 1));
@@ -136,6 +138,17 @@ struct TypedReader {
     MemoryBudget::charge(s.size());
     out = Text(std::move(s));
     return true;
+  }
+  // The error is about the wrong one of the stops, as it is written.
+  bool are_stops(const std::string& s) {
+    std::string_view wrong;
+    auto stops = read_stops(s, &wrong);
+    if (stops) return true;
+    std::string_view written = c.since(start);
+    if (written.size() == s.size() + 2 && written.substr(1, s.size()) == s)
+      written =
+          written.substr(1 + static_cast<std::size_t>(wrong.data() - s.data()), std::max<std::size_t>(wrong.size(), 1));
+    return c.fail(stops.error(), written);
   }
   // Fails for a formula that has a tab or a new line because of a single backslash, as in "\times".
   bool is_formula(std::string_view written) {

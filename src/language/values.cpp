@@ -259,6 +259,9 @@ bool ValueReader::color(Color& out) {
   if (w.empty())
     return c.fail_here(ErrorCode::syntax, c.at_line_end() ? "a colour is missing here" : "this is not a colour");
   Hint hint = did_you_mean(w, color_names());
+  for (const std::string_view kind : {"linear", "radial", "conic"})
+    if (w.substr(0, w.find('-')) == kind)
+      hint = fmt::format("gradient={} makes a gradient, from color to gradient-color or along gradient-stops", kind);
   return c.fail(unknown_name("colour", w, hint.empty() ? colors_look_like : hint), w);
 }
 

@@ -23,6 +23,8 @@ void compile_nodes(Program::Compiled&, const CompiledFilm* before);
 void compile_schedule(Program::Compiled&, const CompiledFilm* before);
 // Returns what of a finish an object has, or nullopt if it never needs one. `made_of` of the drawable is known.
 std::optional<FinishUse> finish_use(const CompiledFilm&, std::uint32_t object, const Drawable&);
+// The same of gradients.
+std::optional<GradientUse> gradient_use(const CompiledFilm&, std::uint32_t object);
 // Returns the skin of a drawable whose mesh has an animated rig, or nullopt.
 std::optional<Skin> compile_skin(const CompiledFilm&, std::uint32_t drawable);
 // Marks all nodes that inverse kinematics may turn at any time.

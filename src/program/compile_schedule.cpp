@@ -16,7 +16,7 @@ using Compiled = Program::Compiled;
 
 std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
   if (spec.shape || f == fn::geometry) return affects::form;
-  if (is_of_finish(f)) return affects::look;
+  if (is_of_finish(f) || is_of_gradient(f)) return affects::look;
   if (is_of_layer(f)) return affects::other;
   switch (f) {
     case fn::color:
@@ -287,6 +287,10 @@ struct ScheduleCompiler {
       if (auto use = finish_use(compiled, n.object, d)) {
         d.finish = static_cast<std::int32_t>(compiled.finishes.size());
         compiled.finishes.push_back(*use);
+      }
+      if (auto use = gradient_use(compiled, n.object)) {
+        d.gradients = static_cast<std::int32_t>(compiled.gradients.size());
+        compiled.gradients.push_back(*use);
       }
       if (d.geometry != &compiled.defaults[fn::geometry]) compiled.borrowers.push_back(i);
       compiled.drawables.push_back(d);

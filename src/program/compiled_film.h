@@ -174,6 +174,13 @@ struct FinishUse {
   const Binding* at(FunctionId f) const { return bound[f - fn::metalness]; }
 };
 
+// The functions that an object has of those that make gradients.
+struct GradientUse {
+  static constexpr std::size_t count = fn::stroke_gradient_spread - fn::gradient + 1;
+  std::array<const Binding*, count> bound{};  // null if it has its default
+  const Binding* at(std::size_t f) const { return bound[f - fn::gradient]; }
+};
+
 // A node that is drawn, or may be; it has the node's number.
 struct Drawable {
   std::uint32_t transparency = 0, shininess = 0, casts = 0;  // offsets into the numbers
@@ -185,7 +192,8 @@ struct Drawable {
   std::int32_t slow = -1;   // index into CompiledFilm::slow_shapes
   std::int32_t blend = -1;  // index into CompiledFilm::slow_blends
   const MaterialRow* made_of = nullptr;
-  std::int32_t finish = -1;  // index into CompiledFilm::finishes
+  std::int32_t finish = -1;     // index into CompiledFilm::finishes
+  std::int32_t gradients = -1;  // index into CompiledFilm::gradients
   std::uint32_t texture_number = 0;
   std::int32_t whole = -1;  // of a part of a formula: the node of the formula
   bool matches = false;     // its text may turn into another one, sign by sign
@@ -274,6 +282,7 @@ struct CompiledFilm {
   std::vector<Skin> skins;
   std::vector<std::shared_ptr<const Shape>> shapes;  // constant shapes, each once
   std::vector<FinishUse> finishes;
+  std::vector<GradientUse> gradients;
   std::vector<std::shared_ptr<const Picture>> textures;
   std::vector<std::uint32_t> lights, eyes;                   // nodes; eyes: those that look at or reach for something
   std::vector<std::uint32_t> layers;                         // nodes of groups that may be drawn as a whole

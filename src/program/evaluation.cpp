@@ -183,6 +183,11 @@ void Evaluation::State::compare() {
                                                          : !(*is.finish(a.finish) == *was.finish(b.finish)))
       return false;
     a.finish = b.finish;
+    if (a.gradients == Look::none || b.gradients == Look::none
+            ? a.gradients != b.gradients
+            : !(*is.gradients(a.gradients) == *was.gradients(b.gradients)))
+      return false;
+    a.gradients = b.gradients;
     return a == b;
   };
   if (now.drawables == before->drawables) is.unchanged_if(same);
@@ -209,6 +214,9 @@ const std::shared_ptr<const Picture>& Evaluation::texture(std::uint32_t number) 
 }
 const std::shared_ptr<const Finish>& Evaluation::finish(std::uint32_t number) const {
   return state_->evaluator().finish(number);
+}
+const std::shared_ptr<const Gradients>& Evaluation::gradients(std::uint32_t number) const {
+  return state_->evaluator().gradients(number);
 }
 std::span<const std::uint32_t> Evaluation::changed() const { return state_->evaluator().changed; }
 Evaluation::Revision Evaluation::revision() const { return state_->revision; }

@@ -364,7 +364,7 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
   const Drawable& d = compiled_.drawables[i];
   const Node& n = compiled_.nodes[i];
   Looks now;
-  bool refinished = false;
+  bool refinished = false, regraded = false;
   const auto whole = static_cast<std::size_t>(d.whole);  // of a part of a formula
   now.visible = numbers_[n.display] != 0 && (d.whole < 0 || numbers_[compiled_.nodes[whole].display] != 0);
   if (now.visible) {
@@ -382,13 +382,14 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
       now.material = made_of.old;
       now.texture = d.plain ? d.texture_number : compiled_.texture(compiled_.value(*d.texture, now_, asking));
       if (d.finish >= 0) refinished = take_finish(i, made_of, now, asking);
+      if (d.gradients >= 0) regraded = take_gradients(i, now, asking);
     }
   }
   // A drawable that borrows a new shape changes too.
   const auto renewed = [&](std::uint32_t shape) {
     return shape != nothing && shape >= compiled_.shapes.size() && renewed_[shape - compiled_.shapes.size()] == turn_;
   };
-  if (!(now == looks[i]) || refinished || renewed(now.shape) || renewed(now.toward)) flags_.add(i, true);
+  if (!(now == looks[i]) || refinished || regraded || renewed(now.shape) || renewed(now.toward)) flags_.add(i, true);
   looks[i] = now;
 }
 

@@ -56,6 +56,7 @@ class Evaluator {
     return number < compiled_.shapes.size() ? compiled_.shapes[number] : forms_[number - compiled_.shapes.size()];
   }
   const std::shared_ptr<const Finish>& finish(std::uint32_t number) const { return finishes_[number]; }
+  const std::shared_ptr<const Gradients>& gradients(std::uint32_t number) const { return gradients_[number]; }
   std::vector<std::uint32_t> joints_of(std::uint32_t hand) const;
   Quat own_turn(std::uint32_t node) const;
   void add_items(Frame&, const std::vector<std::int32_t>& layers) const;
@@ -111,6 +112,7 @@ class Evaluator {
   void mark_pieces();
   bool layer_at(std::uint32_t node, Layer&, std::vector<std::uint32_t>& masks, Asking&) const;
   bool take_finish(std::uint32_t drawable, const MaterialRow&, Looks&, Asking&);
+  bool take_gradients(std::uint32_t drawable, Looks&, Asking&);
   bool take_blend(std::uint32_t drawable, Looks&, Asking&);
   std::uint32_t put(std::size_t form, std::shared_ptr<const Shape>);
   std::uint32_t form(std::uint32_t drawable, Asking&);
@@ -172,9 +174,10 @@ class Evaluator {
   // By drawable: shapes that vary; then those on splines, and those of blends; then what these blend into.
   std::vector<std::shared_ptr<const Shape>> forms_;
   std::vector<std::shared_ptr<const Finish>> finishes_;  // of drawables that have one
-  std::vector<std::uint8_t> stale_;                      // … and must be made again
-  std::vector<std::uint32_t> renewed_;                   // the step of its last change
-  playing::Marks flags_;  // nodes that have changed; `changed` lists the drawables among them
+  std::vector<std::shared_ptr<const Gradients>> gradients_;
+  std::vector<std::uint8_t> stale_;     // … and must be made again
+  std::vector<std::uint32_t> renewed_;  // the step of its last change
+  playing::Marks flags_;                // nodes that have changed; `changed` lists the drawables among them
 };
 
 // Returns the joints of an inverse-kinematics chain, with the rotations that give the same pose.

@@ -54,6 +54,7 @@ void Evaluator::add_items(Frame& frame, const std::vector<std::int32_t>& layers)
     item.material = l.material, item.casts = l.casts;
     if (l.texture != nothing) item.texture = compiled_.textures[l.texture];
     if (l.finish != nothing) item.finish = finish(l.finish);
+    if (l.gradients != nothing) item.gradients = gradients(l.gradients);
     if (!layers.empty()) item.layer = layers[i];
     frame.items.push_back(std::move(item));
   }

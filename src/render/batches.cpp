@@ -26,21 +26,23 @@ struct Group {
 
 // What lies on an object in object space needs its measures, which a mesh for many sizes does not have.
 const Shape* measured_shape(const Thing& t) {
-  return t.finish && (t.finish->pattern != Pattern::none || t.finish->has_pictures() || t.texture) ? t.shape.get()
-                                                                                                   : nullptr;
+  const bool lies = t.finish && (t.finish->pattern != Pattern::none || t.finish->has_pictures() || t.texture);
+  return lies || t.gradients ? t.shape.get() : nullptr;
 }
 
 }  // namespace
 
 Batches batches_of(const Things& things, std::span<const std::uint32_t> numbers) {
-  using Key = std::tuple<const StoredMesh*, const StoredTexture*, const Finish*, const Shape*, bool, bool>;
+  using Key =
+      std::tuple<const StoredMesh*, const StoredTexture*, const Finish*, const Gradients*, const Shape*, bool, bool>;
   std::map<Key, std::size_t> index;
   std::vector<Group> groups;
   std::optional<Key> latest;
   std::size_t at = 0;
   for (const std::uint32_t i : numbers) {
     const Thing& t = things[i];
-    if (const Key key{t.mesh, t.texture.get(), t.finish.get(), measured_shape(t), t.mirrored, t.closed};
+    if (const Key key{t.mesh, t.texture.get(), t.finish.get(), t.gradients.get(), measured_shape(t), t.mirrored,
+                      t.closed};
         !latest || *latest != key) {
       latest = key;
       const auto [place, fresh] = index.try_emplace(key, groups.size());
@@ -56,8 +58,8 @@ Batches batches_of(const Things& things, std::span<const std::uint32_t> numbers)
   for (Group& g : groups) {
     std::sort(g.members.begin(), g.members.end());
     const Thing& one = things[g.members.front().thing];
-    r.batches.push_back({one.mesh, one.texture.get(), one.finish.get(), one.mirrored, one.closed, one.ball, one.line,
-                         r.order.size(), g.members.size()});
+    r.batches.push_back({one.mesh, one.texture.get(), one.finish.get(), one.gradients.get(), one.mirrored, one.closed,
+                         one.ball, one.line, r.order.size(), g.members.size()});
     for (const Member& m : g.members) r.order.push_back(m.thing);
   }
   return r;
@@ -70,7 +72,8 @@ Batches sorted_singles(const Things& things, std::span<const std::uint32_t> numb
                    [&](std::uint32_t a, std::uint32_t b) { return things[a].depth > things[b].depth; });
   for (std::size_t k = 0; k < r.order.size(); ++k) {
     const Thing& t = things[r.order[k]];
-    r.batches.push_back({t.mesh, t.texture.get(), t.finish.get(), t.mirrored, t.closed, t.ball, t.line, k, 1});
+    r.batches.push_back(
+        {t.mesh, t.texture.get(), t.finish.get(), t.gradients.get(), t.mirrored, t.closed, t.ball, t.line, k, 1});
   }
   return r;
 }

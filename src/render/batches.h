@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "render/gradients.h"
 #include "render/things.h"
 
 namespace betwixt {
@@ -14,6 +15,7 @@ struct Batch {
   StoredMesh* mesh = nullptr;
   const StoredTexture* texture = nullptr;  // that of the objects, in place of the mesh's
   const Finish* finish = nullptr;          // null if they have none
+  const Gradients* gradients = nullptr;    // the same
   bool mirrored = false, closed = false, ball = false, line = false;
   std::size_t first = 0, count = 0;  // instances
   friend bool operator==(const Batch&, const Batch&) = default;
@@ -23,6 +25,28 @@ struct Batches {
   std::vector<Batch> batches;
   std::vector<std::uint32_t> order;  // the object of each instance
 };
+
+// Returns the gradient that colours a part of a batch, or null.
+inline const Gradient* gradient_of(const Batch& b, const StoredPart& part) {
+  return gradient_of(b.gradients, part.tinted, part.stroke);
+}
+// Sets the uniforms of a gradient in the current program. `at`: the places of uniforms by name.
+template <class At>
+void set_gradient(const Gradient& g, const Thing& t, const At& at) {
+  const GradientUniforms u = uniforms_of(g, placed_gradient(g, t.gradient_box, t.to_object));
+  glUniform4fv(at("gradient_x"), 1, u.x.data());
+  glUniform4fv(at("gradient_y"), 1, u.y.data());
+  glUniform4fv(at("grading"), 1, u.grading.data());
+  glUniform4fv(at("stop_light"), most_stops, u.stop_light.front().data());
+  glUniform1fv(at("stop_at"), most_stops, u.stop_at.data());
+}
+// Sets the colour of a part: that of its own, which a gradient of a stroke replaces.
+template <class At>
+void set_part_color(const StoredPart& part, const Gradient* gradient, const At& at) {
+  const bool replaced = gradient != nullptr && part.stroke;
+  const auto shown = [&](std::size_t i) { return replaced ? 1.F : part.color[i]; };
+  glUniform4f(at("part_color"), shown(0), shown(1), shown(2), part.tinted ? 1.F : 0.F);
+}
 
 // Returns the batches of these objects, the nearest first, so that hidden surfaces are rarely shaded; equally near ones
 // in their own order.

@@ -134,6 +134,7 @@ class Mixed {
       if (place.toward) looks_[i].toward = number + 1;
       if (place.texture) looks_[i].texture = number;
       if (place.finish) looks_[i].finish = number;
+      if (place.gradients) looks_[i].gradients = number;
       number += 2;
     }
   }
@@ -149,11 +150,15 @@ class Mixed {
     const auto finish = [this](std::uint32_t n) -> const std::shared_ptr<const Finish>& {
       return n < first ? now_.finish(n) : held_.places[(n - first) / 2].second.finish;
     };
+    const auto gradients = [this](std::uint32_t n) -> const std::shared_ptr<const Gradients>& {
+      return n < first ? now_.gradients(n) : held_.places[(n - first) / 2].second.gradients;
+    };
     return {.worlds = worlds_,
             .looks = looks_,
             .shape = shape,
             .texture = texture,
             .finish = finish,
+            .gradients = gradients,
             .changed = {},
             .lights = lights_,
             .camera = camera_,

@@ -179,7 +179,7 @@ void Canvas::begin(const std::optional<Vec3>& background, bool clear) const {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-void Canvas::draw_behind(const Gradient& gradient) const {
+void Canvas::draw_behind(const Backdrop& gradient) const {
   glUseProgram(gradient_.id());
   set_color(gradient_top_, gradient.top);
   set_color(gradient_bottom_, gradient.bottom);

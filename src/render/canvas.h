@@ -12,7 +12,7 @@
 
 namespace betwixt {
 
-struct Gradient {
+struct Backdrop {
   Vec3 top, bottom;   // linear light
   bool bends = true;  // with a soft beginning and end
 };
@@ -43,7 +43,7 @@ class Canvas {
   void copy_color_to(GLuint framebuffer_of_same_size) const;
   bool can_write_encoded() const { return can_write_encoded_; }
   // Fills empty pixels with the gradient.
-  void draw_behind(const Gradient&) const;
+  void draw_behind(const Backdrop&) const;
   // Averages the samples in linear light, by the pixel filter.
   void finish() const;
   // Draws the last finished picture, encoded, to the surface of the graphics system. Errors: machine.

@@ -32,6 +32,7 @@ Columns columns_of(const Evaluation& e) {
 }
 , .texture = [&e](std::uint32_t n) -> const auto& { return e.texture(n); }
 , .finish = [&e](std::uint32_t n) -> const auto& { return e.finish(n); }
+, .gradients = [&e](std::uint32_t n) -> const auto& { return e.gradients(n); }
 , .changed = {}, .lights = e.lights(), .camera = e.camera(), .background = background_of(scene),
   .surroundings = surroundings_of(scene)
 };  // namespace betwixt
@@ -44,8 +45,9 @@ Content content_of(const Columns& c, std::uint32_t i) {
             found(l.shape, c.shape),
             found(l.toward, c.shape),
             found(l.texture, c.texture),
-            found(l.finish, c.finish)};
-  p.look.shape = p.look.toward = p.look.texture = p.look.finish = Evaluation::Look::none;
+            found(l.finish, c.finish),
+            found(l.gradients, c.gradients)};
+  p.look.shape = p.look.toward = p.look.texture = p.look.finish = p.look.gradients = Evaluation::Look::none;
   return p;
 }
 
@@ -68,6 +70,7 @@ FrameColumns::FrameColumns(const Frame& frame) : frame_(frame) {
                       .toward = number_of(shapes_, i.toward),
                       .texture = number_of(textures_, i.texture),
                       .finish = number_of(finishes_, i.finish),
+                      .gradients = number_of(gradients_, i.gradients),
                       .material = i.material,
                       .visible = true,
                       .casts = i.casts});
@@ -79,6 +82,7 @@ Columns FrameColumns::columns() const {
 }
 , .texture = [this](std::uint32_t n) -> const auto& { return textures_[n]; }
 , .finish = [this](std::uint32_t n) -> const auto& { return finishes_[n]; }
+, .gradients = [this](std::uint32_t n) -> const auto& { return gradients_[n]; }
 , .changed = {}, .lights = frame_.lights, .camera = frame_.camera, .background = frame_.background,
   .surroundings = frame_.surroundings
 }

@@ -17,6 +17,7 @@ struct Columns {
   std::function<const std::shared_ptr<const Shape>&(std::uint32_t)> shape;  // the shape of a number
   std::function<const std::shared_ptr<const Picture>&(std::uint32_t)> texture;
   std::function<const std::shared_ptr<const Finish>&(std::uint32_t)> finish;
+  std::function<const std::shared_ptr<const Gradients>&(std::uint32_t)> gradients;
   // The places that differ from the previous picture; nullopt: unknown.
   std::optional<std::span<const std::uint32_t>> changed;
   const std::vector<Light>& lights;
@@ -41,6 +42,7 @@ struct Content {
   std::shared_ptr<const Shape> shape, toward;
   std::shared_ptr<const Picture> texture;
   std::shared_ptr<const Finish> finish;
+  std::shared_ptr<const Gradients> gradients;
   friend bool operator==(const Content&, const Content&) = default;
 };
 Content content_of(const Columns&, std::uint32_t);
@@ -67,6 +69,7 @@ class FrameColumns {
   std::vector<std::shared_ptr<const Shape>> shapes_;
   std::vector<std::shared_ptr<const Picture>> textures_;
   std::vector<std::shared_ptr<const Finish>> finishes_;
+  std::vector<std::shared_ptr<const Gradients>> gradients_;
 };
 
 }  // namespace betwixt

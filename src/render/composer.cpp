@@ -82,6 +82,11 @@ Item as_shade(const Item& item, double light) {
   Item shade = item;
   shade.color = {light, light, light}, shade.material = Material::glow;
   shade.texture = nullptr, shade.finish = nullptr;
+  if (!item.gradients) return shade;
+  Gradients all = *item.gradients;
+  for (Gradient* g : {&all.fill, &all.stroke})
+    for (Gradient::Stop& stop : g->stops) stop.color = shade.color;
+  shade.gradients = std::make_shared<const Gradients>(std::move(all));
   return shade;
 }
 

@@ -51,6 +51,31 @@ class Projection {
     all_ = v.clip() * m;
     for (int k = 0; k < 4; ++k) depth_[static_cast<std::size_t>(k)] = -dot(v.backward, {m(0, k), m(1, k), m(2, k)});
   }
+  // Returns rows from pixels (x y 1) to the plane of a gradient on the mesh's plane at this z, with a divisor; nullopt
+  // if it is seen from its edge.
+  std::optional<std::array<std::array<double, 3>, 3>> back_to(const PlacedGradient& to, double z) const {
+    std::array<std::array<double, 3>, 3> p{};  // from (x y 1) of the mesh to pixels
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at = [&](int row) {
+        const int c = static_cast<int>(k);
+        return k < 2 ? all_(row, c) : all_(row, 2) * z + all_(row, 3);
+      };
+      p[0][k] = 0.5 * width_ * (at(0) + at(3)), p[1][k] = 0.5 * height_ * (at(1) + at(3)), p[2][k] = at(3);
+    }
+    const auto minor = [&](std::size_t r, std::size_t c) {
+      const auto &a = p[(r + 1) % 3], &b = p[(r + 2) % 3];
+      return a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+    };
+    if (const double d = p[0][0] * minor(0, 0) + p[0][1] * minor(0, 1) + p[0][2] * minor(0, 2); !(std::abs(d) > 1e-300))
+      return std::nullopt;
+    const auto rows = std::array{std::array{to.x[0], to.x[1], to.x[2] * z + to.x[3]},
+                                 std::array{to.y[0], to.y[1], to.y[2] * z + to.y[3]}, std::array{0.0, 0.0, 1.0}};
+    std::array<std::array<double, 3>, 3> out{};
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c)
+        out[r][c] = rows[r][0] * minor(c, 0) + rows[r][1] * minor(c, 1) + rows[r][2] * minor(c, 2);
+    return out;
+  }
   Point operator()(const std::array<float, 3>& p) const {
     const double x = static_cast<double>(p[0]), y = static_cast<double>(p[1]), z = static_cast<double>(p[2]);
     const auto row = [&](int i) { return all_(i, 0) * x + all_(i, 1) * y + all_(i, 2) * z + all_(i, 3); };
@@ -155,6 +180,8 @@ void FlatPainter::outline(Painted& to, const Thing& t) const {
   if (!to.good) return;
   Store::need_twins(*t.mesh);
   const std::vector<std::uint32_t>& corners = mesh.triangles;
+  const Vec3 half = t.mesh->box.half();
+  const bool thick = !t.pressed && half.z > 1e-6 * std::max(half.x, half.y);
   const double outside = t.mirrored ? 1 : -1;  // the sign of a triangle that is seen from outside: y goes down
   // The sign of the area of each triangle as seen; 0 if it is not drawn.
   std::vector<signed char> seen(corners.size() / 3);
@@ -189,6 +216,12 @@ void FlatPainter::outline(Painted& to, const Thing& t) const {
     };
     paint.color = {channel(0), channel(1), channel(2)};
     paint.opacity = t.instance.color[3];
+    if (const Gradient* const gradient = gradient_of(t.gradients.get(), part.tinted, part.stroke)) {
+      const auto rows =
+          project.back_to(placed_gradient(*gradient, t.gradient_box, t.to_object), t.mesh->box.middle().z);
+      if (rows) paint.graded = std::make_shared<const Graded>(Graded{GradientColors(*gradient), *rows});
+      to.good = to.good && rows && !thick;
+    }
     to.parts.push_back(std::move(paint));
   }
 }
@@ -236,8 +269,42 @@ FlatPainter::Color FlatPainter::over(const Color& below, const Color& c, float o
   return sum;
 }
 
+// Returns the colour of a gradient at a pixel, with its opacity.
+FlatPainter::Color FlatPainter::graded_at(const Graded& g, std::size_t x, int y) {
+  const double px = static_cast<double>(x) + 0.5, py = y + 0.5;
+  const auto row = [&](std::size_t r) { return g.rows[r][0] * px + g.rows[r][1] * py + g.rows[r][2]; };
+  const double by = 1 / row(2), u = by * row(0), v = by * row(1);
+  const auto slope = [&](std::size_t r, double is, std::size_t k) { return by * (g.rows[r][k] - is * g.rows[2][k]); };
+  const GradientLight l = g.colors.has_edges()
+                              ? g.colors.around(u, v, slope(0, u, 0), slope(1, v, 0), slope(0, u, 1), slope(1, v, 1))
+                              : g.colors.at(u, v);
+  const double share = 1 / std::max(l.opacity, 1e-6);
+  const auto shown = [&](double c) { return static_cast<float>(std::min(share * c, 1.0)); };
+  return {shown(l.light.x), shown(l.light.y), shown(l.light.z), static_cast<float>(l.opacity)};
+}
+
 FlatPainter::Color FlatPainter::plus(const Color& sum, const Color& c, float opacity) {
   return {sum.r + c.r * opacity, sum.g + c.g * opacity, sum.b + c.b * opacity, sum.opacity + opacity};
+}
+
+// Adds a part's colours to a row: over what is there, or, if it is one of several parts, to their sum.
+template <bool light, bool alone>
+void FlatPainter::lay(const Paint& p, const RowCoverage& covered, int y, Color* row) {
+  auto x = static_cast<std::size_t>(covered.first);
+  const auto put = [](Color& to, const Color& c, float opacity) {
+    to = alone ? over<light>(to, c, opacity) : plus(to, c, opacity);
+  };
+  if (!p.graded) {
+    for (const float share : covered.of) put(row[x++], p.color, share * p.opacity);
+    return;
+  }
+  for (const float share : covered.of) {
+    if (share > 0) {
+      const Color c = graded_at(*p.graded, x, y);
+      put(row[x], {c.r, c.g, c.b}, share * p.opacity * c.opacity);
+    }
+    ++x;
+  }
 }
 
 template <bool light, class Put>
@@ -271,12 +338,11 @@ void FlatPainter::paint(const std::vector<Span>& rows, const Put& put) const {
         if (p.area.right() + 1 < static_cast<float>(span.left) || p.area.left() > static_cast<float>(span.right))
           continue;
         const RowCoverage covered = r.rows.next(y, sums, room);
-        Color* at = (parts.size() == 1 ? row : joint).data() + covered.first;
         if (parts.size() == 1) {
-          for (const float share : covered.of) *at = over<light>(*at, p.color, share * p.opacity), ++at;
+          lay<light, true>(p, covered, y, row.data());
           continue;
         }
-        for (const float share : covered.of) *at = plus(*at, p.color, share * p.opacity), ++at;
+        lay<light, false>(p, covered, y, joint.data());
         first = std::min(first, static_cast<std::size_t>(covered.first));
         end = std::max(end, static_cast<std::size_t>(covered.first) + covered.of.size());
       }

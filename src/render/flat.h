@@ -10,6 +10,7 @@
 #include "betwixt/picture.h"
 #include "render/columns.h"
 #include "render/coverage.h"
+#include "render/gradients.h"
 #include "render/things.h"
 
 namespace betwixt {
@@ -30,11 +31,17 @@ class FlatPainter {
     float r, g, b, opacity = 0;  // opacity: of sums, and of pictures of light
     friend bool operator==(const Color&, const Color&) = default;
   };
+  // The gradient of a part: its colours, and rows from pixels (x y 1) to its own plane, with a divisor.
+  struct Graded {
+    GradientColors colors;
+    std::array<std::array<double, 3>, 3> rows;
+  };
   // A part of an object.
   struct Paint {
     Area area;
     Color color;  // linear light, at most 1
     float opacity = 1;
+    std::shared_ptr<const Graded> graded;  // in place of the colour; null if it has none
   };
   struct Painted {
     bool good = false;  // whether it can be drawn here
@@ -59,6 +66,9 @@ class FlatPainter {
   static Bytes as_drawn(const Color&);
   template <bool light>
   static Color over(const Color& below, const Color&, float opacity);
+  template <bool light, bool alone>
+  static void lay(const Paint&, const RowCoverage&, int y, Color* row);
+  static Color graded_at(const Graded&, std::size_t x, int y);
   static Color plus(const Color& sum, const Color&, float opacity);  // colours by their opacities
 
   Things things_;

@@ -33,10 +33,10 @@ Status Module::draw(const Columns& columns, LinearPicture& out) {
   return Nothing{};
 }
 
-Gradient Module::behind(const Gradient& own) const {
+Backdrop Module::behind(const Backdrop& own) const {
   if (scenery_.surroundings.clear) return {};
   const auto& background = scenery_.background;
-  return background ? Gradient{*background, scenery_.surroundings.below.value_or(*background), false} : own;
+  return background ? Backdrop{*background, scenery_.surroundings.below.value_or(*background), false} : own;
 }
 
 }  // namespace betwixt

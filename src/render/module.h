@@ -31,7 +31,7 @@ class Module {
   virtual void draw_anew() = 0;
   void draw(const Columns&);
   // Returns the background as a gradient; `own` is the style's, for films without one.
-  Gradient behind(const Gradient& own) const;
+  Backdrop behind(const Backdrop& own) const;
 
   Canvas canvas_;
   Things things_;

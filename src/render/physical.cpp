@@ -49,7 +49,7 @@ PhysicalSurfaces::Look* PhysicalSurfaces::need(unsigned features) {
         {ground, "GROUND"},       {areas, "AREAS"},
         {shadowed, "SHADOWED"},   {contact, "RECEIVES"},
         {rich, "RICH"},           {levels, "LEVELS"},
-        {projects, "PROJECTS"}};
+        {projects, "PROJECTS"},   {gradient, "GRADIENT"}};
     std::string defines =
         fmt::format("#define TAPS 2\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n#define PHYSICAL\n",
                     shadow_seeds, (features & rich) != 0 ? Lighting::most_casting : 1,
@@ -57,9 +57,10 @@ PhysicalSurfaces::Look* PhysicalSurfaces::need(unsigned features) {
     for (const auto& [bit, name] : names)
       if ((features & bit) != 0) defines += fmt::format("#define {}\n", name);
     if (unclamped_) defines += "#define OPEN\n";
-    const std::string vertex = (features & ground) != 0 ? std::string(gl::fill_vertex)
-                                                        : std::string(vertex_inputs) + ball_outline + surface_vertex;
-    std::string fragment = std::string(encoded_function) + physical_inputs;
+    const std::string vertex = (features & ground) != 0
+                                   ? std::string(gl::fill_vertex)
+                                   : std::string(vertex_inputs) + ball_outline + gradient_vertex + surface_vertex;
+    std::string fragment = std::string(encoded_function) + physical_inputs + gradient_shader;
     if ((features & shadowed) != 0) fragment += shadow_lookup;
     if ((features & pattern) != 0) fragment += pattern_shader;
     auto made = gl::new_program(vertex, fragment + surface_functions + physical_fragment + surface_end, defines);
@@ -137,6 +138,7 @@ unsigned PhysicalSurfaces::features_of(const Batch& batch, const StoredPart& par
         (finish->projection == PictureProjection::box || (finish->projection == PictureProjection::automatic && no_uv)))
       f |= projected;
   }
+  if (gradient_of(batch, part) != nullptr) f |= gradient;
   if (!finish) return f;
   if (finish->pattern != Pattern::none) f |= pattern;
   if (finish->clearcoat > 0 || !(finish->sheen == Vec3{})) f |= coated;
@@ -156,7 +158,10 @@ void PhysicalSurfaces::draw_parts(const Things& things, const Batches& batches, 
       const GLuint id = own != nullptr ? Store::need_texture(*own) : 0;
       gl::use_texture(picture_at, id != 0 ? id : plain_texture(false));
     }
-    glUniform4f(place(*look, "part_color"), part.color[0], part.color[1], part.color[2], part.tinted ? 1.F : 0.F);
+    const auto at = [&](const char* name) { return place(*look, name); };
+    const Gradient* const graded = gradient_of(batch, part);
+    if (graded != nullptr) set_gradient(*graded, t, at);
+    set_part_color(part, graded, at);
     glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
                             reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)),
                             static_cast<GLsizei>(batch.count));
@@ -232,7 +237,7 @@ void PhysicalSurfaces::draw_transparent(const Things& things, std::span<const st
   draw_over(things, batches, glass_, true, [&](const Batch& b) { draw_parts(things, batches, b); });
 }
 
-void PhysicalSurfaces::draw_setting(const Surfaces::FrameSettings& frame, const Gradient& gradient, bool encoded) {
+void PhysicalSurfaces::draw_setting(const Surfaces::FrameSettings& frame, const Backdrop& gradient, bool encoded) {
   const bool sky_seen = sky_.seen_behind() && sky_;
   const bool was = std::exchange(encodes_, encoded);
   ++frame_number_;

@@ -31,7 +31,7 @@ class PhysicalSurfaces {
   // Draws objects that let light through, over what the canvas shows so far.
   void draw_through(const Canvas&, const Things&, std::span<const std::uint32_t>);
   // Draws the infinite floor, and on empty pixels the sky or the gradient.
-  void draw_setting(const Surfaces::FrameSettings&, const Gradient&, bool encoded);
+  void draw_setting(const Surfaces::FrameSettings&, const Backdrop&, bool encoded);
 
  private:
   enum Feature : unsigned {
@@ -45,9 +45,10 @@ class PhysicalSurfaces {
     areas = 128,
     shadowed = 256,
     contact = 512,
-    rich = 1024,     // several shadows, or soft ones
-    levels = 2048,   // several maps of one light
-    projects = 4096  // a lamp projects a picture
+    rich = 1024,      // several shadows, or soft ones
+    levels = 2048,    // several maps of one light
+    projects = 4096,  // a lamp projects a picture
+    gradient = 8192
   };
   struct Look {
     gl::Program program;

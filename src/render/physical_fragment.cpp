@@ -95,7 +95,7 @@ void main() {
   dielectric = 0.0;
   gl_FragDepth = cover > 0.0 ? clamp(0.5 * dot(depth_row, there) / dot(w_row, there) + 0.5, 0.0, 0.9999998) : 1.0;
 #else
-  vec4 base = vec4(mix(vec3(1.0), paint.rgb, part_color.a) * part_color.rgb, paint.a);
+  vec4 base = own_color();
   vec3 spot = at, across = facing, on = local, on_facing = local_facing;
 #if defined(BALL)
   vec2 go = onto_ball(disc, e);

@@ -13,7 +13,7 @@
 namespace betwixt {
 namespace {
 
-constexpr Gradient gradient{Lighting::above, Lighting::beneath};
+constexpr Backdrop gradient{Lighting::above, Lighting::beneath};
 
 class Shaded final : public Module {
  public:

@@ -29,6 +29,7 @@ void main() {
 #if defined(TEXTURED)
   place = uv;
 #endif
+  place_gradient(p);
 #if defined(BALL)
   p.xyz = outline(position.xy, toward_eye, e);
   disc = p.xyz;
@@ -292,7 +293,7 @@ void main() {
   vec2 gloss = vec2(0.0, 1.0);
   gl_FragDepth = cover > 0.0 ? clamp(0.5 * dot(depth_row, there) / dot(w_row, there) + 0.5, 0.0, 0.9999998) : 1.0;
 #else
-  vec4 base = vec4(mix(vec3(1.0), paint.rgb, part_color.a) * part_color.rgb, paint.a);
+  vec4 base = own_color();
 #endif
 #if defined(TEXTURED)
   base *= texture(picture, place);

@@ -331,7 +331,7 @@ void Shadows::draw_some(const Part& one, Things& things, const Made& light, bool
     const bool within = one.map.perspective && length(center) <= t.bounds.radius();
     const bool far = t.closed && !ball && (t.shape->kind != Kind::box || t.form->blends() || within);
     Group& g = groups[{mesh, t.mirrored, t.closed, far}];
-    g.batch = {mesh, nullptr, nullptr, t.mirrored, t.closed, ball, false, 0, g.batch.count + 1};
+    g.batch = {mesh, nullptr, nullptr, nullptr, t.mirrored, t.closed, ball, false, 0, g.batch.count + 1};
     g.instances.push_back(instance_of(t, world * local));
     g.instances.back().look[0] = static_cast<float>(far ? half_thickness(t, things.store()) : 0);
   }

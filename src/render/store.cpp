@@ -47,11 +47,12 @@ Floats interleave(const Mesh& mesh) {
 std::vector<StoredPart> parts_of(const Mesh& mesh, Store& store) {
   const auto all = static_cast<std::uint32_t>(mesh.triangles.size());
   if (!indices_fit(mesh.triangles, mesh.positions.size()) || all < 3) return {};
-  if (mesh.parts.empty()) return {{0, all, {1, 1, 1}, true, nullptr}};
+  if (mesh.parts.empty()) return {{0, all, {1, 1, 1}, true, false, nullptr}};
   std::vector<StoredPart> parts;
   for (const MeshPart& p : mesh.parts) {
     const std::uint32_t first = std::min(p.first, all), count = std::min(p.count, all - first);
-    if (count > 0) parts.push_back({first, count, p.color, p.tinted, p.texture ? store.texture(p.texture) : nullptr});
+    if (count > 0)
+      parts.push_back({first, count, p.color, p.tinted, p.stroke, p.texture ? store.texture(p.texture) : nullptr});
   }
   return parts;
 }

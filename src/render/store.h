@@ -26,7 +26,7 @@ struct StoredTexture {
 struct StoredPart {
   std::uint32_t first = 0, count = 0;  // as in MeshPart
   std::array<float, 3> color{1, 1, 1};
-  bool tinted = true;
+  bool tinted = true, stroke = false;
   std::shared_ptr<const StoredTexture> texture;  // null if it has none
 };
 

@@ -61,12 +61,12 @@ bool has_rich_shadows(const Surfaces::FrameSettings& frame) {
 }
 
 Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const char* defines) const {
-  const std::string vertex =
-      fills ? std::string(gl::fill_vertex) : std::string(vertex_inputs) + ball_outline + surface_vertex;
+  const std::string vertex = fills ? std::string(gl::fill_vertex)
+                                   : std::string(vertex_inputs) + ball_outline + gradient_vertex + surface_vertex;
   auto program = gl::new_program(
       vertex,
-      std::string(encoded_function) + surface_inputs + shadow_lookup + surface_functions + surface_fragment +
-          surface_end,
+      std::string(encoded_function) + surface_inputs + gradient_shader + shadow_lookup + surface_functions +
+          surface_fragment + surface_end,
       fmt::format("#define TAPS {}\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n{}{}{}{}{}", shadow_taps,
                   shadow_seeds, (variant & rich) != 0 ? Lighting::most_casting : 1,
                   (variant & (rich | levels)) != 0 ? Shadows::most_maps : 1,
@@ -98,10 +98,12 @@ const Surfaces::Look* Surfaces::need(Look Looks::*which) {
   Look& look = looks().*which;
   if (look.program.id() != 0) return &look;
   const bool ground = which == &Looks::ground;
-  const char* const defines = ground                      ? "#define GROUND"
-                              : which == &Looks::textured ? "#define TEXTURED"
-                              : which == &Looks::balls    ? "#define BALL"
-                                                          : "";
+  const char* const defines = ground                             ? "#define GROUND"
+                              : which == &Looks::textured        ? "#define TEXTURED"
+                              : which == &Looks::balls           ? "#define BALL"
+                              : which == &Looks::graded          ? "#define GRADIENT"
+                              : which == &Looks::graded_textured ? "#define GRADIENT\n#define TEXTURED"
+                                                                 : "";
   auto made = new_look(ground, variant_, defines);
   if (!made) {
     looks().refused = true;
@@ -116,7 +118,8 @@ const Surfaces::Look* Surfaces::need(Look Looks::*which) {
 
 template <class F>
 void Surfaces::each_made(F&& f) {
-  for (const Look* look : {&looks().textured, &looks().balls, &looks().plain})
+  Looks& all = looks();
+  for (const Look* look : {&all.textured, &all.balls, &all.plain, &all.graded, &all.graded_textured})
     if (look->program.id() != 0) f(*look);
 }
 
@@ -212,7 +215,7 @@ void Surfaces::set(const FrameSettings& frame) {
   glBindSampler(depth_unit, depths_.id());
 }
 
-void Surfaces::draw_setting(const FrameSettings& frame, const Gradient& gradient, bool encoded) {
+void Surfaces::draw_setting(const FrameSettings& frame, const Backdrop& gradient, bool encoded) {
   const Look* const made = need(&Looks::ground);
   if (made == nullptr) return;
   const Look& ground = *made;
@@ -258,15 +261,23 @@ void fill_behind() {
   gl::fill();
 }
 
-void Surfaces::draw_parts(const Batch& batch) {
+void Surfaces::draw_parts(const Things& things, const Batches& batches, const Batch& batch) {
   for (const StoredPart& part : batch.mesh->parts) {
     const StoredTexture* const picture = batch.texture != nullptr ? batch.texture : part.texture.get();
     const GLuint texture = picture != nullptr ? Store::need_texture(*picture) : 0;
-    const Look* const look = need(batch.ball ? &Looks::balls : texture != 0 ? &Looks::textured : &Looks::plain);
+    const Gradient* const gradient = gradient_of(batch, part);
+    const Look* const look = need(batch.ball            ? &Looks::balls
+                                  : gradient != nullptr ? texture != 0 ? &Looks::graded_textured : &Looks::graded
+                                  : texture != 0        ? &Looks::textured
+                                                        : &Looks::plain);
     if (look == nullptr) continue;
     if (texture != 0) gl::use_texture(picture_unit, texture);
     glUseProgram(look->program.id());
-    glUniform4f(look->part_color, part.color[0], part.color[1], part.color[2], part.tinted ? 1.F : 0.F);
+    if (gradient != nullptr) {
+      const auto at = [&](const char* name) { return gl::uniform(look->program, name); };
+      set_gradient(*gradient, things[batches.order[batch.first]], at);
+    }
+    set_part_color(part, gradient, [&](const char*) { return look->part_color; });
     glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
                             reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)),
                             static_cast<GLsizei>(batch.count));
@@ -306,13 +317,14 @@ void Surfaces::draw_opaque(const Things& things, std::span<const std::uint32_t> 
     set_facing(b.mirrored, true);
     glBindVertexArray(b.mesh->triangles.id());
     solid_.bind(b.first);
-    draw_parts(b);
+    draw_parts(things, batches, b);
   }
 }
 
 void Surfaces::draw_transparent(const Things& things, std::span<const std::uint32_t> numbers) {
   receive_contact(false);
-  draw_over(things, sorted_singles(things, numbers), glass_, !flat_, [&](const Batch& b) { draw_parts(b); });
+  const Batches batches = sorted_singles(things, numbers);
+  draw_over(things, batches, glass_, !flat_, [&](const Batch& b) { draw_parts(things, batches, b); });
 }
 
 void draw_over(const Things& things, const Batches& batches, Instances& instances, bool lit,

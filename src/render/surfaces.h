@@ -31,7 +31,7 @@ class Surfaces {
   void draw_opaque(const Things&, std::span<const std::uint32_t>);
   void draw_transparent(const Things&, std::span<const std::uint32_t>);
   // Draws the infinite floor, and on empty pixels the sky or the gradient.
-  void draw_setting(const FrameSettings&, const Gradient&, bool encoded);
+  void draw_setting(const FrameSettings&, const Backdrop&, bool encoded);
 
  private:
   struct Look {  // one variant of the program
@@ -40,7 +40,7 @@ class Surfaces {
   };
   // The programs of one picture, each made on first use: most films need one or two of them.
   struct Looks {
-    Look plain, textured, balls, ground;
+    Look plain, textured, balls, ground, graded, graded_textured;
     bool refused = false;  // by the graphics driver
   };
   Looks& looks() { return variants_[variant_]; }
@@ -48,7 +48,7 @@ class Surfaces {
   const Look* need(Look Looks::*);
   void prepare(const Look&) const;
   void use(std::size_t variant);
-  void draw_parts(const Batch&);
+  void draw_parts(const Things&, const Batches&, const Batch&);
   Result<Look> new_look(bool fills, std::size_t variant, const char* defines) const;
   template <class F>
   void each_made(F&&);

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/stages.h"
+#include "exchange/gradient_place.h"
 
 namespace betwixt {
 namespace {
@@ -24,7 +25,7 @@ bool same_camera(const Camera& a, const Camera& b) {
 
 // Compares all but the shapes and textures of the numbers.
 bool same_look(Evaluation::Look a, const Evaluation::Look& b) {
-  a.shape = b.shape, a.toward = b.toward, a.texture = b.texture, a.finish = b.finish;
+  a.shape = b.shape, a.toward = b.toward, a.texture = b.texture, a.finish = b.finish, a.gradients = b.gradients;
   return a == b;
 }
 
@@ -46,8 +47,8 @@ double largest_measure(const Box& box, const Mat4& m) {
 
 bool is_round(const Thing& t) {
   const double size = t.bounds.radius();
-  return t.shape->kind == Kind::sphere && !t.form->blends() && t.texture == nullptr && !t.transparent &&
-         std::abs(determinant(t.world) * std::pow(t.shape->radius, 3)) > 1e-4 * size * size * size;
+  return t.shape->kind == Kind::sphere && !t.form->blends() && t.texture == nullptr && t.gradients == nullptr &&
+         !t.transparent && std::abs(determinant(t.world) * std::pow(t.shape->radius, 3)) > 1e-4 * size * size * size;
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ bool Things::same(const Thing& t, const Columns& c, std::uint32_t i) const {
   const Evaluation::Look& l = c.looks[i];
   return same_bits(t.world, c.worlds[i]) && same_look(t.look, l) && t.shape == found(l.shape, c.shape) &&
          t.toward == found(l.toward, c.shape) && t.picture == found(l.texture, c.texture) &&
-         t.finish == found(l.finish, c.finish);
+         t.finish == found(l.finish, c.finish) && t.gradients == found(l.gradients, c.gradients);
 }
 
 void Things::find_changed(const Columns& c) {
@@ -131,6 +132,7 @@ void Things::adopt(Thing& t, const Columns& c, std::uint32_t i) {
   if (t.picture != picture) t.texture = picture ? store_.texture(picture) : nullptr;
   t.world = c.worlds[i], t.look = l;
   t.shape = std::move(shape), t.toward = std::move(toward), t.picture = std::move(picture);
+  t.gradients = found(l.gradients, c.gradients);
   if (auto finish = found(l.finish, c.finish); finish != t.finish) {
     const auto map = [&](const std::shared_ptr<const Picture>& p) { return p ? store_.texture(p) : nullptr; };
     t.maps = {};
@@ -157,7 +159,9 @@ void Things::place(Thing& t) {
   const double d = determinant(local);
   t.mirrored = d < 0;
   t.closed = plain.mesh->mesh->closed && d != 0;
-  t.transparent = t.look.transparency > 0 || (t.texture != nullptr ? t.texture->see_through : plain.mesh->see_through);
+  if (t.gradients) t.gradient_box = gradient_box(*t.shape, t.toward.get(), t.look.blend);
+  t.transparent = t.look.transparency > 0 || (t.gradients && t.gradients->see_through()) ||
+                  (t.texture != nullptr ? t.texture->see_through : plain.mesh->see_through);
   t.round = is_round(t);
   t.line = row_of(t.shape->kind).line;
   t.casts = t.surface && t.look.casts && t.look.material != Material::glow;

@@ -29,7 +29,8 @@ struct Thing {
   Evaluation::Look look;
   std::shared_ptr<const Shape> shape, toward;
   std::shared_ptr<const Picture> picture;
-  std::shared_ptr<const Finish> finish;  // null if it has none
+  std::shared_ptr<const Finish> finish;        // null if it has none
+  std::shared_ptr<const Gradients> gradients;  // the same
 
   bool there = false;  // whether it can be drawn; if not, the rest has no meaning
   std::shared_ptr<Form> form;
@@ -38,6 +39,7 @@ struct Thing {
     std::shared_ptr<const StoredTexture> normals, roughness, metalness, occlusion, emission;
   };
   Maps maps;             // of its finish
+  Box gradient_box;      // in object space, if it has gradients
   Bounds bounds;         // in the world
   double size = 0;       // its largest measure from its centre
   bool surface = false;  // whether it has triangles

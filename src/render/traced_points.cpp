@@ -160,6 +160,20 @@ void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) con
   s.color = has.color, s.roughness = has.roughness, s.metalness = has.metalness;
 }
 
+// Puts the colour of a gradient in place of the object's or the stroke's.
+void World::add_gradient(const TracedObject& b, const MeshPart& part, Vec3 in_mesh, SurfacePoint& s) {
+  const TracedObject::Graded* const graded = part.stroke && b.stroke ? b.stroke.get()
+                                             : part.tinted           ? b.fill.get()
+                                                                     : nullptr;
+  if (graded == nullptr) return;
+  const auto along = [&](const std::array<double, 4>& row) {
+    return row[0] * in_mesh.x + row[1] * in_mesh.y + row[2] * in_mesh.z + row[3];
+  };
+  const GradientLight l = graded->colors.at(along(graded->placed.x), along(graded->placed.y));
+  s.color = 1 / std::max(l.opacity, 1e-6) * l.light * (part.stroke ? Vec3{1, 1, 1} : wide(part.color));
+  s.opacity *= l.opacity;
+}
+
 // The surface on a triangle. If the triangle approximates a smooth surface, rays to lights start from that, so that
 // facets do not shade each other.
 SurfacePoint World::triangle_point(const TracedObject& b, const Hit& m, bool back) const {
@@ -184,6 +198,7 @@ SurfacePoint World::triangle_point(const TracedObject& b, const Hit& m, bool bac
   s.normal = normal;
   s.color = (part.tinted ? b.color : Vec3{1, 1, 1}) * wide(part.color);
   s.opacity = b.opacity;
+  add_gradient(b, part, at, s);
   const Picture* const picture = b.texture != nullptr ? b.texture.get() : part.texture.get();
   if (picture == nullptr || b.finish) return s;  // add_finish() lays it as the finish says
   if (mesh.uvs.size() == mesh.positions.size())

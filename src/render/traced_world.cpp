@@ -177,7 +177,8 @@ std::optional<World::TracedObject> World::object_of(const Columns& c, std::uint3
   if (l.texture != Evaluation::Look::none) b.texture = c.texture(l.texture);
   Mat4 world = c.worlds[i];
   for (int k = 0; k < 3; ++k) world(k, 3) -= view.eye[k];
-  const bool ball = shape.kind == Kind::sphere && toward == nullptr && b.texture == nullptr;
+  const bool ball =
+      shape.kind == Kind::sphere && toward == nullptr && b.texture == nullptr && l.gradients == Evaluation::Look::none;
   const bool detailed = has_details(shape, toward);
   Geometry g = ball ? Geometry{nullptr, scaling({shape.radius, shape.radius, shape.radius})}
                     : realised(detailed ? Detail{24, true} : Detail{});
@@ -201,13 +202,24 @@ std::optional<World::TracedObject> World::object_of(const Columns& c, std::uint3
   b.opacity = 1 - std::clamp(l.transparency, 0.0, 1.0), b.shine = std::clamp(l.shininess, 0.0, 1.0);
   if (l.finish != Evaluation::Look::none) b.finish = c.finish(l.finish), finishes_ = true;
   b.to_object = g.local;
+  bool see_through = false;
+  if (l.gradients != Evaluation::Look::none) {
+    const Gradients& all = *c.gradients(l.gradients);
+    const Box box = gradient_box(shape, toward, l.blend);
+    for (const auto& [from, to] : {std::pair(&all.fill, &b.fill), std::pair(&all.stroke, &b.stroke)})
+      if (from->kind != GradientKind::none)
+        *to = std::make_shared<const TracedObject::Graded>(
+            TracedObject::Graded{GradientColors(*from), placed_gradient(*from, box, g.local)});
+    see_through = all.see_through();
+  }
   b.material = l.material, b.line = row_of(shape.kind).line;
   b.blur = 0.1 * coplanar_tolerance * (away + radius);
   const bool holes = b.texture != nullptr ? has_holes(b.texture) : object->has_holes;
   mask = camera_rays;
   if (l.casts && !b.hairline) mask |= ambient_rays;
   if (l.casts && !b.hairline && b.material != Material::glow && b.opacity > 0.5)
-    mask |= b.opacity < 1 || holes || (b.finish && b.finish->transmission > 0) ? translucent_shadow_rays : shadow_rays;
+    mask |= b.opacity < 1 || holes || see_through || (b.finish && b.finish->transmission > 0) ? translucent_shadow_rays
+                                                                                              : shadow_rays;
   if (!b.hairline) need_scene(*object);
   b.solid = std::move(object);
   return b;

@@ -16,6 +16,7 @@
 
 #include "exchange/geometry.h"
 #include "render/columns.h"
+#include "render/gradients.h"
 #include "render/view.h"
 
 namespace betwixt::traced {
@@ -124,8 +125,13 @@ class World {
     Material material = Material::plastic;
     std::shared_ptr<const Picture> texture;
     std::shared_ptr<const Finish> finish;
-    Mat4 to_object;   // mesh space to object space
-    double blur = 0;  // the uncertainty of its position in f32, metres
+    struct Graded {
+      GradientColors colors;
+      PlacedGradient placed;
+    };
+    std::shared_ptr<const Graded> fill, stroke;  // its gradients; null if it has none
+    Mat4 to_object;                              // mesh space to object space
+    double blur = 0;                             // the uncertainty of its position in f32, metres
     bool line = false, hairline = false;
   };
 
@@ -138,6 +144,7 @@ class World {
   GeometryHandle hairlines(const TracedObject&, const View&) const;
   SurfacePoint triangle_point(const TracedObject&, const Hit&, bool back) const;
   void add_finish(const TracedObject&, const Hit&, SurfacePoint&) const;
+  static void add_gradient(const TracedObject&, const MeshPart&, Vec3 in_mesh, SurfacePoint&);
   std::optional<Hit> highest(const Ray&, double plane, std::uint64_t below) const;
 
   DeviceHandle device_;

@@ -8,7 +8,7 @@
 namespace betwixt {
 namespace {
 
-constexpr Gradient dark_gradient{{0.012, 0.014, 0.018}, {0.028, 0.031, 0.037}};
+constexpr Backdrop dark_gradient{{0.012, 0.014, 0.018}, {0.028, 0.031, 0.037}};
 
 // Surfaces that only hide what is behind them.
 const char* const hide_vertex = R"(

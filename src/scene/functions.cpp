@@ -3,6 +3,7 @@
 #include "scene/functions.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "scene/aiming_functions.h"
@@ -13,6 +14,7 @@
 #include "scene/document.h"
 #include "scene/finish_functions.h"
 #include "scene/flat_functions.h"
+#include "scene/gradient_functions.h"
 #include "scene/kinds.h"
 #include "scene/layer_functions.h"
 #include "scene/materials.h"
@@ -347,22 +349,16 @@ const FunctionSpec function_rows[] = {
 
 std::vector<FunctionSpec> make_functions() {
   std::vector<FunctionSpec> made(std::begin(function_rows), std::end(function_rows));
-  made.insert(made.end(), std::begin(aiming_functions), std::end(aiming_functions));
-  made.insert(made.end(), std::begin(sound_functions), std::end(sound_functions));
-  made.insert(made.end(), std::begin(camera_functions), std::end(camera_functions));
-  made.insert(made.end(), std::begin(rig_functions), std::end(rig_functions));
-  made.insert(made.end(), std::begin(collision_functions), std::end(collision_functions));
-  constexpr std::ptrdiff_t named = 3;  // of the rows of axes, those that `fn` has
-  made.insert(made.end(), std::begin(axes_functions), std::begin(axes_functions) + named);
-  made.insert(made.end(), std::begin(finish_functions), std::end(finish_functions));
-  made.insert(made.end(), std::begin(layer_functions), std::end(layer_functions));
-  made.insert(made.end(), std::begin(axes_functions) + named, std::end(axes_functions));
-  made.insert(made.end(), std::begin(chart_functions), std::end(chart_functions));
-  made.insert(made.end(), std::begin(flat_functions), std::end(flat_functions));
-  made.insert(made.end(), std::begin(text_functions), std::end(text_functions));
+  const auto add = [&](const auto& rows) { made.insert(made.end(), std::begin(rows), std::end(rows)); };
+  add(aiming_functions), add(sound_functions), add(camera_functions), add(rig_functions), add(collision_functions);
+  constexpr std::size_t named = 3;  // of the rows of axes, those that `fn` has
+  const std::span axes(axes_functions);
+  add(axes.first(named)), add(finish_functions), add(layer_functions), add(gradient_functions);
+  add(axes.subspan(named)), add(chart_functions), add(flat_functions), add(text_functions);
   for (FunctionSpec& f : made) {
     const bool everywhere = f.kinds == all_kinds, by_kinds = f.kinds == shared;
-    const bool drawn = is_of_finish(static_cast<FunctionId>(&f - made.data()));
+    const auto id = static_cast<FunctionId>(&f - made.data());
+    const bool drawn = is_of_finish(id) || is_of_gradient(id);
     for (const KindRow& row : kinds()) {
       if (everywhere && (!row.placed || (drawn && row.fill == Fill::nothing))) f.kinds &= ~bit(row.kind);
       if (by_kinds && has_word(row.functions, f.name)) f.kinds |= bit(row.kind);

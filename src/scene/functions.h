@@ -168,6 +168,20 @@ enum : FunctionId {
   drop_shadow,
   shadow_color,
   shadow_opacity,
+  gradient,  // of what is filled, up to gradient_spread; then the same of strokes
+  gradient_color,
+  gradient_stops,
+  gradient_turn,
+  gradient_move,
+  gradient_size,
+  gradient_spread,
+  stroke_gradient,
+  stroke_gradient_color,
+  stroke_gradient_stops,
+  stroke_gradient_turn,
+  stroke_gradient_move,
+  stroke_gradient_size,
+  stroke_gradient_spread,
   count
 };
 }
@@ -176,6 +190,8 @@ enum : FunctionId {
 inline bool is_of_finish(FunctionId f) { return f >= fn::metalness && f <= fn::texture_turn; }
 // The functions that make a layer of a group.
 inline bool is_of_layer(FunctionId f) { return f >= fn::opacity && f <= fn::shadow_opacity; }
+// The functions that make gradients.
+inline bool is_of_gradient(FunctionId f) { return f >= fn::gradient && f <= fn::stroke_gradient_spread; }
 // Those whose value is the file of a picture.
 inline bool is_picture(FunctionId f) {
   return f == fn::texture || (f >= fn::normal_map && f <= fn::emission_map) || f == fn::light_picture;

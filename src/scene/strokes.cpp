@@ -232,7 +232,7 @@ std::vector<DrawnPart> stretches(const std::vector<Vec3>& line, bool closed, con
 Pen pen_of(const Shape& s) {
   Pen pen{s.filled, 0, std::nullopt, {}, s.stroke_round};
   if (s.stroke.x >= 0 || s.stroke.y >= 0 || s.stroke.z >= 0) pen.color = s.stroke;
-  if ((pen.color || !s.filled) && sane(s.stroke_width)) pen.width = std::max(0.0, s.stroke_width);
+  if ((pen.color || !s.filled || s.stroke_graded) && sane(s.stroke_width)) pen.width = std::max(0.0, s.stroke_width);
   if (!row_of(s.kind).line) pen.dashes = dashes_of(s);
   return pen;
 }

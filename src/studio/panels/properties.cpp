@@ -24,13 +24,14 @@ namespace betwixt::studio {
 namespace {
 
 // Groups of functions in the order shown: the place, the kind's own functions, the look, functions of the film.
-enum class Group : std::uint8_t { place, own_kind, look, finish, film };
+enum class Group : std::uint8_t { place, own_kind, look, gradient, finish, film };
 Group group_of(const FunctionView& f) {
   const auto built_in = built_in_functions();
   if (f.id >= built_in.size()) return Group::film;
   const FunctionSpec& spec = built_in[f.id];
   if (spec.name == "display") return Group::look;
   if (is_of_finish(static_cast<FunctionId>(f.id))) return Group::finish;
+  if (is_of_gradient(static_cast<FunctionId>(f.id))) return Group::gradient;
   if (!(spec.kinds & bit(Kind::group))) return Group::own_kind;
   return spec.place ? Group::place : Group::look;
 }
@@ -198,11 +199,10 @@ void Properties::rebuild() {
   column->setSpacing(0);
   const Document& d = workspace_.document();
   const std::vector<FunctionView> all = functions(d, leading());
-  const std::pair<Group, QString> groups[] = {{Group::place, tr("Place")},
-                                              {Group::own_kind, text_of(name_of(*built_of_))},
-                                              {Group::look, tr("Look")},
-                                              {Group::finish, tr("Finish")},
-                                              {Group::film, tr("Film")}};
+  const std::pair<Group, QString> groups[] = {
+      {Group::place, tr("Place")},   {Group::own_kind, text_of(name_of(*built_of_))},
+      {Group::look, tr("Look")},     {Group::gradient, tr("Gradient")},
+      {Group::finish, tr("Finish")}, {Group::film, tr("Film")}};
   for (const auto& [group, title] : groups) {
     QWidget* section = nullptr;
     for (std::size_t i = 0; i < all.size(); ++i) {
