@@ -66,9 +66,10 @@ class Evaluation {
   };
   std::span<const Look> looks() const;
   // Return the shape or texture with this number. A shape that varies keeps its number. When the shape has changed, the
-  // number gives the new shape, and `changed` lists the drawable.
+  // number gives the new shape, and `changed` lists the drawable. The texture may be a frame of a video, which is read
+  // when you ask for it; null, with a problem, if it cannot be read.
   const std::shared_ptr<const Shape>& shape(std::uint32_t number) const;
-  const std::shared_ptr<const Picture>& texture(std::uint32_t number) const;
+  std::shared_ptr<const Picture> texture(std::uint32_t number) const;
   const std::shared_ptr<const Finish>& finish(std::uint32_t number) const;
   const std::shared_ptr<const Gradients>& gradients(std::uint32_t number) const;
   // Returns the indices, in order, of the drawables in which anything differs from the previous `to`. Returns all of

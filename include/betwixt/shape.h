@@ -64,7 +64,8 @@ enum class Kind : std::uint8_t {
   streamlines,
   surface,
   line_chart,  // it has no shape
-  dot
+  dot,
+  video
 };
 
 // The style of letters besides their font. `typed` is the number of visible letters; it counts blanks and line ends.
@@ -99,6 +100,7 @@ struct OwnFont;  // src/scene/own_font.h
 //   gear     sides: teeth, module: metres of pitch diameter for each; involutes of 20 degrees
 //   arrow    from the origin to `size`, width
 //   trace    points, width: the line that a point has drawn
+//   video    height, size: that of its pictures relative to their height, corner
 //   plot tangent  points, width      scatter  points, each drawn as a disc (a ball if they are in space) of diameter
 //   `width` streamlines   points, width: lines one behind the other      surface  mesh      dot  radius area riemann
 //   vector_field  points: rings, one behind the other; they may be broken bar      size x by y, growing from its side

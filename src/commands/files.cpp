@@ -18,6 +18,7 @@
 #include "commands/furnishing.h"
 #include "commands/reader.h"
 #include "commands/translating.h"
+#include "commands/video_files.h"
 #include "exchange/font_face.h"
 #include "exchange/formulas.h"
 #include "exchange/meshes.h"
@@ -236,8 +237,8 @@ bool part_of_scene(Command& k, FunctionId f, std::string& path, std::string_view
                 did_you_mean(part.substr(1), names));
 }
 
-// Loads the file that `file` (of a mesh or a sound), `texture` or `font` names into the scene. Makes `path` relative to
-// the first script's folder.
+// Loads the file that `file` (of a mesh, a sound or a video), `texture` or `font` names into the scene. Makes `path`
+// relative to the first script's folder.
 bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) {
   auto& [s, c, time, layer, script] = k;
   if (is_read_by_people(f)) return translate_text(script, path, about), true;
@@ -248,7 +249,8 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   }
   static const FunctionId tex = *find_built_in(Kind::text, "tex");
   if (f == tex) return path.empty() || tex_formula(k, path, about);
-  const bool named = f == fn::file || is_picture(f) || f == fn::sound_file || f == fn::sound_words || f == fn::font;
+  const bool named = f == fn::file || is_picture(f) || f == fn::sound_file || f == fn::sound_words ||
+                     f == fn::video_file || f == fn::font;
   if (!named || path.empty()) return true;
   if (f == fn::sound_file && names_said_text(path)) return load_said_text(k, path, about, about);
   if ((f == fn::file || is_picture(f)) && path.find('#') != path.npos) return part_of_scene(k, f, path, about);
@@ -262,6 +264,7 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   };
   if (f == fn::file) return add(s.meshes, "mesh", [&] { return load_mesh(where.string(), may_read, any_size); });
   if (f == fn::sound_file) return add(s.sounds, "sound", [&] { return read_sound(where.string(), any_size); });
+  if (f == fn::video_file || (f == fn::texture && names_video(path))) return video_of_file(k, path, where, about);
   if (f == fn::sound_words) return add(s.words, "words", [&] { return load_words(where.string()); });
   if (f == fn::font) return add(s.fonts, "font", [&] { return load_font(where.string()); });
   return add(s.pictures, "picture", [&] { return load_picture(where.string(), any_size); });
@@ -377,8 +380,13 @@ std::vector<std::string> files_like(const Script& script, const std::string& nam
 
 }  // namespace
 
+template <class Contents>
+void name_again(Contents& all, const std::string& path, const std::string& name) {
+  if (const auto found = all->find(path); found != all->end()) all.edit()[name] = found->second;
+}
+
 bool files_in_code(Command& k, FunctionId f, const std::string& source, std::string_view about) {
-  if (!is_picture(f) && f != fn::file && f != fn::font) return true;
+  if (!is_picture(f) && f != fn::file && f != fn::video_file && f != fn::font) return true;
   for (const std::string& text : quoted_texts(source))
     for (const std::string& name : files_like(k.script, text)) {
       const fs::path where = k.script.folder / name.substr(0, name.find('#'));
@@ -387,12 +395,8 @@ bool files_in_code(Command& k, FunctionId f, const std::string& source, std::str
       std::string path = name;
       if (!asset(k, f, path, about)) return false;
       if (path == name) continue;  // else the code of an included script uses a name of its own
-      if (f == fn::font)
-        k.scene.fonts.edit()[name] = k.scene.fonts->at(path);
-      else if (is_picture(f))
-        k.scene.pictures.edit()[name] = k.scene.pictures->at(path);
-      else
-        k.scene.meshes.edit()[name] = k.scene.meshes->at(path);
+      name_again(k.scene.fonts, path, name), name_again(k.scene.videos, path, name);
+      name_again(k.scene.pictures, path, name), name_again(k.scene.meshes, path, name);
     }
   return true;
 }

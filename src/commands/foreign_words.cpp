@@ -53,7 +53,7 @@ constexpr std::string_view to_clear =
 constexpr std::string_view to_picture =
     "a picture is on a rectangle: create photo rectangle size=(4 3) texture=\"photo.png\"";
 constexpr std::string_view to_film_in =
-    "a film cannot be a texture, but pictures can, one after the other: at 12f screen.texture \"2.png\"";
+    "a video is on a rectangle of its own, or a texture: create clip video file=\"talk.mp4\" at=48f";
 constexpr std::string_view to_drawing = "a drawing is a scene: create logo scene file=\"logo.svg\"";
 constexpr std::string_view to_swarm =
     "a pattern makes many: create p{1..200} sphere radius=0.05 position=(hash(i) hash(i,2) hash(i,3)); fall and noise "
@@ -145,8 +145,8 @@ constexpr ForeignWord all_foreign_words[] = {
     {"along", "a motion along a path needs a segment: at 1f..48f ball.position along road", "motion"},
     {"image", to_picture, "rectangle texture"},
     {"photo", to_picture, "rectangle texture"},
-    {"video", to_film_in, "texture rectangle"},
-    {"movie", to_film_in, "texture rectangle"},
+    {"movie", to_film_in, "video texture"},
+    {"footage", to_film_in, "video texture"},
     {"svg", to_drawing, "create"},
     {"drawing", to_drawing, "create"},
     {"particle", to_swarm, "create fall noise"},

@@ -44,7 +44,7 @@ Loaded load(const LoadOptions& options, Read&& read, Scene scene = {}) {
 Scene with_files_of(const Scene& was) {
   Scene scene;
   scene.meshes = was.meshes, scene.pictures = was.pictures, scene.sounds = was.sounds, scene.formulas = was.formulas;
-  scene.fonts = was.fonts, scene.tables_read = was.tables_read, scene.words = was.words;
+  scene.fonts = was.fonts, scene.tables_read = was.tables_read, scene.words = was.words, scene.videos = was.videos;
   return scene;
 }
 

@@ -18,6 +18,7 @@
 #include "commands/own_kinds.h"
 #include "commands/parts.h"
 #include "commands/plugins.h"
+#include "commands/video_files.h"
 #include "scene/formula_parts.h"
 
 namespace betwixt {
@@ -172,6 +173,7 @@ bool create(Command& k) {
   if (!parameters(k, object, &said, &furniture)) return false;
   if (object.kind == Kind::mesh && !object.find(fn::file))
     return c.fail(ErrorCode::syntax, "a mesh needs its file", kind_word, "as in file=\"cow.obj\"");
+  if (object.kind == Kind::video && !complete_video(k, object, kind_word)) return false;
   if (furniture.say && !give_said_text(k, object, furniture, kind_word)) return false;
   if (object.kind == Kind::sound && !object.find(fn::sound_file))
     return c.fail(ErrorCode::syntax, "a sound needs its file", kind_word,

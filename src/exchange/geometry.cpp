@@ -84,13 +84,24 @@ Mesh text_mesh(const Shape& s) {
   return all;
 }
 
+// Gives a rectangle, or a video, the texture coordinates of a picture that fills it.
+void lay_picture(Mesh& mesh, const Shape& s) {
+  if (s.kind != Kind::rectangle && s.kind != Kind::video) return;
+  const Vec3 size = s.kind == Kind::video ? s.height * s.size : s.size;
+  if (!(size.x > 0) || !(size.y > 0)) return;
+  for (const auto& p : mesh.positions)
+    mesh.uvs.push_back({static_cast<float>(0.5 + p[0] / size.x), static_cast<float>(0.5 - p[1] / size.y)});
+}
+
 Mesh made(const KindRow& row, const Shape& s, const Detail& detail) {
   if (!by_contours(s)) return row.mesh(s, detail);
   const Pen pen = pen_of(s);
   if (!row.contours && !s.formula && s.language->empty() && pen.fills && !(pen.width > 0)) return text_mesh(s);
   // A contour that crosses itself is filled wherever it encloses something. Holes are always cut out.
-  return drawn(outline_of(s), pen, sane(s.depth) ? s.depth : 0,
-               s.holes->empty() ? Winding::nonzero : Winding::positive);
+  Mesh mesh =
+      drawn(outline_of(s), pen, sane(s.depth) ? s.depth : 0, s.holes->empty() ? Winding::nonzero : Winding::positive);
+  lay_picture(mesh, s);
+  return mesh;
 }
 
 // Gives the letters of code the classes of their words, and leaves out those that other parts draw.

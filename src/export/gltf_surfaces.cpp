@@ -91,6 +91,7 @@ Result<std::size_t> Surfaces::material(const Seen& s, const MeshPart& part, cons
            {"metallicFactor", s.material == Material::metal ? 1 : 0},
            {"roughnessFactor",
             s.material == Material::matte ? 1 : static_cast<float>(1 - std::clamp(s.shininess, 0.0, 1.0))}};
+  if (s.video) leave_out(film_.made, "videos become still pictures: those that are shown first");
   const auto& picture = s.texture ? s.texture : part.texture;
   if (picture) {
     const Result<std::size_t> texture = add_texture(picture);

@@ -50,6 +50,7 @@ class Watch {
         s.material = look.material, s.shininess = look.shininess;
         if (look.texture != Evaluation::Look::none) s.texture = e.texture(look.texture);
         if (look.gradients != Evaluation::Look::none) graded_ = true;
+        s.video = program_.compiled().drawables[i].video >= 0;
         if (look.finish != Evaluation::Look::none) s.finish = e.finish(look.finish), s.own_color = look.color;
       }
       const Shape& shape = *e.shape(look.shape);

@@ -35,6 +35,7 @@ struct Seen {
   std::shared_ptr<const Finish> finish;  // null if material and shininess say all of it
   Vec3 own_color{1, 1, 1};               // with a finish: its colour, or that of its material
   std::shared_ptr<const Picture> texture;
+  bool video = false;      // the texture is a picture of one
   std::int32_t skin = -1;  // index into Compiled::skins: its one form is the mesh at rest
 };
 

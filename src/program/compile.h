@@ -21,6 +21,10 @@ void compile_nodes(Program::Compiled&, const CompiledFilm* before);
 // Compiles the drawables and when each value changes. Nodes, attachments and motions exist, but not the transforms that
 // they keep.
 void compile_schedule(Program::Compiled&, const CompiledFilm* before);
+// Numbers the pictures and videos of the scene.
+void number_textures(CompiledFilm&);
+// Finds out whether a drawable may show a video, and when which picture of it.
+bool show_video(CompiledFilm&, std::uint32_t node, Drawable&);
 // Returns what of a finish an object has, or nullopt if it never needs one. `made_of` of the drawable is known.
 std::optional<FinishUse> finish_use(const CompiledFilm&, std::uint32_t object, const Drawable&);
 // The same of gradients.

@@ -18,6 +18,7 @@ std::uint8_t effect_of(const FunctionSpec& spec, FunctionId f) {
   if (spec.shape || f == fn::geometry) return affects::form;
   if (is_of_finish(f) || is_of_gradient(f)) return affects::look;
   if (is_of_layer(f)) return affects::other;
+  if (f >= fn::video_file && f <= fn::texture_time) return affects::look;
   switch (f) {
     case fn::color:
       return affects::look | affects::other;  // the colour of a light, too
@@ -248,6 +249,7 @@ struct ScheduleCompiler {
   std::unordered_multimap<std::size_t, std::uint32_t> shape_index{};
 
   void drawables() {
+    number_textures(compiled);
     std::vector<std::uint32_t> varying;
     for (std::uint32_t i = 0; i < compiled.nodes.size(); ++i) {
       const Node& n = compiled.nodes[i];
@@ -273,6 +275,9 @@ struct ScheduleCompiler {
       }
       if (points_by_axes(scene, scene.objects[n.object]))
         schedule.lives.push_back({&compiled.defaults[fn::on_axes], affects::form, i, false});
+      // Without a value of its own that changes, a video changes with the time.
+      if (show_video(compiled, i, d))
+        schedule.lives.push_back({&compiled.defaults[fn::trace_of], affects::look, i, false});
       if (auto skin = compile_skin(compiled, i)) {
         d.skin = static_cast<std::int32_t>(compiled.skins.size());
         compiled.skins.push_back(*std::move(skin));
@@ -281,9 +286,9 @@ struct ScheduleCompiler {
         varying.push_back(i);
       else
         d.shape = shape_number(n.object);
-      d.plain = !d.material->varies() && !d.texture->varies();
-      if (d.plain)
-        d.made_of = &material_of(d.material->constant), d.texture_number = compiled.texture(d.texture->constant);
+      if (!d.material->varies()) d.made_of = &material_of(d.material->constant);
+      d.plain = d.made_of && !d.texture->varies() && d.video < 0;
+      if (d.plain) d.texture_number = compiled.texture(d.texture->constant);
       if (auto use = finish_use(compiled, n.object, d)) {
         d.finish = static_cast<std::int32_t>(compiled.finishes.size());
         compiled.finishes.push_back(*use);
@@ -312,7 +317,6 @@ struct ScheduleCompiler {
       d.blend = static_cast<std::int32_t>(compiled.slow_blends.size());
       compiled.slow_blends.push_back(i);
     }
-    for (const auto& [name, picture] : *scene.pictures) compiled.textures.push_back(picture);
   }
 
   void nodes() {

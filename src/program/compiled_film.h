@@ -181,13 +181,20 @@ struct GradientUse {
   const Binding* at(std::size_t f) const { return bound[f - fn::gradient]; }
 };
 
+// The functions that say which picture of a video a drawable shows: offsets into the numbers.
+struct VideoUse {
+  std::uint32_t at = 0, from = 0, until = 0, speed = 0, loop = 0, time = 0;
+  bool timed = false;  // `time` says it alone
+};
+
 // A node that is drawn, or may be; it has the node's number.
 struct Drawable {
   std::uint32_t transparency = 0, shininess = 0, casts = 0;  // offsets into the numbers
   const Binding *material = nullptr, *texture = nullptr, *geometry = nullptr;
   std::uint32_t shape = 0;  // index into CompiledFilm::shapes; beyond its end if the shape varies
-  // The material and the texture are constant and are stored below.
+  // The texture is constant, no video, and stored below; so is the material, if `made_of` is not null.
   bool plain = false;
+  std::int32_t video = -1;  // index into CompiledFilm::video_uses, if its texture may be a video
   std::int32_t skin = -1;
   std::int32_t slow = -1;   // index into CompiledFilm::slow_shapes
   std::int32_t blend = -1;  // index into CompiledFilm::slow_blends
@@ -284,6 +291,13 @@ struct CompiledFilm {
   std::vector<FinishUse> finishes;
   std::vector<GradientUse> gradients;
   std::vector<std::shared_ptr<const Picture>> textures;
+  // The videos follow the pictures, with a number for each of their pictures.
+  struct NumberedVideo {
+    std::shared_ptr<const Video> video;
+    std::uint32_t first = 0;
+  };
+  std::vector<NumberedVideo> videos;
+  std::vector<VideoUse> video_uses;
   std::vector<std::uint32_t> lights, eyes;                   // nodes; eyes: those that look at or reach for something
   std::vector<std::uint32_t> layers;                         // nodes of groups that may be drawn as a whole
   std::map<std::uint32_t, FormulaPiece> pieces_of_formulas;  // by the object of the part
@@ -317,6 +331,14 @@ struct CompiledFilm {
   const Binding& find_shown(std::uint32_t object, FunctionId f) const;
   const StepTrack& steps_of(const Binding& b) const { return *steps[static_cast<std::size_t>(b.steps)]; }
   std::uint32_t texture(const Value&) const;  // Look::none if there is no such picture
+  // Returns the video of this name, or null.
+  const NumberedVideo* video(const Value&) const;
+  // Returns the number of the picture that a use of a video shows.
+  std::uint32_t shown(const NumberedVideo&, const VideoUse&, Time, const double* numbers) const;
+  // Returns the texture of a number. Errors: those of Video::picture.
+  Result<std::shared_ptr<const Picture>> picture(std::uint32_t number) const;
+  // Returns what differs for different pictures, without reading any.
+  std::pair<const void*, std::uint32_t> picture_key(std::uint32_t number) const;
   void evaluate_curve(const CurveUse& use, Time t, double* out) const;
   void evaluate_curves(const Binding& b, Time t, double* out) const;  // of one that is not live
   // Returns true if one number of a live value can be evaluated alone; so one component may depend on another.

@@ -25,6 +25,7 @@ struct Whole {
   std::vector<std::string> problems;  // the same in words
 
   void to(Time, bool news = false);
+  void report(const Error&);
   Frame frame() const;
 };
 
@@ -46,18 +47,22 @@ void Whole::to(Time t, bool news) {
   problems = to_strings(reports);
 }
 
+void Whole::report(const Error& e) {
+  if (std::find(problems.begin(), problems.end(), e.message) != problems.end()) return;
+  reports.push_back({Problem::other, {}, {}, e.message}), problems.push_back(e.message);
+}
+
 Frame Whole::frame() const {
   const Program::Compiled& compiled = evaluator.compiled();
   Frame f;
   f.time = evaluator.time();
+  f.problems = problems, f.reports = reports;
   evaluator.add_items(f, layer_of);
   f.lights = lights, f.layers = layers;
   f.camera = evaluator.camera(), f.change = evaluator.camera_change();
   const Scene& scene = compiled.document.scene();
   f.background = background_of(scene), f.surroundings = surroundings_of(scene);
   for (const Note& n : compiled.document.notes(f.time, f.time)) f.notes.push_back(n.text);
-  f.problems = problems;
-  f.reports = reports;
   return f;
 }
 
@@ -174,10 +179,7 @@ void Evaluation::State::compare() {
     if (std::memcmp(&is.worlds()[i], &was.worlds()[i], sizeof(Mat4)) != 0) return false;
     if (!same_shape(a.shape, b.shape) || !same_shape(a.toward, b.toward)) return false;
     a.shape = b.shape, a.toward = b.toward;
-    const auto picture = [](const Evaluator& e, std::uint32_t n) {
-      return n == Look::none ? nullptr : e.compiled().textures[n];
-    };
-    if (picture(is, a.texture) != picture(was, b.texture)) return false;
+    if (is.compiled().picture_key(a.texture) != was.compiled().picture_key(b.texture)) return false;
     a.texture = b.texture;
     if (a.finish == Look::none || b.finish == Look::none ? a.finish != b.finish
                                                          : !(*is.finish(a.finish) == *was.finish(b.finish)))
@@ -209,8 +211,11 @@ std::span<const Evaluation::Look> Evaluation::looks() const { return state_->eva
 const std::shared_ptr<const Shape>& Evaluation::shape(std::uint32_t number) const {
   return state_->evaluator().shape(number);
 }
-const std::shared_ptr<const Picture>& Evaluation::texture(std::uint32_t number) const {
-  return state_->now.program.compiled().textures[number];
+std::shared_ptr<const Picture> Evaluation::texture(std::uint32_t number) const {
+  const auto read = state_->now.program.compiled().picture(number);
+  if (read) return *read;
+  state_->now.whole->report(read.error());
+  return nullptr;
 }
 const std::shared_ptr<const Finish>& Evaluation::finish(std::uint32_t number) const {
   return state_->evaluator().finish(number);

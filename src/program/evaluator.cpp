@@ -378,9 +378,9 @@ void Evaluator::look(std::uint32_t i, Asking& asking, bool solids) {
       }
       now.shininess = std::clamp(numbers_[d.shininess], 0.0, 1.0);
       now.casts = numbers_[d.casts] != 0;
-      const MaterialRow& made_of = d.plain ? *d.made_of : material_of(compiled_.value(*d.material, now_, asking));
+      const MaterialRow& made_of = d.made_of ? *d.made_of : material_of(compiled_.value(*d.material, now_, asking));
       now.material = made_of.old;
-      now.texture = d.plain ? d.texture_number : compiled_.texture(compiled_.value(*d.texture, now_, asking));
+      now.texture = d.plain ? d.texture_number : texture(d, asking);
       if (d.finish >= 0) refinished = take_finish(i, made_of, now, asking);
       if (d.gradients >= 0) regraded = take_gradients(i, now, asking);
     }

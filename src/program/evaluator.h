@@ -116,6 +116,7 @@ class Evaluator {
   bool take_blend(std::uint32_t drawable, Looks&, Asking&);
   std::uint32_t put(std::size_t form, std::shared_ptr<const Shape>);
   std::uint32_t form(std::uint32_t drawable, Asking&);
+  std::uint32_t texture(const Drawable&, Asking&) const;
   std::uint32_t shape_of(const Value&, std::uint32_t drawable, Asking&);
   std::shared_ptr<const Shape> made(std::uint32_t drawable, Asking&) const;
   std::uint32_t splined(const StepTrack&, const Between&, std::uint32_t drawable, Asking&);

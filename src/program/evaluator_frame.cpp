@@ -24,6 +24,11 @@ LightShape area_of(const std::string& word) {
   return word == "disc" ? LightShape::disc : word == "rectangle" ? LightShape::rectangle : LightShape::point;
 }
 
+void add_problem(Frame& frame, const Error& e) {
+  if (std::find(frame.problems.begin(), frame.problems.end(), e.message) != frame.problems.end()) return;
+  frame.reports.push_back({Problem::other, {}, {}, e.message}), frame.problems.push_back(e.message);
+}
+
 }  // namespace
 
 // Sets what only lamps with a front have.
@@ -52,7 +57,13 @@ void Evaluator::add_items(Frame& frame, const std::vector<std::int32_t>& layers)
     if (l.toward != nothing) item.toward = shape(l.toward), item.blend = l.blend;
     item.color = l.color, item.transparency = l.transparency, item.shininess = l.shininess;
     item.material = l.material, item.casts = l.casts;
-    if (l.texture != nothing) item.texture = compiled_.textures[l.texture];
+    if (l.texture != nothing) {
+      auto picture = compiled_.picture(l.texture);
+      if (picture)
+        item.texture = *std::move(picture);
+      else
+        add_problem(frame, picture.error());
+    }
     if (l.finish != nothing) item.finish = finish(l.finish);
     if (l.gradients != nothing) item.gradients = gradients(l.gradients);
     if (!layers.empty()) item.layer = layers[i];

@@ -11,7 +11,7 @@ namespace betwixt {
 namespace {
 
 // Returns whether a material may need a finish at some time.
-bool may_be_named(const Drawable& d) { return d.plain ? !d.made_of->plain : d.material->varies(); }
+bool may_be_named(const Drawable& d) { return !d.made_of || !d.made_of->plain; }
 
 // A finish in which the functions that the object has replace those of its material.
 class FinishValues {

@@ -29,8 +29,8 @@ std::size_t bytes_of(const Program& program) {
   std::size_t sum = sizeof c + c.set.bytes() + bytes_of(c.schedule);
   const auto add = [&](const auto&... arrays) { ((sum += bytes_held(arrays)), ...); };
   add(c.rest, c.curves, c.steps, c.bindings, c.pieces, c.defaults, c.plains, c.lives, c.reigns, c.nodes, c.drawables);
-  add(c.shapes, c.textures, c.lights, c.eyes, c.layers, c.borrowers, c.spans, c.frozen, c.environments, c.sitings,
-      c.movings);
+  add(c.shapes, c.textures, c.videos, c.video_uses, c.lights, c.eyes, c.layers, c.borrowers, c.spans, c.frozen,
+      c.environments, c.sitings, c.movings);
   add(c.offsets, c.node_of, c.slow_shapes, c.slow_blends);
   for (const auto& steps : c.steps) sum += shared_bytes<StepTrack> + steps->bytes();
   for (const Live& live : c.lives) sum += bytes_of(live);

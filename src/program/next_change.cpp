@@ -18,6 +18,17 @@ struct Next {
   }
 };
 
+// Reports when a video that the drawable shows changes.
+void add_video(const CompiledFilm& c, const Drawable& d, Next& next) {
+  const VideoUse& use = c.video_uses[static_cast<std::size_t>(d.video)];
+  const auto number = [&](std::uint32_t offset) { return c.rest[offset]; };
+  const double at = number(use.at), speed = std::abs(number(use.speed));
+  const auto* const video = d.texture->varies() ? nullptr : c.video(d.texture->constant);
+  const bool ends = video && number(use.loop) == 0 && speed > 0;
+  if (use.timed || speed == 0 || (ends && next.now.seconds() > at + video->video->seconds() / speed)) return;
+  next.may(std::max(from_seconds(at), next.now + Time{1}));
+}
+
 }  // namespace
 
 std::optional<Time> Program::next_change(Time t) const {
@@ -27,6 +38,8 @@ std::optional<Time> Program::next_change(Time t) const {
   if (scene.appearance.grade.grain > 0) return t;
   if (compiled.traces && tracing_at(compiled, t)) return t;
   Next next{t, std::nullopt};
+  for (const Drawable& d : compiled.drawables)
+    if (d.video >= 0) add_video(compiled, d, next);
   for (const CurveUse& use : compiled.curves) {
     const auto [first, last] = compiled.set.span(use.curve);
     const Extrapolation out = t < first ? use.curve.before : use.curve.after;

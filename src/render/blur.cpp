@@ -144,7 +144,7 @@ class Mixed {
       const Content& place = held_.places[(n - first) / 2].second;
       return (n - first) % 2 == 0 ? place.shape : place.toward;
     };
-    const auto texture = [this](std::uint32_t n) -> const std::shared_ptr<const Picture>& {
+    const auto texture = [this](std::uint32_t n) {
       return n < first ? now_.texture(n) : held_.places[(n - first) / 2].second.texture;
     };
     const auto finish = [this](std::uint32_t n) -> const std::shared_ptr<const Finish>& {

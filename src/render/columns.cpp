@@ -30,8 +30,9 @@ Columns columns_of(const Evaluation& e) {
   const Scene& scene = e.program().document().scene();
   return {.worlds = e.worlds(), .looks = e.looks(), .shape = [&e](std::uint32_t n) -> const auto& {return e.shape(n);
 }
-, .texture = [&e](std::uint32_t n) -> const auto& { return e.texture(n); }
-, .finish = [&e](std::uint32_t n) -> const auto& { return e.finish(n); }
+, .texture = [&e](std::uint32_t n) { return e.texture(n); }, .finish = [&e](std::uint32_t n) -> const auto& {
+  return e.finish(n);
+}
 , .gradients = [&e](std::uint32_t n) -> const auto& { return e.gradients(n); }
 , .changed = {}, .lights = e.lights(), .camera = e.camera(), .background = background_of(scene),
   .surroundings = surroundings_of(scene)
@@ -80,8 +81,9 @@ FrameColumns::FrameColumns(const Frame& frame) : frame_(frame) {
 Columns FrameColumns::columns() const {
   return {.worlds = worlds_, .looks = looks_, .shape = [this](std::uint32_t n) -> const auto& {return shapes_[n];
 }
-, .texture = [this](std::uint32_t n) -> const auto& { return textures_[n]; }
-, .finish = [this](std::uint32_t n) -> const auto& { return finishes_[n]; }
+, .texture = [this](std::uint32_t n) { return textures_[n]; }, .finish = [this](std::uint32_t n) -> const auto& {
+  return finishes_[n];
+}
 , .gradients = [this](std::uint32_t n) -> const auto& { return gradients_[n]; }
 , .changed = {}, .lights = frame_.lights, .camera = frame_.camera, .background = frame_.background,
   .surroundings = frame_.surroundings

@@ -15,7 +15,7 @@ struct Columns {
   std::span<const Mat4> worlds;
   std::span<const Evaluation::Look> looks;
   std::function<const std::shared_ptr<const Shape>&(std::uint32_t)> shape;  // the shape of a number
-  std::function<const std::shared_ptr<const Picture>&(std::uint32_t)> texture;
+  std::function<std::shared_ptr<const Picture>(std::uint32_t)> texture;     // may be null
   std::function<const std::shared_ptr<const Finish>&(std::uint32_t)> finish;
   std::function<const std::shared_ptr<const Gradients>&(std::uint32_t)> gradients;
   // The places that differ from the previous picture; nullopt: unknown.

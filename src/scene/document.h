@@ -25,6 +25,7 @@
 #include "scene/quantity.h"
 #include "scene/spoken_words.h"
 #include "scene/table.h"
+#include "scene/video.h"
 #include "track/filter.h"
 #include "track/track.h"
 #include "track/twerpers.h"
@@ -203,6 +204,7 @@ struct Scene {
   Cow<std::vector<FromFile>> from_files;
   Cow<std::map<std::string, std::shared_ptr<const Picture>>> pictures;
   Cow<std::map<std::string, std::shared_ptr<const Sound>>> sounds;
+  Cow<std::map<std::string, std::shared_ptr<const Video>>> videos;
   Cow<std::map<std::string, std::shared_ptr<const SpokenWords>>> words;
   Cow<std::map<std::string, std::shared_ptr<const OwnFont>>> fonts;
   Cow<std::map<std::string, std::shared_ptr<const Outline>>> formulas;  // set by TeX, by their text

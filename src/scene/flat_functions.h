@@ -30,9 +30,9 @@ constexpr KindBits bits_of(std::initializer_list<Kind> kinds) {
   return all;
 }
 // The kinds that can have a depth, besides texts.
-inline constexpr KindBits flat_kinds =
-    bits_of({Kind::disc, Kind::polygon, Kind::rectangle, Kind::ring, Kind::arc, Kind::regular, Kind::star, Kind::gear,
-             Kind::arrow, Kind::area, Kind::riemann, Kind::vector_field, Kind::bar, Kind::brace, Kind::dot});
+inline constexpr KindBits flat_kinds = bits_of(
+    {Kind::disc, Kind::polygon, Kind::rectangle, Kind::ring, Kind::arc, Kind::regular, Kind::star, Kind::gear,
+     Kind::arrow, Kind::area, Kind::riemann, Kind::vector_field, Kind::bar, Kind::brace, Kind::dot, Kind::video});
 inline constexpr KindBits letter_kinds = bit(Kind::text) | bit(Kind::code);
 inline constexpr KindBits drawn_kinds = flat_kinds | letter_kinds;
 inline constexpr KindBits line_kinds =
@@ -41,7 +41,7 @@ inline constexpr KindBits line_kinds =
 inline const FunctionSpec flat_functions[] = {
     measure({.name = "corner",
              .rest = 0.0,
-             .kinds = bit(Kind::rectangle) | bit(Kind::bar),
+             .kinds = bit(Kind::rectangle) | bit(Kind::bar) | bit(Kind::video),
              .shape = put_measure<&Shape::corner>,
              .sentence = "The radius of a rectangle's corners.",
              .example = "create card rectangle\nset card.corner 0.1"}),

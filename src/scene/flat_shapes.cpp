@@ -98,6 +98,12 @@ Contours rectangle_contours(const Shape& s) {
   return {out};
 }
 
+Contours video_contours(const Shape& s) {
+  Shape whole = s;
+  whole.size = s.height * s.size;
+  return rectangle_contours(whole);
+}
+
 Contours ring_contours(const Shape& s) {
   if (!sane(s.radius) || !(s.radius > 0) || !(s.inner < s.radius)) return {};
   if (!(s.inner > 0)) return {whole_circle(s.radius)};

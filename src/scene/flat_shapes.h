@@ -20,6 +20,7 @@ Contours polygon_contours(const Shape&);
 // points end. The repeated point is left out.
 Contours rings(const std::vector<Vec3>&);
 Contours rectangle_contours(const Shape&);
+Contours video_contours(const Shape&);
 Contours ring_contours(const Shape&);
 Contours arc_contours(const Shape&);
 Contours regular_contours(const Shape&);

@@ -22,6 +22,7 @@
 #include "scene/rig_functions.h"
 #include "scene/sound_functions.h"
 #include "scene/text_functions.h"
+#include "scene/video_functions.h"
 
 namespace betwixt {
 namespace {
@@ -128,7 +129,7 @@ const FunctionSpec function_rows[] = {
     {.name = "texture",
      .type = Type::text,
      .rest = Text(),
-     .sentence = "The picture on its surface, from a file below the script's folder.",
+     .sentence = "The picture or video on its surface, from a file below the script's folder.",
      .written = "\"FILE\"",
      .example = "set ball.texture \"\""},
     measure(
@@ -178,7 +179,7 @@ const FunctionSpec function_rows[] = {
              .rest = 1.0,
              .kinds = shared,
              .shape = put_measure<&Shape::height>,
-             .sentence = "The height of a cylinder or a cone, along y.",
+             .sentence = "The height of a cylinder or a cone, along y, or of a video.",
              .example = "set wheel1.height 2"}),
     measure({.name = "tube",
              .rest = 0.3,
@@ -354,6 +355,7 @@ std::vector<FunctionSpec> make_functions() {
   constexpr std::size_t named = 3;  // of the rows of axes, those that `fn` has
   const std::span axes(axes_functions);
   add(axes.first(named)), add(finish_functions), add(layer_functions), add(gradient_functions);
+  add_video_functions(made);
   add(axes.subspan(named)), add(chart_functions), add(flat_functions), add(text_functions);
   for (FunctionSpec& f : made) {
     const bool everywhere = f.kinds == all_kinds, by_kinds = f.kinds == shared;

@@ -182,6 +182,19 @@ enum : FunctionId {
   stroke_gradient_move,
   stroke_gradient_size,
   stroke_gradient_spread,
+  video_file,
+  video_at,  // of videos, up to video_time; and in the same order of videos as textures
+  video_from,
+  video_until,
+  video_speed,
+  video_loop,
+  video_time,
+  texture_at,
+  texture_from,
+  texture_until,
+  texture_speed,
+  texture_loop,
+  texture_time,
   count
 };
 }

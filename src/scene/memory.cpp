@@ -200,6 +200,7 @@ std::size_t bytes_apart(const Scene& before, const Scene& after) {
   whole(before.views, after.views), whole(before.cuts, after.cuts);
   whole(before.cut_ways, after.cut_ways);
   whole(before.meshes, after.meshes), whole(before.pictures, after.pictures), whole(before.sounds, after.sounds);
+  whole(before.videos, after.videos);
   whole(before.words, after.words), whole(before.fonts, after.fonts), whole(before.formulas, after.formulas);
   if (before.kinds && !before.kinds.same(after.kinds)) lost.sum.bytes += apart(*before.kinds, *after.kinds);
   if (!before.lists.same(after.lists))
@@ -286,6 +287,9 @@ void ContentBytes::add(const std::shared_ptr<const LinearPicture>& picture) {
 void ContentBytes::add(const std::shared_ptr<const Sound>& sound) {
   if (first(sound.get())) sum_ += bytes_in(sound->energy, sound->onsets);
 }
+void ContentBytes::add(const std::shared_ptr<const Video>& video) {
+  if (first(video.get())) sum_ += bytes_in(video->begins);
+}
 void ContentBytes::add(const std::shared_ptr<const SpokenWords>& words) {
   if (!first(words.get())) return;
   sum_ += bytes_in(words->words, words->begins) + words->letters.size();
@@ -316,7 +320,8 @@ std::size_t bytes_of_values(const Scene& scene) {
   const auto add = [&](const auto& files) {
     for (const auto& [path, content] : *files) contents.add(content);
   };
-  add(scene.meshes), add(scene.pictures), add(scene.sounds), add(scene.words), add(scene.fonts), add(scene.formulas);
+  add(scene.meshes), add(scene.pictures), add(scene.sounds), add(scene.videos), add(scene.words), add(scene.fonts),
+      add(scene.formulas);
   add(scene.tables_read);
   return values.sum() + contents.sum();
 }

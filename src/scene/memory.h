@@ -18,6 +18,7 @@
 namespace betwixt {
 
 struct Table;
+class Video;
 
 struct SceneSize {
   std::size_t bytes = 0;   // of objects, their names, values, tracks and events, without meshes and pictures
@@ -36,6 +37,7 @@ class ContentBytes {
   void add(const std::shared_ptr<const Picture>&);
   void add(const std::shared_ptr<const LinearPicture>&);
   void add(const std::shared_ptr<const Sound>&);
+  void add(const std::shared_ptr<const Video>&);
   void add(const std::shared_ptr<const SpokenWords>&);
   void add(const std::shared_ptr<const OwnFont>&);
   void add(const std::shared_ptr<const Outline>&);

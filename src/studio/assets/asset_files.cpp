@@ -70,6 +70,7 @@ AssetSort asset_sort(const QString& file) {
   if (in("ply obj stl 3ds")) return AssetSort::mesh;
   if (in("png jpg jpeg tga bmp")) return AssetSort::picture;
   if (in("wav flac ogg mp3 opus m4a")) return AssetSort::sound;
+  if (in("mp4 m4v mov webm mkv avi ogv")) return AssetSort::video;
   return AssetSort::none;
 }
 
@@ -96,6 +97,8 @@ QImage asset_picture(const QString& file, QSize size) {
       return film_of(file, "create a scene file=", size);
     case AssetSort::picture:
       return scaled_picture(file, size);
+    case AssetSort::video:
+      return film_of(file, "flat\ncreate a video file=", size);
     case AssetSort::sound:
       return loudness_picture(file, size);
     default:

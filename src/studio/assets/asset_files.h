@@ -16,7 +16,7 @@
 
 namespace betwixt::studio {
 
-enum class AssetSort : std::uint8_t { none, film, pose, scene, mesh, picture, sound };
+enum class AssetSort : std::uint8_t { none, film, pose, scene, mesh, picture, sound, video };
 AssetSort asset_sort(const QString& file);  // by the ending of its name; poses are scripts in a folder `poses`
 
 // Returns an unused name for the object that a file becomes: "cow", "cow2".

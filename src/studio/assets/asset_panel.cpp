@@ -46,6 +46,7 @@ QPixmap framed(const QImage& image, QSize size) {
 QIcon icon_of(AssetSort sort) {
   const Kind kind = sort == AssetSort::sound     ? Kind::sound
                     : sort == AssetSort::picture ? Kind::plane
+                    : sort == AssetSort::video   ? Kind::video
                     : sort == AssetSort::film    ? Kind::camera
                     : sort == AssetSort::pose    ? Kind::group
                                                  : Kind::mesh;

@@ -36,6 +36,7 @@ constexpr CreatedKind kinds_by_hand[] = {
     {Kind::plane, shape_kinds, "floor ground"},
     {Kind::disc, shape_kinds, "disc ellipse"},
     {Kind::rectangle, shape_kinds, "square card panel"},
+    {Kind::video, shape_kinds, "film movie clip footage file"},
     {Kind::ring, shape_kinds, "circle annulus"},
     {Kind::arc, shape_kinds, "sector angle"},
     {Kind::regular, shape_kinds, "triangle hexagon"},
@@ -205,7 +206,7 @@ void create_of_kind(Workspace& workspace, const CreatedKind& row, QWidget* over)
   if (row.kind == Kind::trace && workspace.selected().empty())
     return Q_EMIT workspace.said({}, QObject::tr("select the object whose way the trace shows"), true);
   ObjectEdit edit = creating_lines(workspace, row);
-  if (row.kind == Kind::mesh || row.kind == Kind::sound) {
+  if (row.kind == Kind::mesh || row.kind == Kind::sound || row.kind == Kind::video) {
     const QString file = QFileDialog::getOpenFileName(over, QObject::tr("The file of %1").arg(text_of(edit.names[0])));
     if (file.isEmpty()) return;
     edit.lines.back() += " file=" + write_text(file.toStdString());

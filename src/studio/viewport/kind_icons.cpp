@@ -124,6 +124,9 @@ void draw(QPainter& p, Kind k, const QColor& c) {
       return p.drawPolygon(QPolygonF({{5, 4.5}, {14, 4.5}, {11, 11.5}, {2, 11.5}}));
     case Kind::rectangle:
       return p.drawRect(QRectF(2.5, 4.5, 11, 7));
+    case Kind::video:
+      p.drawRect(QRectF(2.5, 4, 11, 8));
+      return p.drawPolygon(QPolygonF({{6.5, 6}, {10.5, 8}, {6.5, 10}}));
     case Kind::disc:
       return p.drawEllipse(QPointF(8, 8), 5.5, 5.5);
     case Kind::ring: {

@@ -116,6 +116,9 @@ std::string Viewport::line_for_file(const QString& file, QPointF p) const {
   } else if (sort == AssetSort::scene) {  // its own places and animation
     line += " scene file=" + path;
     if (workspace_.time() > d.range().first) line += " start=" + workspace_.when(workspace_.time());
+  } else if (sort == AssetSort::video) {  // it starts now, and has a third of the picture's height
+    line += " video file=" + path + " height=" + write_number(rounded(s.box.height() * pixel / 3, 10 * pixel));
+    if (workspace_.time() > d.range().first) line += " at=" + workspace_.when(workspace_.time());
   } else {
     // The image gets a third of the picture's height, and its own aspect ratio.
     const QSize size = QImageReader(file).size();
