@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace betwixt {
 namespace {
@@ -89,8 +90,6 @@ void add_transform(const gltf::TextureInfo& info, Finish& f, const SayLeftOut& l
   if (f.turn != 0 && f.tile_x != f.tile_y) leave_out("texture transforms that turn and scale unevenly are not exact");
 }
 
-}  // namespace
-
 Result<std::shared_ptr<const Finish>> finish_of(GltfModel& model, const gltf::Material& m, const std::string& uv_set,
                                                 const SayLeftOut& leave_out) {
   const auto& pbr = m.pbrMetallicRoughness;
@@ -124,6 +123,30 @@ Result<std::shared_ptr<const Finish>> finish_of(GltfModel& model, const gltf::Ma
   const bool plain = !between && dark && !f.has_pictures() && f == before && f.tile_x == 1 && f.tile_y == 1 &&
                      f.turn == 0 && f.move_x == 0 && f.move_y == 0;
   return plain ? nullptr : std::make_shared<const Finish>(f);
+}
+
+}  // namespace
+
+Status put_surface(GltfModel& model, const gltf::Material& m, const std::string& uv_set, const SayLeftOut& leave_out,
+                   SceneMesh& to) {
+  const auto& pbr = m.pbrMetallicRoughness;
+  const bool painted = pbr.metallicRoughnessTexture.index >= 0;
+  to.material = bounded(pbr.metallicFactor, 0, 1, 1) >= 0.5 && !painted ? Material::metal : Material::plastic;
+  to.shininess = 1 - bounded(pbr.roughnessFactor, 0, 1, 1);
+  if (m.alphaMode == "BLEND" && pbr.baseColorFactor.size() == 4)
+    to.transparency = 1 - bounded(pbr.baseColorFactor[3], 0, 1, 1);
+  if (m.extensions.contains("KHR_materials_unlit")) to.material = Material::glow;
+  static const std::set<std::string_view> known{"KHR_materials_unlit",        "KHR_materials_emissive_strength",
+                                                "KHR_materials_clearcoat",    "KHR_materials_sheen",
+                                                "KHR_materials_transmission", "KHR_materials_ior",
+                                                "KHR_materials_volume",       "KHR_materials_specular"};
+  for (const auto& [name, value] : m.extensions)
+    if (!known.contains(name)) leave_out(fmt::format("the material extension {} is left out", name.substr(0, 60)));
+  if (to.material == Material::glow) return Nothing{};
+  auto finish = finish_of(model, m, uv_set, leave_out);
+  if (!finish) return finish.error();
+  to.finish = *finish;
+  return Nothing{};
 }
 
 }  // namespace betwixt

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 
@@ -60,6 +61,35 @@ double number(const unsigned char* bytes, int type, bool normalized) {
     default:
       return as(float{}, 0);
   }
+}
+
+std::shared_ptr<const Picture> opaque(const std::shared_ptr<const Picture>& picture) {
+  const auto& bytes = picture->rgba;
+  bool any = false;
+  for (std::size_t i = 3; i < bytes.size(); i += 4) any = any || bytes[i] != 255;
+  if (!any) return picture;
+  auto made = std::make_shared<Picture>(*picture);
+  for (std::size_t i = 3; i < bytes.size(); i += 4) made->rgba[i] = 255;
+  return made;
+}
+
+// Cuts holes where the alpha is below the limit. The edge is as wide as a pixel, so that it is smooth.
+std::shared_ptr<const Picture> cut_at(const Picture& p, double limit) {
+  auto made = std::make_shared<Picture>(p);
+  const auto alpha = [&](int x, int y) {
+    const auto i = static_cast<std::size_t>((y + p.height) % p.height) * static_cast<std::size_t>(p.width) +
+                   static_cast<std::size_t>((x + p.width) % p.width);
+    return p.rgba[4 * i + 3] / 255.0;
+  };
+  for (int y = 0; y < p.height; ++y)
+    for (int x = 0; x < p.width; ++x) {
+      const double steep =
+          std::max(std::hypot(alpha(x + 1, y) - alpha(x - 1, y), alpha(x, y + 1) - alpha(x, y - 1)) / 2, 1.0 / 255);
+      const double share = std::clamp((alpha(x, y) - limit) / steep + 0.5, 0.0, 1.0);
+      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(p.width) + static_cast<std::size_t>(x);
+      made->rgba[4 * i + 3] = static_cast<std::uint8_t>(std::lround(255 * share));
+    }
+  return made;
 }
 
 // Returns the parser's first message, on one line.
@@ -272,8 +302,19 @@ Status GltfModel::look(int i, MeshPart& look, std::string& uv_set) {
   uv_set = fmt::format("TEXCOORD_{}", base.baseColorTexture.texCoord);
   auto found = picture(base.baseColorTexture.index);
   if (!found) return found.error();
-  look.texture = *found;
+  look.texture = with_alpha_of(*m, *found);
   return Nothing{};
+}
+
+// A texture is transparent only as far as the material says.
+std::shared_ptr<const Picture> GltfModel::with_alpha_of(const gltf::Material& m,
+                                                        const std::shared_ptr<const Picture>& picture) {
+  const auto& base = m.pbrMetallicRoughness.baseColorFactor;
+  const double cut = m.alphaMode == "MASK" ? m.alphaCutoff / (base.size() == 4 ? std::max(base[3], 1e-6) : 1.0) : 0;
+  if (m.alphaMode == "BLEND" || !std::isfinite(cut)) return picture;
+  auto& known = cut_[{picture, cut}];
+  if (!known) known = cut > 0 ? cut_at(*picture, cut) : opaque(picture);
+  return known;
 }
 
 Result<std::shared_ptr<const Picture>> GltfModel::picture(int number) {

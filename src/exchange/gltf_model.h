@@ -67,9 +67,13 @@ class GltfModel {
                             std::size_t count) const;
   Status replace(const tinygltf::Accessor&, std::size_t part, GltfNumbers& out) const;
 
+  std::shared_ptr<const Picture> with_alpha_of(const tinygltf::Material&, const std::shared_ptr<const Picture>&);
+
   std::string path_, as_;
   tinygltf::Model model_;
   std::map<int, std::shared_ptr<const Picture>> pictures_;
+  // With holes where their alpha is below a limit, or opaque for the limit 0.
+  std::map<std::pair<std::shared_ptr<const Picture>, double>, std::shared_ptr<const Picture>> cut_;
 };
 
 template <std::size_t N>

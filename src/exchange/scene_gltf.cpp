@@ -74,9 +74,10 @@ class GltfScene : SceneMaker {
     for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
       if (number_[i] < 0) continue;
       const gltf::Node& n = model_.nodes[i];
-      SceneNode& to = out_.nodes[static_cast<std::size_t>(number_[i])];
+      const auto at = static_cast<std::size_t>(number_[i]);
       if (n.mesh >= 0)
-        if (const Status s = put_mesh(n, to); !s) return s;
+        if (const Status s = put_mesh(n, at); !s) return s;
+      SceneNode& to = out_.nodes[at];
       if (n.camera >= 0)
         if (const Status s = put_camera(n.camera, to); !s) return s;
       if (const auto light = n.extensions.find("KHR_lights_punctual"); light != n.extensions.end())
@@ -85,23 +86,37 @@ class GltfScene : SceneMaker {
     return Nothing{};
   }
 
-  Status put_mesh(const gltf::Node& n, SceneNode& to) {
+  Status put_mesh(const gltf::Node& n, std::size_t at) {
     const gltf::Mesh* mesh = gltf_at(model_.meshes, n.mesh);
     if (mesh == nullptr) return file_.error(fmt::format("there is no mesh {}", n.mesh));
     if (n.skin >= 0 && gltf_at(model_.skins, n.skin) == nullptr)
       return file_.error(fmt::format("there is no skin {}", n.skin));
-    const auto [known, fresh] = meshes_.try_emplace({n.mesh, n.skin}, -1);
+    const auto [known, fresh] = meshes_.try_emplace({n.mesh, n.skin});
     if (fresh) {
       auto made = read_mesh(*mesh, n.skin);
       if (!made) return made.error();
-      if (made->mesh) {
-        known->second = static_cast<std::int32_t>(out_.meshes.size());
-        made->name = mesh_names_.give(mesh->name.empty() ? to.name : mesh->name, "mesh");
-        out_.meshes.push_back(*std::move(made));
+      for (SceneMesh& m : *made) {
+        known->second.push_back(static_cast<std::int32_t>(out_.meshes.size()));
+        m.name = mesh_names_.give(mesh->name.empty() ? out_.nodes[at].name : mesh->name, "mesh");
+        out_.meshes.push_back(std::move(m));
       }
     }
-    to.mesh = known->second;
-    if (to.mesh < 0) return Nothing{};
+    for (std::size_t k = 0; k < known->second.size(); ++k) {
+      if (k > 0) {  // what has another surface is an object of its own
+        SceneNode more;
+        more.parent = static_cast<std::int32_t>(at);
+        more.name = names_.give(out_.nodes[at].name, "mesh");
+        if (out_.nodes.size() >= most_nodes) return file_.error(fmt::format("it has more than {} nodes", most_nodes));
+        out_.nodes.push_back(std::move(more));
+      }
+      SceneNode& to = k > 0 ? out_.nodes.back() : out_.nodes[at];
+      to.mesh = known->second[k];
+      if (const Status s = put_rig(n, *mesh, to); !s) return s;
+    }
+    return Nothing{};
+  }
+
+  Status put_rig(const gltf::Node& n, const gltf::Mesh& mesh, SceneNode& to) const {
     const auto& rig = out_.meshes[static_cast<std::size_t>(to.mesh)].mesh->rig;
     if (rig && !rig->inverse_bind.empty())
       for (const int joint : model_.skins[static_cast<std::size_t>(n.skin)].joints) {
@@ -109,19 +124,22 @@ class GltfScene : SceneMaker {
           return file_.error(fmt::format("joint {} of a skin is not a node of the scene", joint));
         to.joints.push_back(static_cast<std::uint32_t>(number_[static_cast<std::size_t>(joint)]));
       }
-    if (rig) to.weights = n.weights.empty() ? mesh->weights : n.weights;
+    if (rig) to.weights = n.weights.empty() ? mesh.weights : n.weights;
     if (rig && to.weights.size() > rig->targets.size()) return file_.error("a mesh has more weights than targets");
     return Nothing{};
   }
 
-  // Returns a SceneMesh without a mesh if it has no triangles.
-  Result<SceneMesh> read_mesh(const gltf::Mesh& mesh, int skin) {
-    SceneMesh out;
-    Assembly all(file_.path(), "scene", Assembly::Normals::flat);
+  // Returns the mesh; one without a rig as a mesh for each of its surfaces. Empty if it has no triangles.
+  Result<std::vector<SceneMesh>> read_mesh(const gltf::Mesh& mesh, int skin) {
+    struct Group {
+      SceneMesh surface;
+      Assembly all;
+    };
+    std::vector<Group> groups;
     const bool rigged = skin >= 0 || std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
                                                  [](const auto& p) { return !p.targets.empty(); });
     const std::vector<std::string> targets = target_names(mesh);
-    bool any = false;
+    const auto say = [this](std::string what) { leave_out(std::move(what)); };
     for (const gltf::Primitive& p : mesh.primitives) {
       MeshPart look;
       std::string uv_set;
@@ -133,23 +151,18 @@ class GltfScene : SceneMaker {
         continue;
       }
       SceneMesh surface;
-      if (const gltf::Material* m = gltf_at(model_.materials, p.material)) {
-        surface_of(*m, surface);
-        if (surface.material != Material::glow) {
-          auto finish = finish_of(file_, *m, uv_set, [this](std::string what) { leave_out(std::move(what)); });
-          if (!finish) return finish.error();
-          surface.finish = *finish;
-        }
-      }
-      if (!any)
-        out.material = surface.material, out.shininess = surface.shininess, out.transparency = surface.transparency,
-        out.finish = surface.finish;
-      if (!same(out.finish, surface.finish) || out.material != surface.material || out.shininess != surface.shininess ||
-          out.transparency != surface.transparency)
+      if (const gltf::Material* m = gltf_at(model_.materials, p.material))
+        if (const Status s = put_surface(file_, *m, uv_set, say, surface); !s) return s.error();
+      auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return same(g.surface, surface); });
+      if (group == groups.end() && rigged && !groups.empty()) {
         leave_out(
-            "of a mesh with several materials, the parts keep their colours and textures, but all shine like the first "
-            "one");
-      any = true;
+            "of a mesh with joints or morph targets and several materials, the parts keep their colours and textures, "
+            "but "
+            "all shine like the first one");
+        group = groups.begin();
+      }
+      if (group == groups.end())
+        group = groups.insert(group, {surface, Assembly(file_.path(), "scene", Assembly::Normals::flat)});
       if (p.attributes.contains("COLOR_0")) leave_out("vertex colours are left out");
       if (p.attributes.contains("JOINTS_1"))
         leave_out("each vertex uses its four strongest joints; the others are left out");
@@ -157,16 +170,19 @@ class GltfScene : SceneMaker {
       if (rigged) {
         auto rig = rig_of(p, skin, targets);
         if (!rig) return rig.error();
-        added = all.add(*std::move(piece), {}, std::move(look), *std::move(rig));
+        added = group->all.add(*std::move(piece), {}, std::move(look), *std::move(rig));
       } else {
-        added = all.add(*std::move(piece), {}, std::move(look));
+        added = group->all.add(*std::move(piece), {}, std::move(look));
       }
       if (!added) return added.error();
     }
-    if (!any) return out;
-    auto made = std::move(all).finish();
-    if (!made) return made.error();
-    out.mesh = *std::move(made);
+    std::vector<SceneMesh> out;
+    for (Group& g : groups) {
+      auto made = std::move(g.all).finish();
+      if (!made) return made.error();
+      g.surface.mesh = *std::move(made);
+      out.push_back(std::move(g.surface));
+    }
     return out;
   }
 
@@ -241,29 +257,9 @@ class GltfScene : SceneMaker {
     return Nothing{};
   }
 
-  // Reads the surface: metallic or not, gloss, transmission, emission.
-  void surface_of(const gltf::Material& m, SceneMesh& to) {
-    const auto& pbr = m.pbrMetallicRoughness;
-    const auto share = [](double x, double otherwise) {
-      return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : otherwise;
-    };
-    const bool painted = pbr.metallicRoughnessTexture.index >= 0;
-    to.material = share(pbr.metallicFactor, 1) >= 0.5 && !painted ? Material::metal : Material::plastic;
-    to.shininess = 1 - share(pbr.roughnessFactor, 1);
-    if (m.alphaMode == "BLEND" && pbr.baseColorFactor.size() == 4)
-      to.transparency = 1 - share(pbr.baseColorFactor[3], 1);
-    if (m.alphaMode == "MASK") leave_out("alpha masks are left out: surfaces have no holes");
-    if (m.extensions.contains("KHR_materials_unlit")) to.material = Material::glow;
-    static const std::set<std::string_view> known{"KHR_materials_unlit",        "KHR_materials_emissive_strength",
-                                                  "KHR_materials_clearcoat",    "KHR_materials_sheen",
-                                                  "KHR_materials_transmission", "KHR_materials_ior",
-                                                  "KHR_materials_volume",       "KHR_materials_specular"};
-    for (const auto& [name, value] : m.extensions)
-      if (!known.contains(name)) leave_out(fmt::format("the material extension {} is left out", name.substr(0, 60)));
-  }
-
-  static bool same(const std::shared_ptr<const Finish>& a, const std::shared_ptr<const Finish>& b) {
-    return a == b || (a && b && *a == *b);
+  static bool same(const SceneMesh& a, const SceneMesh& b) {
+    const bool finish = a.finish == b.finish || (a.finish && b.finish && *a.finish == *b.finish);
+    return finish && a.material == b.material && a.shininess == b.shininess && a.transparency == b.transparency;
   }
 
   Status put_camera(int i, SceneNode& to) {
@@ -377,8 +373,8 @@ class GltfScene : SceneMaker {
   GltfModel& file_;
   const gltf::Model& model_;
   SceneNames mesh_names_;
-  std::vector<std::int32_t> number_;                    // by the file's nodes; -1: not in its scene
-  std::map<std::pair<int, int>, std::int32_t> meshes_;  // by mesh and skin; -1: nothing visible
+  std::vector<std::int32_t> number_;                                 // by the file's nodes; -1: not in its scene
+  std::map<std::pair<int, int>, std::vector<std::int32_t>> meshes_;  // by mesh and skin; empty: nothing visible
 };
 
 }  // namespace

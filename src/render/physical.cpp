@@ -97,6 +97,7 @@ GLint PhysicalSurfaces::place(Look& look, const char* name) {
 GLuint PhysicalSurfaces::plain_texture(bool normals) {
   gl::Texture& texture = normals ? flat_ : white_;
   if (texture.id() == 0) {
+    glActiveTexture(GL_TEXTURE0 + picture_at);  // which is set after the other pictures; making one binds it
     texture = gl::new_texture(GL_RGBA8, 1, 1, GL_NEAREST);
     const std::array<std::uint8_t, 4> flat{128, 128, 255, 255}, white{255, 255, 255, 255};
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, (normals ? flat : white).data());

@@ -22,6 +22,11 @@ vec2 reflected_shares(float nv, float rough) {
   return vec2(-1.04, 1.04) * a + r.zw;
 }
 
+// The level of `around` for a roughness: see SkyLight::roughness_of.
+float blur_of(float rough) { return blurs * rough * (2.0 - rough); }
+// What a rough surface mirrors is nearer to its normal, since light from below the horizon does not count.
+float fourth_power(float rough) { return rough * rough * rough * rough; }
+
 #if defined(AREAS)
 // A share of the light of a polygon: that of one of its edges.
 vec3 edge_of(vec3 a, vec3 b) {
@@ -134,7 +139,10 @@ void main() {
   vec3 bent = looked(normals).rgb * 2.0 - 1.0;
   vec3 px = dFdx(spot), py = dFdy(spot);
   vec2 ux = dFdx(at_picture), uy = dFdy(at_picture);
-  vec3 tangent = cross(py, n) * ux.x + cross(n, px) * uy.x, other = cross(py, n) * ux.y + cross(n, px) * uy.y;
+  // The rows of the target may go down or up.
+  vec3 rx = cross(py, n), ry = cross(n, px);
+  float way = dot(px, rx) < 0.0 ? -1.0 : 1.0;
+  vec3 tangent = way * (rx * ux.x + ry * uy.x), other = way * (rx * ux.y + ry * uy.y);
   float size = max(dot(tangent, tangent), dot(other, other));
   // The pictures' rows go down, their normals' y goes up.
   vec3 made = size > 0.0 ? (tangent * bent.x - other * bent.y) * (strength * inversesqrt(size)) + n * max(bent.z, 0.0) : n;
@@ -163,7 +171,8 @@ void main() {
   float a0 = rough * rough, a2 = a0 * a0;
   a2 = min(a2 + min(0.25 * (dot(bend_x, bend_x) + dot(bend_y, bend_y)), 0.18), 1.0);
   float a = sqrt(a2);
-  float rough_seen = sqrt(a);
+  // A picture of the sky needs less of that than a lamp, which is a point.
+  float rough_seen = sqrt(sqrt(min(a0 * a0 + 0.1 * (dot(bend_x, bend_x) + dot(bend_y, bend_y)), 1.0)));
   vec3 v = toward_eye.xyz - toward_eye.w * spot;
   v *= inversesqrt(max(dot(v, v), 1e-30));
   float nv = clamp(dot(n, v), 1e-4, 1.0);
@@ -173,7 +182,7 @@ void main() {
   f0 = mix(vec3(bends * bends * dielectric), base.rgb, metal);
 #endif
   float f90 = mix(min(dielectric, 1.0), 1.0, metal);
-  vec2 shares = reflected_shares(nv, rough_seen);
+  vec2 shares = reflected_shares(nv, rough);
   float single = shares.x + shares.y;
   vec3 repeated = 1.0 + f0 * (1.0 / max(single, 1e-3) - 1.0);  // light that is reflected several times between the facets
 
@@ -264,7 +273,7 @@ void main() {
   float opacity = 1.0;
 #else
   // Light from all around, with what is reflected several times.
-  vec3 mirrored = sky_turn.z * textureLod(around, in_sky(r), rough_seen * blurs).rgb;
+  vec3 mirrored = sky_turn.z * textureLod(around, in_sky(normalize(mix(r, n, fourth_power(rough_seen)))), blur_of(rough_seen)).rgb;
 #if defined(PICTURES)
   float covers = clamp(pow(nv + open_to, exp2(-16.0 * rough - 1.0)) - 1.0 + open_to, 0.0, 1.0);
 #else
@@ -297,7 +306,7 @@ void main() {
   sum = sum * (1.0 - sheen_share) + sheen_light + sheen.rgb * falling * (0.12 + 0.5 * (1.0 - nv) * (1.0 - nv));
   float cr = 1.0 - coat_nv, cr2 = cr * cr, coat_share = coat.x * (0.04 + 0.96 * cr2 * cr2 * cr);
   vec3 coat_r = reflect(-v, smooth_n);
-  sum = sum * (1.0 - coat_share) + coat.x * coat_light + coat_share * sky_turn.z * textureLod(around, in_sky(coat_r), sqrt(coat_a) * blurs).rgb * open_to;
+  sum = sum * (1.0 - coat_share) + coat.x * coat_light + coat_share * sky_turn.z * textureLod(around, in_sky(coat_r), blur_of(sqrt(coat_a))).rgb * open_to;
 #endif
 #endif
 #if defined(RECEIVES)

@@ -180,12 +180,13 @@ void SkyLight::sum_up(const std::vector<Level>& halved) {
   for (std::size_t i = 0; i < 9; ++i) irradiance_[i] = constants[i] / whole * sums[i];
 }
 
+double SkyLight::roughness_of(int level) { return 1 - std::sqrt(1 - static_cast<double>(level) / (levels - 1)); }
+
 void SkyLight::blur(const std::vector<Level>& halved) {
   cube_[0] = halved[0];
   for (int k = 1; k < levels; ++k) {
     SkyLevel level = level_of(side >> k);
-    const double roughness = static_cast<double>(k) / (levels - 1);
-    const auto lobes = lobes_of(roughness, static_cast<std::size_t>(std::max(k - 1, 0)), halved.size() - 1);
+    const auto lobes = lobes_of(roughness_of(k), static_cast<std::size_t>(std::max(k - 1, 0)), halved.size() - 1);
     each_pixel(level, [&](int face, int x, int y, double s, double t) {
       const Vec3 n = normalize(direction(face, s, t));
       const Vec3 across = normalize(cross(std::abs(n.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, n)),

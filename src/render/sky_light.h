@@ -18,8 +18,10 @@ class SkyLight {
   SkyLight(const Sky&, const std::optional<Vec3>& ground);
 
   // The faces of a cube, in the order +x -x +y -y +z -z, rows from the top, three numbers a pixel. Level 0 is the sky
-  // itself; level k is what a surface of roughness k / (levels - 1) mirrors.
+  // itself; level k is what a surface with roughness_of(k) mirrors. Levels are closer for smooth surfaces, of which one
+  // sees the difference.
   static constexpr int side = 128, levels = 6;
+  static double roughness_of(int level);  // the inverse of (levels - 1) r (2 - r)
   struct Level {
     int side = 0;
     std::vector<float> rgb;  // face by face

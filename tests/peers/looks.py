@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: 2026 The Betwixt authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Compares how models look: shaded with three.js, traced with Cycles, from the same GLB, camera and sky, in sRGB without a
+# view transform. The models are made by looks_models.py.
+#   looks.py PROGRAM FOLDER [MODEL…]   FOLDER has node_modules
+# Prints the peak signal-to-noise ratio of each pair, over the whole picture. LOOKS_OUT=FOLDER keeps the pictures and a sheet for each
+# model: Betwixt and the other one, and four times their difference. LOOKS_SIZE=512x384 and LOOKS_SAMPLES=256 change the size and the
+# samples of the traced pictures; LOOKS_AGAIN=1 takes the pictures of the other programs that are in the folder.
+import base64, json, os, shutil, subprocess, sys, tempfile, time
+import numpy as np
+
+here = os.path.dirname(os.path.abspath(__file__))
+root = os.path.dirname(os.path.dirname(here))
+sys.path += [here, os.path.join(root, "tests", "web")]
+from browser import Browser, Served, find_browser
+import looks_models
+
+program, modules, wanted = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
+width, height = map(int, os.environ.get("LOOKS_SIZE", "256x192").split("x"))
+samples = int(os.environ.get("LOOKS_SAMPLES", "64"))
+again = "LOOKS_AGAIN" in os.environ
+SHADED, TRACED = 30, 35  # decibels
+# The model, its sky, and whether it is compared with three.js and with Cycles.
+USUAL = {"spheres": "studio", "helmet": "studio", "coat": "studio", "normals": "studio", "glass": "studio", "panes": "studio", "many": "studio",
+         "lamps": "studio", "masks": "studio", "tiles": "studio", "cloth": "studio", "colors": "studio"}
+EYE, FOV = (0.0, 0.8, 9.0), 32.0
+passed = failed = 0
+
+
+def verdict(good, words):
+    global passed, failed
+    if good: passed += 1
+    else:
+        failed += 1
+        print("FAILED", words)
+
+
+def read_picture(path):
+    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], capture_output=True,
+                         check=True).stdout
+    return np.frombuffer(raw, np.uint8).reshape(height, width, 3)
+
+
+def decibels(a, b, where=None):
+    off = (np.float64(a) - np.float64(b)) ** 2
+    mean = off.mean() if where is None else off[where].mean()
+    return 99.0 if mean == 0 else 10 * np.log10(255 ** 2 / mean)
+
+
+def draw(model, sky, folder, style, *more):
+    name = os.path.splitext(os.path.basename(model))[0]
+    out = f"{folder}/{name}-{style}{'-'.join(more)}.png"
+    tangent = np.tan(np.radians(FOV / 2)) * width / height
+    with open(f"{folder}/{name}.bx", "w") as film:
+        film.write(f"""sky "{sky}.hdr"
+view plain
+create model scene file="{name}.glb"
+create eye camera position=({EYE[0]} {EYE[1]} {EYE[2]}) look-at=(0 0 0) fov={np.degrees(2 * np.arctan(tangent)):.6f}deg
+look through eye
+""")
+    count = samples if style == "traced" else 16
+    made = subprocess.run([program, "frame", film.name, "-o", out, "--size", f"{width}x{height}", "--style", style, "--samples",
+                           str(count), *more], capture_output=True, text=True)
+    if made.returncode != 0: raise RuntimeError(made.stderr)
+    if wanted and made.stderr: print(made.stderr.strip())
+    return read_picture(out)
+
+
+def difference(a, b):
+    return np.uint8(np.clip(np.abs(np.int16(a) - np.int16(b)) * 4, 0, 255))
+
+
+with tempfile.TemporaryDirectory() as made_here:
+    folder = os.environ.get("LOOKS_OUT") or made_here
+    os.makedirs(folder, exist_ok=True)
+    for sky, light in looks_models.SKIES.items(): looks_models.write_sky(f"{folder}/{sky}.hdr", light())
+    names = [n for n in USUAL if not wanted or n in wanted]
+    for name in names: looks_models.MODELS[name]().write(f"{folder}/{name}.glb")
+    jobs = [{"model": f"{folder}/{n}.glb", "sky": f"{folder}/{USUAL[n]}.hdr", "out": f"{folder}/{n}-cycles.png", "samples": 4 * samples,
+             "width": width, "height": height, "eye": EYE, "fov": FOV} for n in names]
+    cycles, three = {}, {}
+    if again: jobs = [job for job in jobs if not os.path.exists(job["out"])]
+    begun = time.time()
+    if shutil.which("blender"):
+        json.dump(jobs, open(f"{folder}/jobs.json", "w"))
+        asked = jobs and subprocess.run([os.path.join(root, "tools", "blender.sh"), "-b", "--factory-startup", "--python",
+                                os.path.join(here, "looks_blender.py"), "--", f"{folder}/jobs.json"], capture_output=True, text=True)
+        for n in names:
+            if os.path.exists(f"{folder}/{n}-cycles.png"): cycles[n] = read_picture(f"{folder}/{n}-cycles.png")
+        if len(cycles) < len(names): verdict(False, f"Blender: {asked.stdout[-800:]} {asked.stderr[-800:]}")
+    else: print("left out: there is no Blender here")
+    print(f"Cycles {time.time() - begun:.0f} s")
+    begun = time.time()
+    if find_browser():
+        for at in ("node_modules", "looks.html"):
+            if not os.path.lexists(f"{folder}/{at}"): os.symlink(os.path.abspath(os.path.join(modules, at)), f"{folder}/{at}")
+        with Browser() as browser, Served(folder) as address:
+            page = browser.page(address + "/looks.html")
+            page.until("window.ready === true")
+            for n in names:
+                if again and os.path.exists(f"{folder}/{n}-three.png"):
+                    three[n] = read_picture(f"{folder}/{n}-three.png")
+                    continue
+                job = {"model": f"{n}.glb", "sky": f"{USUAL[n]}.hdr", "width": width, "height": height, "fine": 4, "eye": EYE, "fov": FOV}
+                three[n] = np.frombuffer(base64.b64decode(page.ask(f"drawn({json.dumps(job)})", 180)), np.uint8).reshape(height, width, 3)
+                with open(f"{folder}/{n}-three.png", "wb") as out: out.write(looks_models.png(three[n]))
+    else: print("left out: there is no browser here")
+    print(f"three.js {time.time() - begun:.0f} s")
+    print(f"{'model':10} {'shaded':>8} {'traced':>8} {'raw':>8} {'traced beside three.js':>24}")
+    for n in names:
+        shaded = draw(f"{folder}/{n}.glb", USUAL[n], folder, "shaded")
+        traced = draw(f"{folder}/{n}.glb", USUAL[n], folder, "traced")
+        raw = draw(f"{folder}/{n}.glb", USUAL[n], folder, "traced", "--denoise", "off")
+        told, rows = f"{n:10}", []
+        if n in three:
+            found = decibels(shaded, three[n])
+            told += f" {found:8.1f}"
+            verdict(found >= SHADED, f"{n} shaded beside three.js: {found:.1f} dB")
+            rows.append((shaded, three[n], difference(shaded, three[n])))
+        if n in cycles:
+            found = decibels(traced, cycles[n])
+            told += f" {found:8.1f} {decibels(raw, cycles[n]):8.1f}"
+            verdict(found >= TRACED, f"{n} traced beside Cycles: {found:.1f} dB")
+            rows.append((traced, cycles[n], difference(traced, cycles[n])))
+        if n in three and n in cycles: told += f" {decibels(cycles[n], three[n]):10.1f}"
+        print(told, flush=True)
+        if rows:
+            with open(f"{folder}/{n}-sheet.png", "wb") as out:
+                out.write(looks_models.png(np.concatenate([np.concatenate(r, 1) for r in rows])))
+print(f"{passed} passed, {failed} failed")
+sys.exit(failed != 0)
