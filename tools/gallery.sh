@@ -57,6 +57,7 @@ case ${1-} in
       set -- "$1" "${@:4}"
     done
     "$1" frame "$root/examples/materials.bx" --at 48f -o "$root/docs/pictures/look/materials.png" --size 1280x720 --samples 16 || exit 1
+    "$1" frame "$root/examples/sunset.bx" --at 70f -o "$root/docs/pictures/look/sunset.png" --size 1280x720 || exit 1
     "$1" frame "$root/examples/still-life.bx" --at 90f -o "$root/docs/pictures/look/still-life.png" --size 1280x720 --samples 16 || exit 1
     # The films of docs/look.md. Each film has the name of the heading above it.
     folder=$(mktemp -d) || exit 1

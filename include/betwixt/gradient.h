@@ -16,16 +16,16 @@
 
 namespace betwixt {
 
-// Along a line, from a point outwards, or around a point.
-enum class GradientKind : std::uint8_t { none, linear, radial, conic };
+// Along a line, from a point outwards to an ellipse or to a circle, or around a point.
+enum class GradientKind : std::uint8_t { none, linear, radial, circular, conic };
 // What is before the first stop and after the last one: their colours; the gradient again; or again, backwards every
 // other time.
 enum class GradientSpread : std::uint8_t { pad, repeat, reflect };
 
 // It lies on the box of the object in object space, seen along z; the box is that of the whole object, without its
 // stroke. With a size of 1, a linear one goes through the middle of the box from the corner that is farthest back to
-// the one that is farthest ahead; a radial one goes from the middle to an ellipse that touches the sides; a conic one
-// goes once around the middle, anticlockwise.
+// the one that is farthest ahead; a radial one goes from the middle to an ellipse that touches the sides, a circular
+// one to a circle that touches those that are farther apart; a conic one goes once around the middle, anticlockwise.
 struct Gradient {
   struct Stop {
     double at = 0;       // 0 where the gradient begins to 1 where it ends

@@ -29,6 +29,21 @@ Object object_of(const DrawnThing& thing, const std::string& name) {
   set(fn::color, thing.color);
   set(fn::material, Text("glow"));  // keeps the drawn colours under any light
   if (thing.transparency > 0) set(fn::transparency, thing.transparency);
+  // The functions of strokes follow those of fills.
+  const auto grade = [&](const DrawnGradient& g, std::size_t first) {
+    if (g.kind == 0) return;
+    const auto at = [&](FunctionId f) { return static_cast<FunctionId>(f - fn::gradient + first); };
+    const auto word = [&](FunctionId f, std::uint32_t number) {
+      return Text(std::string(choices(built_in_functions()[f])[number]));
+    };
+    set(at(fn::gradient), word(fn::gradient, g.kind));
+    set(at(fn::gradient_stops), Text(g.stops));
+    if (g.turn != 0) set(at(fn::gradient_turn), g.turn);
+    if (g.move_x != 0 || g.move_y != 0) set(at(fn::gradient_move), Vec3{g.move_x, g.move_y, 0});
+    if (g.size != 1) set(at(fn::gradient_size), g.size);
+    if (g.spread != 0) set(at(fn::gradient_spread), word(fn::gradient_spread, g.spread));
+  };
+  grade(thing.gradient, fn::gradient), grade(thing.stroke_gradient, fn::stroke_gradient);
   if (!thing.fills) set(of_polygon("fill"), false);
   if (thing.strokes) set(of_polygon("stroke"), thing.stroke);
   if (thing.stroke_width > 0) set(of_polygon("stroke-width"), thing.stroke_width);

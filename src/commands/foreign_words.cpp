@@ -72,6 +72,8 @@ constexpr std::string_view to_sky =
 constexpr std::string_view to_grade = "view agx or view filmic compresses bright light; exposure 1 doubles all light";
 constexpr std::string_view to_material =
     "material=oak, material=gold … name finishes; metalness, roughness, clearcoat and others change them";
+constexpr std::string_view to_grade_color =
+    "gradient=linear, radial, circular or conic colors an object: set card.gradient-stops \"#f60, gold 40%, navy\"";
 constexpr std::string_view to_wait =
     "times are absolute, so there is no wait: at 48f sets a time, range 1f 96f the length of the film";
 constexpr std::string_view to_reach =
@@ -171,6 +173,9 @@ constexpr ForeignWord all_foreign_words[] = {
     {"pbr", to_material, "metalness roughness material"},
     {"shader", to_material, "metalness roughness material"},
     {"ambient-occlusion", to_occlude, "contact"},
+    {"linear-gradient", to_grade_color, "gradient gradient-stops"},
+    {"radial-gradient", to_grade_color, "gradient gradient-stops"},
+    {"conic-gradient", to_grade_color, "gradient gradient-stops"},
     {"wait", to_wait, "at range"},
     {"sleep", to_wait, "at range"},
     {"motion-blur", to_blur, "shutter subframes"},

@@ -14,6 +14,14 @@
 
 namespace betwixt {
 
+// A gradient as a film has it. Kind and spread are numbers of GradientKind and GradientSpread.
+struct DrawnGradient {
+  std::uint32_t kind = 0, spread = 0;
+  double turn = 0, move_x = 0, move_y = 0, size = 1;
+  std::string stops;  // as they are written
+  friend bool operator==(const DrawnGradient&, const DrawnGradient&) = default;
+};
+
 // A flat outline, or a group. `at` is relative to its group; its points are relative to `at`.
 struct DrawnThing {
   static constexpr std::uint32_t nothing = 0xffffffff;
@@ -26,6 +34,7 @@ struct DrawnThing {
   Color color, stroke;
   double stroke_width = 0, transparency = 0, trim_to = 1;
   Vec3 dash;
+  DrawnGradient gradient, stroke_gradient;
 };
 inline constexpr std::size_t most_drawn_things = 100'000, most_drawn_points = 2'000'000;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exchange/geometry.h"
+#include "scene/kinds.h"
 
 namespace betwixt {
 namespace {
@@ -23,10 +24,15 @@ Shape plain_shape(const Shape& s) {
 
 Box gradient_box(const Shape& s, const Shape* toward, double blend) {
   const Shape whole = plain_shape(s);
+  Box out;
+  if (const KindRow& row = row_of(s.kind); toward == nullptr && row.contours) {  // a line there and back has no area
+    for (const auto& contour : row.contours(whole))
+      for (const Vec3 p : contour) out.add(p);
+    return out.empty() ? Box{{}, {}} : out;
+  }
   const Geometry g = toward != nullptr ? realise_blend(whole, plain_shape(*toward), blend) : realise(whole);
   const Box box = g.mesh->box();
   // `local` only scales.
-  Box out;
   out.add(transform_point(g.local, box.low)), out.add(transform_point(g.local, box.high));
   return out;
 }
@@ -46,8 +52,10 @@ GradientPlane plane_of(const Gradient& g, const Box& box) {
     p.x[2] += 0.5;
     return p;
   }
-  if (g.kind == GradientKind::radial)
-    return {row(2 / (g.size * std::max(width, least)), 0), row(0, 2 / (g.size * std::max(height, least)))};
+  const bool circle = g.kind == GradientKind::circular;
+  const double across = circle ? std::max(width, height) : width, up = circle ? across : height;
+  if (circle || g.kind == GradientKind::radial)
+    return {row(2 / (g.size * std::max(across, least)), 0), row(0, 2 / (g.size * std::max(up, least)))};
   const double unit = 2 / std::max({width, height, least});
   return {row(unit * cosine, unit * sine), row(-unit * sine, unit * cosine)};
 }

@@ -27,7 +27,7 @@ struct ParserRequest {
   std::uint32_t any_size = 0;  // no limit on the unpacked size (unpacking.h)
   ParserCeilings most;
 };
-constexpr char parser_version[] = "11";  // of this protocol; the program's first argument
+constexpr char parser_version[] = "12";  // of this protocol; the program's first argument
 // Its second argument: become another program in a jail, for a file or in a folder (parser_program.cpp).
 constexpr char parser_runs[] = "run", parser_works_in[] = "work";
 constexpr char parser_says[] = "say";                                       // or: say the text of a folder

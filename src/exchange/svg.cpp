@@ -251,12 +251,30 @@ class SvgReader {
           fail(ErrorCode::range, fmt::format("{} is too large: at most {} elements and {} points are supported", path_,
                                              most_drawn_things, most_drawn_points)));
     std::vector<DrawnThing> drawn = outlined(runs, look);
+    if (look.fill.gradient || look.stroke.gradient) add_gradients(look, around, d, drawn);
     for (const DrawnThing& thing : drawn)
       if (const Status fits = unpack(sizeof thing + (thing.points.size() + thing.holes.size()) * sizeof(Vec3), path_);
           !fits)
         return refuse(fits.error());
     add(node, around, std::move(drawn));
     return true;
+  }
+
+  static void add_gradients(const SvgLook& look, const SvgAround& around, const std::string& d,
+                            std::vector<DrawnThing>& drawn) {
+    Flattener lines(svg_stray);
+    PathReader(Affine{}, lines).read(d);
+    Box element;
+    for (const auto& run : lines.take_runs())
+      for (const Vec3 p : run.points) element.add(p);
+    for (DrawnThing& thing : drawn) {
+      Box own;
+      for (const Vec3 p : thing.points) own.add(p);
+      const SvgPaint& paint = thing.fills ? look.fill : look.stroke;
+      if (paint.gradient) thing.gradient = laid_on(own, *paint.gradient, around.to, element);
+      if (thing.strokes && look.stroke.gradient)
+        thing.stroke_gradient = laid_on(own, *look.stroke.gradient, around.to, element);
+    }
   }
 
   void add(xml_node node, const SvgAround& around, std::vector<DrawnThing> parts) {

@@ -17,9 +17,14 @@ SvgPaint paint_of(Property which, std::string_view otherwise, Property opacity, 
   const double seen = around.opacity * svg_opacity(around.style[opacity]);
   if (said == "none") return {};
   if (const std::string_view of = svg_reference(said); !of.empty()) {
-    if (const auto middle = middle_of_gradient(of, ids, rules)) {
-      left_out.add("gradients are not supported: the middle colour is used", name);
-      return {true, middle->color, middle->opacity * seen};
+    if (auto gradient = gradient_with(of, around.viewport, ids, rules)) {
+      const SvgColor middle = gradient->middle();
+      const bool plain = gradient->stops.size() < 2 || gradient->stops.size() > most_stops;
+      if (gradient->stops.size() > most_stops)
+        left_out.add(fmt::format("of gradients with more than {} stops the middle colour is used", most_stops), name);
+      if (gradient->focal) left_out.add("the focus of a radial gradient is in its middle", name);
+      if (plain) return {true, middle.color, middle.opacity * seen, nullptr};
+      return {true, middle.color, seen, std::make_shared<const SvgGradient>(*std::move(gradient))};
     }
     const std::string_view behind = trimmed(said.substr(std::min(said.find(')') + 1, said.size())));
     if (behind.empty() || behind == "none") {
@@ -34,7 +39,7 @@ SvgPaint paint_of(Property which, std::string_view otherwise, Property opacity, 
     left_out.add(fmt::format("a {} of '{}' is left out", name_of(which), said.substr(0, 40)), name);
     return {};
   }
-  return {color->opacity > 0, color->color, color->opacity * seen};
+  return {color->opacity > 0, color->color, color->opacity * seen, nullptr};
 }
 
 void dashes_of(const SvgStyle& style, double stretch, double whole, SvgLook& look, std::string_view name,

@@ -18,6 +18,7 @@ struct SvgPaint {
   bool there = false;
   Color color;
   double opacity = 1;
+  std::shared_ptr<const SvgGradient> gradient;  // null if it has none
 };
 
 struct SvgLook {

@@ -39,9 +39,14 @@ struct FlatDrawing {
   double width = 1;
   std::uint64_t sentences = 0;
 };
+struct FlatGradient {
+  std::uint32_t kind = 0, spread = 0;
+  double turn = 0, move[2]{}, size = 1;
+};
 struct FlatThing {
   std::uint32_t above = 0, flags = 0;  // one bit each
   double at[3]{}, color[3]{}, stroke[3]{}, stroke_width = 0, transparency = 0, trim_to = 1, dash[2]{};
+  FlatGradient gradients[2];            // of the fill and of the stroke
   std::uint64_t points = 0, holes = 0;  // the numbers of points and holes that follow
 };
 enum : std::uint32_t { is_group = 1, is_filled = 2, is_stroked = 4, is_round = 8 };

@@ -15,6 +15,7 @@
 #include "exchange/wire_finish.h"
 #include "exchange/wire_format.h"
 #include "exchange/wire_layout.h"
+#include "scene/gradient_stops.h"
 
 namespace betwixt {
 namespace {
@@ -240,6 +241,15 @@ std::shared_ptr<const SceneFile> take_scene(Taker& from) {
   return sound(*s) ? s : nullptr;
 }
 
+bool sound(const DrawnGradient& g) {
+  if (g.kind == 0) return g.stops.empty();
+  const auto near = [](double v, double low, double high) { return v >= low && v <= high; };
+  return g.kind <= static_cast<std::uint32_t>(GradientKind::conic) &&
+         g.spread <= static_cast<std::uint32_t>(GradientSpread::reflect) && near(g.turn, -10, 10) &&
+         near(g.move_x, -1e6, 1e6) && near(g.move_y, -1e6, 1e6) && near(g.size, 0.001, 1e6) &&
+         static_cast<bool>(read_stops(g.stops));
+}
+
 // Returns whether names are valid, groups precede their members, and all coordinates are finite.
 bool sound(const DrawingFile& d) {
   std::set<std::string_view> names;
@@ -249,6 +259,7 @@ bool sound(const DrawingFile& d) {
     const bool owned = t.above == DrawnThing::nothing || (t.above < i && d.things[t.above].group);
     const auto part = [](double v) { return v >= 0 && v <= 1; };
     const auto color = [&](const Color& c) { return part(c.r) && part(c.g) && part(c.b); };
+    if (!sound(t.gradient) || !sound(t.stroke_gradient)) return false;
     if (!is_name(t.name) || !names.insert(t.name).second || !owned || !near(t.at) || !color(t.color) ||
         !color(t.stroke) || !part(t.transparency) || !part(t.trim_to) || !near({t.stroke_width, t.dash.x, t.dash.y}) ||
         std::min({t.stroke_width, t.dash.x, t.dash.y}) < 0 || !std::all_of(t.points.begin(), t.points.end(), near) ||
@@ -279,11 +290,18 @@ std::shared_ptr<const DrawingFile> take_drawing(Taker& from) {
   };
   for (const FlatThing& f : things) {
     DrawnThing t;
-    const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos || !take_points(f.points, t.points) || !take_points(f.holes, t.holes))
-      return nullptr;
-    t.name = rest.substr(0, end);
-    rest.remove_prefix(end + 1);
+    if (!take_points(f.points, t.points) || !take_points(f.holes, t.holes)) return nullptr;
+    for (std::string* line : {&t.name, &t.gradient.stops, &t.stroke_gradient.stops}) {
+      const std::size_t end = rest.find('\n');
+      if (end == std::string_view::npos) return nullptr;
+      *line = rest.substr(0, end);
+      rest.remove_prefix(end + 1);
+    }
+    for (const auto& [from_flat, to] :
+         {std::pair(&f.gradients[0], &t.gradient), std::pair(&f.gradients[1], &t.stroke_gradient)}) {
+      to->kind = from_flat->kind, to->spread = from_flat->spread, to->turn = from_flat->turn;
+      to->move_x = from_flat->move[0], to->move_y = from_flat->move[1], to->size = from_flat->size;
+    }
     t.above = f.above;
     t.group = f.flags & is_group, t.fills = f.flags & is_filled;
     t.strokes = f.flags & is_stroked, t.round = f.flags & is_round;

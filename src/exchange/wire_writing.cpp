@@ -93,6 +93,9 @@ class Giver {
     }
     for (const std::string& sentence : s.left_out) block(sentence.substr(0, longest_words));
   }
+  static FlatGradient flat_gradient(const DrawnGradient& g) {
+    return {g.kind, g.spread, g.turn, {g.move_x, g.move_y}, g.size};
+  }
   void drawing(const DrawingFile& d) {
     std::vector<FlatThing> things;
     std::vector<Vec3> points;
@@ -108,12 +111,15 @@ class Giver {
                         t.transparency,
                         t.trim_to,
                         {t.dash.x, t.dash.y},
+                        {flat_gradient(t.gradient), flat_gradient(t.stroke_gradient)},
                         t.points.size(),
                         t.holes.size()});
       points.insert(points.end(), t.points.begin(), t.points.end());
       points.insert(points.end(), t.holes.begin(), t.holes.end());
-      names.insert(names.end(), t.name.begin(), t.name.end());
-      names.push_back('\n');
+      for (const std::string* line : {&t.name, &t.gradient.stops, &t.stroke_gradient.stops}) {
+        names.insert(names.end(), line->begin(), line->end());
+        names.push_back('\n');
+      }
     }
     one(Head{static_cast<std::uint32_t>(Holds::drawing), 0});
     one(FlatDrawing{d.width, d.left_out.size()});

@@ -155,6 +155,8 @@ KeyValue place_on_plane(const Gradient& g, const Box& box) {
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
   const double x = (box.low.x + box.high.x) / 2 + g.move_x * width,
                y = (box.low.y + box.high.y) / 2 + g.move_y * height;
+  const double circle = g.size * std::max(width, height) / 2;
+  if (g.kind == GradientKind::circular) return {x, y, circle, circle};
   if (g.kind == GradientKind::radial) return {x, y, g.size * width / 2, g.size * height / 2};
   const auto [sine, cosine] = sine_cosine(g.turn);
   const double half = g.size * (width * std::abs(cosine) + height * std::abs(sine)) / 2;

@@ -45,7 +45,8 @@ PlacedGradient placed_gradient(const Gradient& g, const Box& box, const Mat4& m)
   return out;
 }
 
-GradientColors::GradientColors(const Gradient& g) : kind_(g.kind), spread_(g.spread), size_(g.size) {
+GradientColors::GradientColors(const Gradient& g)
+    : kind_(g.kind == GradientKind::circular ? GradientKind::radial : g.kind), spread_(g.spread), size_(g.size) {
   GradientLight sum;
   for (const Gradient::Stop& s : g.stops) {
     const GradientLight light = light_of(s);
@@ -137,7 +138,8 @@ GradientUniforms uniforms_of(const Gradient& g, const PlacedGradient& p) {
   GradientUniforms u;
   for (std::size_t k = 0; k < 4; ++k) u.x[k] = as(p.x[k]), u.y[k] = as(p.y[k]);
   const std::size_t count = std::min(g.stops.size(), most_stops);
-  u.grading = {static_cast<float>(g.kind), static_cast<float>(g.spread), as(g.size), static_cast<float>(count)};
+  const float way = g.kind == GradientKind::linear ? 1.F : g.kind == GradientKind::conic ? 3.F : 2.F;
+  u.grading = {way, static_cast<float>(g.spread), as(g.size), static_cast<float>(count)};
   for (std::size_t i = 0; i < count; ++i) {
     const GradientLight l = light_of(g.stops[i]);
     u.stop_light[i] = {as(l.light.x), as(l.light.y), as(l.light.z), as(l.opacity)};
@@ -159,7 +161,7 @@ void place_gradient(vec4 p) {}
 const char* const gradient_shader = R"(
 #if defined(GRADIENT)
 in vec2 in_gradient;
-uniform vec4 grading;          // the kind, the spread, the part of a turn, the number of stops
+uniform vec4 grading;          // 1 linear, 2 from a point, 3 around it; the spread, the part of a turn, the number of stops
 uniform vec4 stop_light[16];   // light times opacity, and opacity
 uniform float stop_at[16];
 float turn_of(vec2 p) {

@@ -12,8 +12,8 @@ namespace betwixt {
 inline FunctionSpec gradient_row(FunctionId of_fill, FunctionSpec row) {
   switch (of_fill) {
     case fn::gradient:
-      row.type = Type::text, row.rest = Text(std::string("none")), row.words = "none|linear|radial|conic";
-      row.written = "none, linear, radial or conic";
+      row.type = Type::text, row.rest = Text(std::string("none")), row.words = "none|linear|radial|circular|conic";
+      row.written = "none, linear, radial, circular or conic";
       break;
     case fn::gradient_color:
       row.type = Type::color, row.rest = Color{0, 0, 0}, row.written = "a color";

@@ -633,6 +633,38 @@ TEST(Errors, WordsOfWhatIsTooMuchOrNotUsed) {
   expect_words("", "procedure p lua \"(\"", "unexpected symbol near <eof>");
 }
 
+TEST(Errors, Gradients) {
+  constexpr const char* looks = "stops look like \"#f60, gold 40%, first/50%, transparent\"";
+  const std::string many = "set ball.gradient-stops \"red" + [] {
+    std::string all;
+    for (int i = 0; i < 16; ++i) all += ",red";
+    return all;
+  }() + "\"";
+  for (const Case& k : std::vector<Case>{
+           {"set ball.gradient diamond", "type 19 diamond", "gradient must be none, linear, radial, circular or conic",
+            ""},
+           {"set ball.gradient-spread mirror", "type 26 mirror", "gradient-spread must be pad, repeat or reflect"},
+           {"set ball.gradient-stops \"red\"", "range 26 red", "a gradient needs two stops or more", looks},
+           {"set ball.gradient-stops \"red, gren\"", "name 31 gren", "there is no colour 'gren'",
+            "did you mean 'green'?"},
+           {"set ball.gradient-stops \"red, blue/2\"", "range 31 blue/2",
+            "the opacity of a stop must be from 0 to 1, or 0% to 100%", looks},
+           {"set ball.gradient-stops \"red,, blue\"", "syntax 30 ,", "a colour is missing between the commas", looks},
+           {"set ball.gradient-stops \"#12345, blue\"", "syntax 26 #12345",
+            "a hexadecimal colour of a stop must have 3, 4, 6 or 8 digits", looks},
+           {"set ball.gradient-stops \"red 1%, red 101%\"", "range 34 red 101%",
+            "the place of a stop must be from 0% to 100%", looks},
+           {"set ball.gradient-stops \"red 60%, blue 40%\"", "range 35 blue 40%",
+            "the places of stops must not go back"},
+           {many.c_str(), "range 90 red", "a gradient can have at most 16 stops"},
+           {"set ball.gradient-size 0", "range 24 0", "gradient-size must be at least 0.001"},
+           {"set eye.gradient linear", "name 9 gradient"},
+           {"set ball.stroke-gradient linear", "name 10 stroke-gradient"},
+           {"set ball.color linear(red, blue)", "name 16 linear", "there is no colour 'linear'",
+            "gradient=linear makes a gradient"}})
+    expect_case(k);
+}
+
 TEST(Errors, WordsOfWhatCannotBeReached) {
   const std::string arm =
       "create arm group\ncreate arm/fore group position=(1 0 0)\ncreate arm/fore/palm sphere position=(1 0 0)\n"

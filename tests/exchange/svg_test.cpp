@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "base/files.h"
+#include "betwixt/gradient.h"
 #include "exchange/drawing.h"
 #include "exchange/files.h"
 #include "exchange/outlines.h"
@@ -183,7 +185,14 @@ TEST(Svg, SaysWhatItLeavesOut) {
   EXPECT_EQ(said("<g clip-path='url(#c)' id='hat'/>"), "clip-path is left out (in 'hat'); ");
   EXPECT_EQ(said("<linearGradient id='g'><stop stop-color='red'/><stop offset='1' stop-color='blue'/></linearGradient>"
                  "<rect id='sky' width='1' height='1' fill='url(#g)'/>"),
-            "gradients are not supported: the middle colour is used (in 'sky'); ");
+            "");
+  std::string many = "<linearGradient id='g'>";
+  for (int i = 0; i < 17; ++i) many += "<stop stop-color='red'/>";
+  EXPECT_EQ(said(many + "</linearGradient><rect id='sky' width='1' height='1' fill='url(#g)'/>"),
+            "of gradients with more than 16 stops the middle colour is used (in 'sky'); ");
+  EXPECT_EQ(said("<radialGradient id='g' fx='0.2'><stop stop-color='red'/><stop offset='1' stop-color='blue'/>"
+                 "</radialGradient><rect id='sky' width='1' height='1' fill='url(#g)'/>"),
+            "the focus of a radial gradient is in its middle (in 'sky'); ");
   EXPECT_EQ(said("<use href='#nothing'/>"), "a use of 'nothing', which does not exist, is left out; ");
   EXPECT_EQ(said("<path id='p' d='M0 0h9v9 oops'/>"), "a path with an error is drawn up to the error (in 'p'); ");
   EXPECT_NE(said("<style>g > path { fill: red }</style>").find("a style rule"), std::string::npos);
@@ -191,6 +200,69 @@ TEST(Svg, SaysWhatItLeavesOut) {
       "<linearGradient id='a'><stop stop-color='red'/><stop offset='100%' stop-color='blue'/></linearGradient>"
       "<linearGradient id='b' href='#a'/><circle r='1' fill='url(#b)'/>");
   EXPECT_EQ(middle.color, (Color{0.5, 0, 0.5}));
+}
+
+// Where a linear gradient begins and ends on the outline, as the guide says: through the middle of the box, moved, from
+// the corner farthest back to the one farthest ahead.
+std::array<Vec3, 2> ends_of(const DrawnThing& t, const DrawnGradient& g) {
+  Box box;
+  for (const Vec3 p : t.points) box.add(p);
+  const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+  const Vec3 along{std::cos(g.turn), std::sin(g.turn), 0};
+  const Vec3 middle = 0.5 * (box.low + box.high) + Vec3{g.move_x * width, g.move_y * height, 0};
+  const double half = g.size * (width * std::abs(along.x) + height * std::abs(along.y)) / 2;
+  return {middle - half * along + t.at, middle + half * along + t.at};
+}
+
+TEST(Svg, GradientsAreThoseOfTheShape) {
+  const std::string stops = "<stop stop-color='#f00'/><stop offset='1' stop-color='#00f' stop-opacity='0.5'/>";
+  // In user units, through a transform; the same by the box, from corner to corner of a square.
+  const DrawnThing turned = only(
+      "<linearGradient id='g' gradientUnits='userSpaceOnUse' x1='10' y1='20' x2='40' y2='60' spreadMethod='reflect'>" +
+      stops + "</linearGradient><rect x='5' y='5' width='40' height='60' fill='url(#g)'/>");
+  EXPECT_EQ(turned.gradient.kind, static_cast<std::uint32_t>(GradientKind::linear));
+  EXPECT_EQ(turned.gradient.spread, static_cast<std::uint32_t>(GradientSpread::reflect));
+  // What is at right angles to the gradient has one colour: only the places along it count.
+  const auto along = [&](Vec3 p) { return dot(p, {0.6, -0.8, 0}); };
+  const auto [from, to] = ends_of(turned, turned.gradient);
+  EXPECT_NEAR(along(from), along({-0.4, 0.3, 0}), 1e-9);
+  EXPECT_NEAR(along(to), along({-0.1, -0.1, 0}), 1e-9);
+  EXPECT_NEAR(turned.gradient.turn, std::atan2(-0.8, 0.6), 1e-9);
+  const DrawnThing corner = only("<linearGradient id='g' x2='1' y2='1'>" + stops +
+                                 "</linearGradient><rect x='20' y='20' width='40' height='40' fill='url(#g)'/>");
+  const auto [a, b] = ends_of(corner, corner.gradient);
+  expect_at(a, -0.3, 0.3), expect_at(b, 0.1, -0.1);
+  EXPECT_TRUE(corner.gradient.stops.starts_with("#ff0000 0%, ")) << corner.gradient.stops;
+  EXPECT_TRUE(corner.gradient.stops.ends_with(", #0000ff80 100%")) << corner.gradient.stops;
+  EXPECT_NE(corner.gradient.stops.find("#800080bf 50%"), std::string::npos) << corner.gradient.stops;
+  // A line has no height. Along it, half of the gradient is where 30 (x - 10) + 40 (10 - 20) is 1250: at 65.
+  const DrawnThing line =
+      only("<linearGradient id='g' gradientUnits='userSpaceOnUse' x1='10' y1='20' x2='40' y2='60'>" + stops +
+           "</linearGradient><path d='M10 10H50' fill='none' stroke='url(#g)'/>");
+  EXPECT_NEAR(line.gradient.move_x, (65 - 30) / 40.0, 1e-9);
+  EXPECT_EQ(line.gradient.move_y, 0);
+  // A circle of user units, and an ellipse of the box; a stroke has its own.
+  const DrawnThing ball = only("<radialGradient id='g' gradientUnits='userSpaceOnUse' cx='60' cy='40' r='10'>" + stops +
+                               "</radialGradient><rect width='80' height='40' fill='url(#g)' stroke='url(#g)'/>");
+  EXPECT_EQ(ball.gradient.kind, static_cast<std::uint32_t>(GradientKind::circular));
+  EXPECT_NEAR(ball.gradient.size, 0.25, 1e-9);
+  EXPECT_NEAR(ball.gradient.move_x, 0.25, 1e-9);
+  EXPECT_NEAR(ball.gradient.move_y, -0.5, 1e-9);
+  EXPECT_EQ(ball.stroke_gradient.stops, ball.gradient.stops);
+  const DrawnThing egg = only("<radialGradient id='g' r='0.25'>" + stops +
+                              "</radialGradient><rect width='80' height='40' fill='url(#g)'/>");
+  EXPECT_EQ(egg.gradient.kind, static_cast<std::uint32_t>(GradientKind::radial));
+  EXPECT_NEAR(egg.gradient.size, 0.5, 1e-9);
+  // One without a direction, and one with a single colour.
+  const DrawnThing none = only("<linearGradient id='g' x2='0'>" + stops +
+                               "</linearGradient><rect width='8' height='4' "
+                               "fill='url(#g)'/>");
+  EXPECT_EQ(none.gradient.kind, 0U);
+  EXPECT_TRUE(none.gradient.stops.empty());
+  EXPECT_EQ(only("<linearGradient id='g'><stop stop-color='lime'/></linearGradient><rect width='8' height='4' "
+                 "fill='url(#g)'/>")
+                .color,
+            (Color{0, 1, 0}));
 }
 
 TEST(Svg, RefusesWhatItCannotTake) {
@@ -256,7 +328,8 @@ TEST(Svg, ComesOverAsItWent) {
   const auto read =
       read_svg(svg("<g id='g'><path id='p' d='M0 0h60v60h-60z M20 20v20h20v-20z' stroke='red' opacity='.3'/>"
                    "<path d='M0 0h9' stroke='lime' stroke-dasharray='1 2' stroke-linecap='round'/></g>"
-                   "<image/>"),
+                   "<image/><linearGradient id='f' x1='.1' spreadMethod='repeat'><stop stop-color='red'/>"
+                   "<stop offset='1'/></linearGradient><rect width='9' height='5' fill='url(#f)' stroke='url(#f)'/>"),
                "x.svg");
   ASSERT_TRUE(read);
   const OpenFile memory(::memfd_create("test", MFD_CLOEXEC));
@@ -273,6 +346,7 @@ TEST(Svg, ComesOverAsItWent) {
                 x.stroke == y.stroke && x.dash == y.dash);
     EXPECT_TRUE(x.fills == y.fills && x.strokes == y.strokes && x.round == y.round && x.trim_to == y.trim_to &&
                 x.stroke_width == y.stroke_width && x.transparency == y.transparency);
+    EXPECT_TRUE(x.gradient == y.gradient && x.stroke_gradient == y.stroke_gradient);
   }
 }
 

@@ -412,5 +412,59 @@ TEST(Usda, SaysItsFilm) {
     EXPECT_NE(text->find(part), std::string::npos) << part;
 }
 
+// Four metres by two, of 120 pixels a metre. Colours are those of mixed light, and the place of each is in the file.
+TEST(Planar, GradientsAreThoseOfTheFilm) {
+  const Film film(
+      "film flat\nsize 1920x1080\ncreate card rectangle size=(4 2) position=(1 0.5) "
+      "color=#ff6600 gradient=linear gradient-turn=90deg "
+      "gradient-color=#000080\ncreate sun circle radius=0.5 color=white gradient=radial stroke=red "
+      "stroke-gradient=conic\ncreate way line gradient=linear gradient-stops=\"gold, transparent\"\n");
+  const auto light = [](int byte) {
+    const double s = byte / 255.0;
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+  };
+  const auto byte = [](double l) { return 255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055); };
+  Exported made;
+  const auto svg = make_svg(film.program, film.options, made);
+  ASSERT_TRUE(svg) << svg.error().message;
+  EXPECT_NE(svg->find("<linearGradient id=\".card.fill\" gradientUnits=\"userSpaceOnUse\" x1=\"0\" y1=\"120\" x2=\"0\" "
+                      "y2=\"-120\">"),
+            std::string::npos);
+  EXPECT_NE(svg->find("fill=\"url(#.card.fill)\""), std::string::npos);
+  EXPECT_NE(svg->find("cx=\"0\" cy=\"0\" r=\"1\" gradientTransform=\"translate(0 0) scale(60 60)\">"),
+            std::string::npos);
+  EXPECT_NE(svg->find("stroke=\"url(#.way.stroke)\""), std::string::npos);
+  EXPECT_NE(svg->find("stop-opacity=\"0\""), std::string::npos);
+  std::istringstream lines(svg->substr(svg->find(".card.fill")));
+  int stops = 0;
+  for (std::string line; std::getline(lines, line) && line.find("</linear") == std::string::npos;) {
+    double at = 0;
+    unsigned rgb = 0;
+    if (std::sscanf(line.c_str(), " <stop offset=\"%lf\" stop-color=\"#%6x\"", &at, &rgb) != 2) continue;
+    ++stops;
+    const int from[] = {0xff, 0x66, 0}, to[] = {0, 0, 0x80};
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(rgb >> (16 - 8 * k) & 255, byte((1 - at) * light(from[k]) + at * light(to[k])), 0.6) << at;
+  }
+  EXPECT_GT(stops, 8);
+  EXPECT_TRUE(std::any_of(made.left_out.begin(), made.left_out.end(), [](const std::string& s) {
+    return s.starts_with("left out: conic gradients") && s.find("'sun'") != std::string::npos;
+  }));
+  Exported as_lottie;
+  const auto lottie = make_lottie(film.program, film.options, as_lottie);
+  ASSERT_TRUE(lottie);
+  const auto file = nlohmann::json::parse(*lottie);
+  nlohmann::json fill;
+  for (const auto& layer : file["layers"])
+    if (layer["nm"] == "card") fill = layer["shapes"][0]["it"][1];
+  ASSERT_EQ(fill["ty"], "gf");
+  EXPECT_EQ(fill["t"], 1);
+  EXPECT_EQ(fill["s"]["k"], (nlohmann::json{0.0, 120.0}));
+  EXPECT_EQ(fill["e"]["k"], (nlohmann::json{0.0, -120.0}));
+  const std::size_t count = fill["g"]["p"];
+  EXPECT_EQ(fill["g"]["k"]["k"].size(), 6 * count);  // place, three colours; place, opacity
+  EXPECT_NEAR(fill["g"]["k"]["k"][1].get<double>(), 1, 1e-3);
+}
+
 }  // namespace
 }  // namespace betwixt

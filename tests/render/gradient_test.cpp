@@ -96,6 +96,9 @@ TEST(Gradient, RadialOnesTouchTheSides) {
   const auto whole = [](double x, double y) { return std::hypot((x - 1) / 4, (y - 0.5) / 2); };
   expect_everywhere(fmt::format("{} gradient=radial\n", card), away_from(whole),
                     [&](double x, double y) { return mixed(orange, violet, whole(x, y)); });
+  const auto circle = [](double x, double y) { return std::hypot(x - 1, y - 0.5) / 4; };
+  expect_everywhere(fmt::format("{} gradient=circular\n", card), away_from(circle),
+                    [&](double x, double y) { return mixed(orange, violet, circle(x, y)); });
   // A quarter of the width to the left, an eighth of the height up; half as large.
   const auto moved = [](double x, double y) { return std::hypot((x + 1) / 2, y - 1); };
   expect_everywhere(fmt::format("{} gradient=radial gradient-move=(-0.25 0.125) gradient-size=0.5\n", card),
