@@ -139,6 +139,44 @@ TEST_F(Files, OpenExrOfOthersIsRead) {
   EXPECT_TRUE(mentions(wide, at("wide.exr")) && mentions(wide, "16385") && mentions(wide, "16384"));
 }
 
+// Radiance: each pixel is three mantissas and a common exponent, in runs of each channel or pixel by pixel.
+std::string radiance(int width, int height, bool runs) {
+  std::string out =
+      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
+  const auto channel = [&](int x, int y, int c) { return static_cast<char>(c == 3 ? 128 + y : 128 + 7 * x % 128 + c); };
+  for (int y = 0; y < height; ++y) {
+    if (runs) {
+      out += {2, 2, static_cast<char>(width / 256), static_cast<char>(width % 256)};
+      for (int c = 0; c < 4; ++c) {
+        out += static_cast<char>(width);
+        for (int x = 0; x < width; ++x) out += channel(x, y, c);
+      }
+    } else {
+      for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 4; ++c) out += channel(x, y, c);
+    }
+  }
+  return out;
+}
+
+TEST_F(Files, RadianceIsReadWholeOrNotAtAll) {
+  for (const bool runs : {false, true}) {
+    const std::string whole = radiance(40, 6, runs);
+    const auto read = read_linear_picture(put("sky.hdr", whole));
+    ASSERT_TRUE(read) << read.error().message;
+    for (int y = 0; y < 6; ++y)
+      for (int x = 0; x < 40; ++x)
+        for (int c = 0; c < 3; ++c)
+          EXPECT_FLOAT_EQ(read->rgba[static_cast<std::size_t>(4 * (40 * y + x) + c)],
+                          std::ldexp(static_cast<float>(128 + 7 * x % 128 + c), y - 8));
+    for (std::size_t length = 0; length < whole.size(); length += 7) {
+      const auto cut = read_linear_picture(put("cut.hdr", whole.substr(0, length)));
+      EXPECT_FALSE(cut) << runs << " " << length << " of " << whole.size();
+    }
+    EXPECT_FALSE(read_linear_picture(put("cut.hdr", whole.substr(0, whole.size() - 1)))) << runs;
+  }
+}
+
 TEST_F(Files, PicturesOfLightAreNeverHalfWritten) {
   const LinearPicture p = light(7, 5);
   using Write = Status (*)(const std::string&, const LinearPicture&, bool);
