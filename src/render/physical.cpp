@@ -196,7 +196,7 @@ void PhysicalSurfaces::draw_through(const Canvas& canvas, const Things& things,
   const int width = canvas.width() * canvas.side(), height = canvas.height() * canvas.side();
   if (behind_.id() == 0 || behind_width_ != width || behind_height_ != height) {
     behind_width_ = width, behind_height_ = height, behind_levels_ = 1;
-    for (int least = std::min(width, height); least > 8; least /= 2) ++behind_levels_;
+    for (int least = std::min(width, height); least > 1; least /= 2) ++behind_levels_;
     GLuint id = 0;
     glGenTextures(1, &id);
     behind_ = gl::Texture(id);

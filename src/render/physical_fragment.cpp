@@ -22,10 +22,24 @@ vec2 reflected_shares(float nv, float rough) {
   return vec2(-1.04, 1.04) * a + r.zw;
 }
 
-// The level of `around` for a roughness: see SkyLight::roughness_of.
-float blur_of(float rough) { return blurs * rough * (2.0 - rough); }
+// What a surface of this roughness mirrors from a direction: see SkyLight::roughness_of.
+vec3 mirrored_from(vec3 d, float rough) {
+  float level = blurs * rough * (2.0 - rough);
+  vec3 c = sky_turn.z * textureLod(around, in_sky(d), level).rgb;
+  return blurs > 0.0 && level > blurs - 1.0 ? mix(c, irradiance_at(d), min(level - blurs + 1.0, 1.0)) : c;
+}
 // What a rough surface mirrors is nearer to its normal, since light from below the horizon does not count.
 float fourth_power(float rough) { return rough * rough * rough * rough; }
+
+#if defined(COATED)
+// The share of light from all around that a sheen reflects, as three.js has it: low at the front, high at the rim.
+float sheen_albedo(float nv, float rough) {
+  float inverse = 1.0 / (rough + 0.1), square = rough * rough;
+  float a = -1.9362 + 1.0678 * rough + 0.4573 * square - 0.8469 * inverse;
+  float b = -0.6014 + 0.5538 * rough - 0.4670 * square - 0.1255 * inverse;
+  return min(exp(a * nv + b), 1.0);
+}
+#endif
 
 #if defined(AREAS)
 // A share of the light of a polygon: that of one of its edges.
@@ -172,7 +186,7 @@ void main() {
   a2 = min(a2 + min(0.25 * (dot(bend_x, bend_x) + dot(bend_y, bend_y)), 0.18), 1.0);
   float a = sqrt(a2);
   // A picture of the sky needs less of that than a lamp, which is a point.
-  float rough_seen = sqrt(sqrt(min(a0 * a0 + 0.1 * (dot(bend_x, bend_x) + dot(bend_y, bend_y)), 1.0)));
+  float rough_seen = sqrt(sqrt(min(a0 * a0 + min(0.1 * (dot(bend_x, bend_x) + dot(bend_y, bend_y)), 0.03), 1.0)));
   vec3 v = toward_eye.xyz - toward_eye.w * spot;
   v *= inversesqrt(max(dot(v, v), 1e-30));
   float nv = clamp(dot(n, v), 1e-4, 1.0);
@@ -273,7 +287,7 @@ void main() {
   float opacity = 1.0;
 #else
   // Light from all around, with what is reflected several times.
-  vec3 mirrored = sky_turn.z * textureLod(around, in_sky(normalize(mix(r, n, fourth_power(rough_seen)))), blur_of(rough_seen)).rgb;
+  vec3 mirrored = mirrored_from(normalize(mix(r, n, fourth_power(rough_seen))), rough_seen);
 #if defined(PICTURES)
   float covers = clamp(pow(nv + open_to, exp2(-16.0 * rough - 1.0)) - 1.0 + open_to, 0.0, 1.0);
 #else
@@ -293,20 +307,22 @@ void main() {
   vec3 leaves = spot + (through.z > 0.0 ? inside * through.z : vec3(0.0));
   vec4 on_screen = clip_again * vec4(leaves, 1.0);
   vec2 spot_behind = on_screen.xy / on_screen.w * 0.5 + 0.5;
-  float blur_by = through.w * rough * clamp(through.y * 2.0 - 2.0, 0.0, 1.0);
-  vec3 seen_through = textureLod(behind_it, spot_behind, blur_by).rgb;
-  vec3 tint = through.z > 0.0 ? base.rgb : sqrt(max(base.rgb, 0.0));
-  vec3 passing = seen_through * tint * left * (1.0 - metal);
+  // As wide a part of the picture for any size and number of samples; four lookups hide the squares of coarse levels.
+  float blur_by = log2(1.0 + (exp2(10.0 * rough * clamp(through.y * 2.0 - 2.0, 0.0, 1.0)) - 1.0) * through.w);
+  vec2 apart = 0.5 * min(blur_by, 1.0) * exp2(blur_by) / vec2(textureSize(behind_it, 0));
+  vec3 seen_through = 0.25 * (textureLod(behind_it, spot_behind + apart, blur_by).rgb + textureLod(behind_it, spot_behind - apart, blur_by).rgb +
+                              textureLod(behind_it, spot_behind + vec2(apart.x, -apart.y), blur_by).rgb + textureLod(behind_it, spot_behind - vec2(apart.x, -apart.y), blur_by).rgb);
+  vec3 passing = seen_through * base.rgb * left * (1.0 - metal);
   soft = mix(soft, vec3(0.0), through.x), lit_body = mix(lit_body, passing, through.x);
 #endif
   vec3 sum = (lit_body + soft) * opacity + shiny + shines;
   opacity = opacity + (1.0 - opacity) * max(once.r, max(once.g, once.b));
 #if defined(COATED)
-  float sheen_share = max(sheen.r, max(sheen.g, sheen.b)) * (0.16 + 0.4 * (1.0 - nv) * (1.0 - nv));
-  sum = sum * (1.0 - sheen_share) + sheen_light + sheen.rgb * falling * (0.12 + 0.5 * (1.0 - nv) * (1.0 - nv));
+  float sheen_all = sheen_albedo(nv, sheen.w);
+  sum = sum * (1.0 - max(sheen.r, max(sheen.g, sheen.b)) * sheen_all) + sheen_light + sheen.rgb * falling * sheen_all;
   float cr = 1.0 - coat_nv, cr2 = cr * cr, coat_share = coat.x * (0.04 + 0.96 * cr2 * cr2 * cr);
   vec3 coat_r = reflect(-v, smooth_n);
-  sum = sum * (1.0 - coat_share) + coat.x * coat_light + coat_share * sky_turn.z * textureLod(around, in_sky(coat_r), blur_of(sqrt(coat_a))).rgb * open_to;
+  sum = sum * (1.0 - coat_share) + coat.x * coat_light + coat_share * mirrored_from(coat_r, sqrt(coat_a)) * open_to;
 #endif
 #endif
 #if defined(RECEIVES)

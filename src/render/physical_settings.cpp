@@ -54,7 +54,7 @@ void PhysicalSurfaces::set_frame(Look& look) {
   glUniform3fv(at("irradiance"), 9, sums.front().data());
   glUniform4f(at("sky_turn"), static_cast<float>(sky_.cosine()), static_cast<float>(sky_.sine()),
               static_cast<float>(sky_ ? sky_.share() : 1), 0);
-  glUniform1f(at("blurs"), sky_ ? SkyLight::levels - 1 : 0);
+  glUniform1f(at("blurs"), sky_ ? SkyLight::levels : 0);
   const Surroundings::Fog fog = frame.around.fog.value_or(Surroundings::Fog{});
   glUniform3fv(at("fog_color"), 1, four(fog.color, 0).data());
   glUniform2f(at("fog_range"), static_cast<float>(fog.from),
@@ -141,7 +141,7 @@ void PhysicalSurfaces::set_finish(Look& look, const Batch& batch, const Thing& t
     glUniform4fv(at("sheen"), 1, four(f.sheen, f.sheen_roughness).data());
   }
   if ((features & through) != 0)
-    glUniform4f(at("through"), as(f.transmission), as(f.ior), as(f.thickness), as(behind_levels_ - 1));
+    glUniform4f(at("through"), as(f.transmission), as(f.ior), as(f.thickness), as(behind_width_ / 1024.0));
 }
 
 }  // namespace betwixt

@@ -35,7 +35,7 @@ uniform vec4 light_form[16];    // half its height; 0 a point, 1 a disc, 2 a rec
 uniform vec4 sky_turn;          // cosine and sine of its turn; factor of its light
 uniform vec3 irradiance[9];
 uniform samplerCube around;     // blurred for each roughness
-uniform float blurs;            // its last level
+uniform float blurs;            // the number of its levels, or 0 if it is not blurred
 #if defined(PROJECTS)
 uniform sampler2D slide;        // what one lamp with a cone projects
 uniform vec2 slide_of;          // that lamp; 1 / the width of the cone one metre away
@@ -74,7 +74,7 @@ uniform vec2 coat;
 uniform vec4 sheen;
 #endif
 #if defined(THROUGH)
-uniform vec4 through;  // transmission, index of refraction, thickness, levels of `behind_it`
+uniform vec4 through;  // transmission, index of refraction, thickness, width of `behind_it` over 1024
 uniform sampler2D behind_it;
 uniform mat4 clip_again;
 #endif

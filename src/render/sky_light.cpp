@@ -180,7 +180,7 @@ void SkyLight::sum_up(const std::vector<Level>& halved) {
   for (std::size_t i = 0; i < 9; ++i) irradiance_[i] = constants[i] / whole * sums[i];
 }
 
-double SkyLight::roughness_of(int level) { return 1 - std::sqrt(1 - static_cast<double>(level) / (levels - 1)); }
+double SkyLight::roughness_of(int level) { return 1 - std::sqrt(1 - static_cast<double>(level) / levels); }
 
 void SkyLight::blur(const std::vector<Level>& halved) {
   cube_[0] = halved[0];

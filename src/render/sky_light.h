@@ -20,8 +20,10 @@ class SkyLight {
   // The faces of a cube, in the order +x -x +y -y +z -z, rows from the top, three numbers a pixel. Level 0 is the sky
   // itself; level k is what a surface with roughness_of(k) mirrors. Levels are closer for smooth surfaces, of which one
   // sees the difference.
-  static constexpr int side = 128, levels = 6;
-  static double roughness_of(int level);  // the inverse of (levels - 1) r (2 - r)
+  static constexpr int side = 128, levels = 5;
+  // The inverse of levels r (2 - r). What a surface of roughness 1 mirrors would be one more level: it is the
+  // irradiance.
+  static double roughness_of(int level);
   struct Level {
     int side = 0;
     std::vector<float> rgb;  // face by face

@@ -94,6 +94,18 @@ Vec3 bumped(const Finish& f, Vec3 color, Vec3 on, Vec3 n, double width, double h
   return unit(n - bumps * (slope(x) * x + slope(y) * y));
 }
 
+// Turns a normal toward the face until what it mirrors is not behind the surface.
+Vec3 mirroring_outward(Vec3 normal, Vec3 face, Vec3 toward) {
+  const double least = std::min(0.9 * dot(face, toward), 0.01);
+  const Vec3 mirrored = 2 * dot(normal, toward) * normal - toward;
+  const double up = dot(mirrored, face);
+  if (up >= least) return normal;
+  const Vec3 level = mirrored - up * face;
+  const double flat = length(level);
+  if (!(flat > 1e-9)) return face;
+  return unit(toward + std::sqrt(1 - least * least) / flat * level + least * face);
+}
+
 }  // namespace
 
 Vec3 picture_color(const Picture& p, double u, double v) { return texel_at(p, u, v).color; }
@@ -237,6 +249,7 @@ SurfacePoint World::surface_point(const Ray& r, const Hit& m) const {
   s.shine = b.shine, s.material = b.material;
   s.solid = b.solid->mesh == nullptr || b.solid->mesh->closed, s.inside = back;
   if (b.finish) add_finish(b, m, s);
+  if (b.finish && b.finish->normals) s.normal = mirroring_outward(s.normal, s.face, -r.along);
   return s;
 }
 

@@ -24,29 +24,47 @@ def under_sky(scene, path):
     world.cycles.sampling_method, world.cycles.sample_map_resolution = "MANUAL", 512
 
 
-def as_in_gltf(tree, node):
-    """Blender 3.4's clear coat has a quarter of the reflection, and its facets reflect light only once."""
+def linked(tree, kind, links, **values):
+    node = tree.nodes.new("ShaderNode" + kind)
+    for name, value in values.items(): setattr(node, name, value)
+    for number, what in links.items():
+        if hasattr(what, "is_linked"): tree.links.new(what, node.inputs[number])
+        else: node.inputs[number].default_value = what
+    return node.outputs[0]
+
+
+def as_in_gltf(material):
+    """Where Blender 3.4 leaves glTF: colours of pictures are not multiplied by their alpha; masks cut; glass has its colour once,
+    not at each of its sides; facets reflect light more than once; a clear coat has all of its reflection, not a quarter."""
+    tree = material.node_tree
+    for node in list(tree.nodes):
+        if node.type == "TEX_IMAGE" and node.image: node.image.alpha_mode = "CHANNEL_PACKED"
+        if node.type == "BSDF_PRINCIPLED": principled_as_in_gltf(material, tree, node)
+
+
+def principled_as_in_gltf(material, tree, node):
     node.distribution = "MULTI_GGX"
+    if material.blend_method == "CLIP" and node.inputs["Alpha"].is_linked:
+        alpha = node.inputs["Alpha"].links[0].from_socket
+        cut = linked(tree, "Math", {0: alpha, 1: material.alpha_threshold}, operation="GREATER_THAN")
+        tree.links.new(cut, node.inputs["Alpha"])
+    if node.inputs["Transmission"].default_value > 0:
+        color = node.inputs["Base Color"].default_value
+        for k in range(3): color[k] = math.sqrt(color[k])
     much = node.inputs["Clearcoat"].default_value
     if much == 0: return
     node.inputs["Clearcoat"].default_value = 0
-    fresnel, coat, share, mixed = [tree.nodes.new("ShaderNode" + kind) for kind in
-                                   ("Fresnel", "BsdfGlossy", "Math", "MixShader")]
-    fresnel.inputs["IOR"].default_value = 1.5
-    coat.inputs["Roughness"].default_value = node.inputs["Clearcoat Roughness"].default_value
-    share.operation, share.inputs[1].default_value = "MULTIPLY", much
     to = node.outputs["BSDF"].links[0].to_socket
-    for a, b in [(fresnel.outputs[0], share.inputs[0]), (share.outputs[0], mixed.inputs[0]), (node.outputs["BSDF"], mixed.inputs[1]),
-                 (coat.outputs[0], mixed.inputs[2]), (mixed.outputs[0], to)]:
-        tree.links.new(a, b)
+    coat = linked(tree, "BsdfGlossy", {"Roughness": node.inputs["Clearcoat Roughness"].default_value})
+    share = linked(tree, "Math", {0: linked(tree, "Fresnel", {0: 1.5}), 1: much}, operation="MULTIPLY")
+    tree.links.new(linked(tree, "MixShader", {0: share, 1: node.outputs["BSDF"], 2: coat}), to)
 
 
 def render(job):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=job["model"])
     for material in bpy.data.materials:
-        for node in material.node_tree.nodes if material.use_nodes else []:
-            if node.type == "BSDF_PRINCIPLED": as_in_gltf(material.node_tree, node)
+        if material.use_nodes: as_in_gltf(material)
     scene = bpy.context.scene
     under_sky(scene, job["sky"])
     camera = bpy.data.cameras.new("eye")

@@ -99,6 +99,37 @@ TEST(Physical, WhiteBodiesAreNotSeenInEvenLight) {
       }
 }
 
+// A picture of normals that lean all alike, and a sky of which one half is bright. Of a bright half, a dull surface
+// whose normal is at the angle a to its middle gets (1 + cos a) / 2. It is so in the first picture of a renderer too.
+TEST(Physical, NormalsOfPicturesLeanAsTheySay) {
+  const auto half_sky = [](bool upper) {
+    auto picture = std::make_shared<LinearPicture>();
+    picture->width = 64, picture->height = 32;
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 64; ++x)
+        for (int k = 0; k < 4; ++k) picture->rgba.push_back((upper ? y < 16 : x >= 16 && x < 48) ? 1.F : 0.F);
+    Sky sky;
+    sky.kind = Sky::picture, sky.light = picture;
+    return sky;
+  };
+  const auto light = [&](const std::string& style, int red, int green, bool upper, double width) {
+    auto leaning = std::make_shared<Picture>();
+    leaning->width = leaning->height = 1;
+    leaning->rgba = {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green), 218, 255};
+    Finish dull;
+    dull.roughness = 1, dull.specular = 0, dull.normals = leaning;
+    Item wall = item(square(), scaling({width, 8, 1}), {1, 1, 1}, Material::plastic);
+    wall.finish = std::make_shared<const Finish>(dull);
+    return mean_of(light_of(frame_of({wall}, half_sky(upper)), style, 32, style == "traced" ? 64 : 4), 12, 20).x;
+  };
+  for (const std::string style : {"shaded", "traced"}) {
+    EXPECT_NEAR(light(style, 128, 218, true, 8), 0.854, 0.03) << style;
+    EXPECT_NEAR(light(style, 128, 38, true, 8), 0.146, 0.03) << style;
+    EXPECT_NEAR(light(style, 218, 128, false, 8), 0.854, 0.03) << style;   // the bright half is that about x
+    EXPECT_NEAR(light(style, 218, 128, false, -8), 0.146, 0.03) << style;  // a mirrored picture leans the other way
+  }
+}
+
 // Dull bodies give their share back.
 TEST(Physical, DullBodiesShowTheirColor) {
   Finish f;
