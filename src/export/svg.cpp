@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "export/fit.h"
 #include "export/formats.h"
+#include "export/seen.h"
 #include "export/svg_paint.h"
 #include "track/track.h"
 
@@ -41,20 +43,68 @@ class SvgMaker {
       out += fmt::format("  <g{}>\n", rest(film->view.steps));
       add_steps(film->view.steps, "    ", out);
     }
+    page_ = {static_cast<double>(width), static_cast<double>(height), pixels_};
+    layers_ = planar_layers(program_, options_);
+    if (!layers_.all.empty()) say_layers();
     std::vector<ObjectId> ids;
     for (const PlanarThing& thing : film->things) ids.push_back(thing.motion.id);
-    const std::vector<std::string> names = plain_names(program_.document(), ids);
-    std::vector<std::size_t> copies(names.size());
-    for (const PlanarPlace& place : film->order) {
-      const std::size_t copy = copies[place.thing]++;
-      const std::string id = copy == 0 ? names[place.thing] : fmt::format("{}.{}", names[place.thing], copy + 1);
-      add_thing(film->things[place.thing], place.shown, id, out);
-    }
+    for (const PlanarLayer& l : layers_.all) ids.push_back(l.object);
+    names_ = plain_names(program_.document(), ids);
+    copies_.assign(names_.size(), 0);
+    add_layer(*film, -1, 0, out);
     if (seen_by) out += "  </g>\n";
     return out + "</svg>\n";
   }
 
  private:
+  std::string id_of(std::size_t name) {
+    const std::size_t copy = copies_[name]++;
+    return copy == 0 ? names_[name] : fmt::format("{}.{}", names_[name], copy + 1);
+  }
+  // Groups are written now; what remains is what changes in steps.
+  void say_layers() {
+    std::erase_if(made_.left_out, [](const std::string& s) { return s.ends_with("shadow of groups are left out"); });
+    if (layers_.changes) leave_out(made_, "changes of the blend and the mask of groups are left out");
+  }
+  // Adds the objects of a layer, or of the picture (-1), and then the layers within.
+  void add_layer(const PlanarFilm& film, std::int32_t layer, std::size_t depth, std::string& out) {
+    for (const PlanarPlace& place : film.order) {
+      const auto found = layers_.of.find(film.things[place.thing].motion.id.index);
+      if ((found == layers_.of.end() ? -1 : found->second) == layer)
+        add_thing(film.things[place.thing], place.shown, id_of(place.thing), out);
+    }
+    for (std::size_t k = 0; k < layers_.all.size(); ++k)
+      if (layers_.all[k].within == layer && !layers_.all[k].is_mask) add_group(film, k, depth + 1, out);
+  }
+  void add_group(const PlanarFilm& film, std::size_t k, std::size_t depth, std::string& out) {
+    constexpr std::size_t deepest = 64, most_groups = 2000;  // masks may have masks
+    constexpr std::string_view blends[] = {"", "screen", "multiply", "plus-lighter", "overlay"};
+    if (depth > deepest || ++groups_ > most_groups) return;
+    const PlanarLayer& l = layers_.all[k];
+    const std::string id = id_of(film.things.size() + k);
+    std::string attributes = add_effects(l, "." + id + ".effects", clock_, page_, out);
+    if (!l.masks.empty()) {
+      out += fmt::format(
+          "  <mask id=\".{}.mask\" style=\"mask-type:alpha\" maskUnits=\"userSpaceOnUse\" x=\"{}\" y=\"{}\" "
+          "width=\"{}\" height=\"{}\">\n",
+          id, short_number(-page_.width), short_number(-page_.height), short_number(2 * page_.width),
+          short_number(2 * page_.height));
+      writing_.insert(static_cast<std::int32_t>(k));
+      for (const std::int32_t m : l.masks)  // one that needs itself does not count
+        if (!writing_.contains(m)) add_group(film, static_cast<std::size_t>(m), depth + 1, out);
+      writing_.erase(static_cast<std::int32_t>(k));
+      out += "  </mask>\n";
+      attributes += fmt::format(" mask=\"url(#.{}.mask)\"", id);
+    }
+    if (l.blend != LayerBlend::normal)
+      attributes += fmt::format(" style=\"mix-blend-mode:{}\"", blends[static_cast<std::size_t>(l.blend)]);
+    out +=
+        fmt::format("  <g id=\"{}\" opacity=\"{}\"{}>\n", id, short_number(l.opacity.pieces[0].begin[0]), attributes);
+    animate(l.opacity, "opacity", "    ", out, [](const KeyValue& v) { return short_number(v[0]); });
+    add_layer(film, static_cast<std::int32_t>(k), depth, out);
+    out += "  </g>\n";
+  }
+
   double share(Time t) const { return clock_.share(t); }
 
   void add_background(int width, int height, std::string& out) const {
@@ -314,6 +364,12 @@ class SvgMaker {
   const double seconds_;
   const std::size_t frames_;
   double pixels_ = 1;
+  SvgPage page_;
+  PlanarLayers layers_;
+  std::vector<std::string> names_;  // of the things, then of the layers
+  std::set<std::int32_t> writing_;  // layers whose masks are being written
+  std::size_t groups_ = 0;
+  std::vector<std::size_t> copies_;        // of each name that are written
   std::string fill_paint_, stroke_paint_;  // of the present thing: "" for its plain colours
 };
 

@@ -12,6 +12,7 @@
 
 #include "export/fit.h"
 #include "export/formats.h"
+#include "export/planar_layers.h"
 #include "export/planar_look.h"
 #include "track/track.h"
 
@@ -55,5 +56,12 @@ struct SvgClock {
 // Defines a gradient; returns how it is named as a colour. `pixels`: of a metre.
 std::string add_gradient(const PlanarGradient&, const std::string& id, const SvgClock&, double pixels,
                          std::string& out);
+
+// The picture, in user units.
+struct SvgPage {
+  double width = 0, height = 0, pixels = 1;  // pixels: of a metre
+};
+// Defines what blurs a group and lets it glow and drop a shadow; returns its attribute, or "" if it needs none.
+std::string add_effects(const PlanarLayer&, const std::string& id, const SvgClock&, const SvgPage&, std::string& out);
 
 }  // namespace betwixt

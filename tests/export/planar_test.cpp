@@ -466,5 +466,41 @@ TEST(Planar, GradientsAreThoseOfTheFilm) {
   EXPECT_NEAR(fill["g"]["k"]["k"][1].get<double>(), 1, 1e-3);
 }
 
+TEST(Svg, GroupsAreWrittenAsAWhole) {
+  const Film film(
+      "film flat\nsize 1920x1080\nrange 1f 25f\nrate 24\ncreate wall circle\ncreate slide group blend=screen "
+      "drop-shadow=(0.5 -0.25 0.1)\ncreate card rectangle\nattach card to slide\ncreate inner group blur=0.2\n"
+      "attach inner to slide\ncreate dot circle\nattach dot to inner\ncreate hole circle\nset slide.mask hole\n"
+      "create a group\ncreate b group\ncreate in-a circle\nattach in-a to a\ncreate in-b circle\nattach in-b to b\n"
+      "set a.mask b\nset b.mask a\nslide.opacity\n  1f 0 linear\n  25f 1\n");
+  Exported made;
+  const auto svg = make_svg(film.program, film.options, made);
+  ASSERT_TRUE(svg) << svg.error().message;
+  const auto at = [&](const std::string& what, std::size_t from = 0) {
+    const std::size_t found = svg->find(what, from);
+    EXPECT_NE(found, std::string::npos) << what << '\n' << *svg;
+    return found;
+  };
+  // The picture first; then the group, its own objects, and the group within. 120 pixels are a metre.
+  const std::size_t wall = at("<g id=\"wall\""), slide = at("<g id=\"slide\" opacity=\"0\"");
+  EXPECT_LT(wall, slide);
+  const std::size_t card = at("<g id=\"card\"", slide), inner = at("<g id=\"inner\"", card);
+  EXPECT_LT(inner, at("<g id=\"dot\"", inner));
+  at("mix-blend-mode:screen");
+  at("<feDropShadow in=\"SourceGraphic\" result=\"shadowed\" dx=\"60\" dy=\"30\" stdDeviation=\"12\"");
+  at("<feGaussianBlur result=\"blurred\" stdDeviation=\"24\">");
+  at("<animate attributeName=\"opacity\"", slide);
+  // The mask is in its definition only.
+  const std::size_t mask = at("<mask id=\".slide.mask\"");
+  EXPECT_GT(at("<g id=\"hole"), mask);
+  EXPECT_LT(svg->rfind("<g id=\"hole"), slide);
+  EXPECT_TRUE(std::none_of(made.left_out.begin(), made.left_out.end(),
+                           [](const std::string& s) { return s.find("of groups") != std::string::npos; }));
+  Exported other;
+  ASSERT_TRUE(make_lottie(film.program, film.options, other));
+  EXPECT_TRUE(std::any_of(other.left_out.begin(), other.left_out.end(),
+                          [](const std::string& s) { return s.ends_with("shadow of groups are left out"); }));
+}
+
 }  // namespace
 }  // namespace betwixt
