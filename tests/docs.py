@@ -47,6 +47,8 @@ def main():
             sound.writeframes(bytes(2 * 8000 * 75))
         for name in ("narration.wav", "narration.words"):
             shutil.copy(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "examples", name), folder)
+        examples = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "examples")
+        shutil.copy(os.path.join(examples, "bounce.mp4"), os.path.join(folder, "talk.mp4"))
         for page, warns, code in films():
             found += 1
             if output := check_film(program, folder, warns, code):

@@ -15,6 +15,7 @@
 #include "app/command.h"
 #include "app/markup.h"
 #include "app/page_policy.h"
+#include "app/page_videos.h"
 #include "app/player_file.h"
 #include "app/streams.h"
 #include "app/web_page_parts.h"
@@ -157,6 +158,7 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
   for (const std::string& path : asked) {
     if (path == real || !fs::is_regular_file(path, ignored)) continue;
     const std::string name = fs::path(path).lexically_relative(folder).generic_string();
+    if (scene.videos->contains(name) && !scene.sounds->contains(name)) continue;  // add_videos() adds its pictures
     if (name.empty() || name == ".." || name.starts_with("../"))
       return fail(ErrorCode::file, fmt::format("'{}' is outside the folder of {}", path, script),
                   "move it into or below the folder of the script");
@@ -246,6 +248,7 @@ std::optional<Result<PageFilm>> film_for_page(const std::string& script) {
     if (pause.time >= film.begin) film.stops.push_back(std::move(pause));
   if (Status s = add_files(film.files, script, *document, asked); !s) return s.error();
   if (Status s = add_voices(film.files, *document); !s) return s.error();
+  if (Status s = add_videos(film, *document); !s) return s.error();
   look_through(film, *document);
   add_losses(film, *document);
   return film;

@@ -264,15 +264,11 @@ bool asset(Command& k, FunctionId f, std::string& path, std::string_view about) 
   };
   if (f == fn::file) return add(s.meshes, "mesh", [&] { return load_mesh(where.string(), may_read, any_size); });
   if (f == fn::sound_file) return add(s.sounds, "sound", [&] { return read_sound(where.string(), any_size); });
-  if (f == fn::video_file || (f == fn::texture && names_video(path))) return video_of_file(k, path, where, about);
+  if (f == fn::video_file || (is_picture(f) && names_video(path))) return video_of_file(k, f, path, where, about);
   if (f == fn::sound_words) return add(s.words, "words", [&] { return load_words(where.string()); });
   if (f == fn::font) return add(s.fonts, "font", [&] { return load_font(where.string()); });
   return add(s.pictures, "picture", [&] { return load_picture(where.string(), any_size); });
 }
-
-}  // namespace
-
-namespace {
 
 // Finds bytes that a host has sent. A line that is kept gets the full name, so that it means these bytes for ever.
 bool find_sent(Command& k, std::string& path, std::string_view about, fs::path& where) {

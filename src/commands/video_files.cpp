@@ -2,13 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/video_files.h"
 
+#include <fmt/format.h>
+
 #include "base/kept_results.h"
 #include "exchange/videos.h"
 #include "scene/memory.h"
 
 namespace betwixt {
 
-bool video_of_file(Command& k, const std::string& path, const std::filesystem::path& where, std::string_view about) {
+bool video_of_file(Command& k, FunctionId f, const std::string& path, const std::filesystem::path& where,
+                   std::string_view about) {
+  if (f != fn::video_file && f != fn::texture)
+    return k.cursor.fail(ErrorCode::type,
+                         fmt::format("{} is a video; of the pictures of a surface only the texture can be one", path),
+                         about);
   if (k.scene.videos->contains(path)) return true;
   const auto read = KeptResults::get("video", where.string(), [&] { return read_video(where.string()); });
   if (!read) return k.cursor.fail(read.error(), about);

@@ -100,7 +100,7 @@ std::vector<std::string> probe_call(const std::string& path, bool decode) {
                                  "-show_entries",
                                  "stream=codec_name,width,height,sample_aspect_ratio,time_base,avg_frame_rate,"
                                  "color_space:stream_tags=alpha_mode:stream_side_data=rotation:"};
-  words.back() += decode ? "frame=best_effort_timestamp,pkt_duration" : "packet=pts,duration,flags";
+  words.back() += decode ? "frame=best_effort_timestamp" : "packet=pts,duration,flags";
   words.insert(words.end(), {"-of", "compact"});
   for (std::string& word : arguments_for_reading(path)) words.push_back(std::move(word));
   return words;
@@ -137,11 +137,14 @@ bool take_lines(const std::string& lines, VideoIndex& to) {
     if (line.starts_with("stream|")) take_stream(line, to), streams = true;
     const bool frame = line.starts_with("frame|");
     if (!frame && !line.starts_with("packet|")) continue;
-    const auto time = whole(value_in(line, frame ? "best_effort_timestamp" : "pts"));
+    auto time = whole(value_in(line, frame ? "best_effort_timestamp" : "pts"));
+    // The last pictures that a decoder gives may lack a time: they follow as those before them did.
+    if (const std::size_t n = packets.size(); frame && !time && n > 1)
+      time = 2 * packets[n - 1].time - packets[n - 2].time;
     const std::string_view flags = value_in(line, "flags");
     if (flags.find('D') != flags.npos) continue;  // it is decoded but not shown
     unknown |= !time;
-    const auto length = whole(value_in(line, frame ? "pkt_duration" : "duration"));
+    const auto length = frame ? std::nullopt : whole(value_in(line, "duration"));
     if (time) packets.push_back({*time, length.value_or(0), !frame && flags.starts_with('K')});
   }
   put_in_order(packets, to);

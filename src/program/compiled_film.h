@@ -184,7 +184,8 @@ struct GradientUse {
 // The functions that say which picture of a video a drawable shows: offsets into the numbers.
 struct VideoUse {
   std::uint32_t at = 0, from = 0, until = 0, speed = 0, loop = 0, time = 0;
-  bool timed = false;  // `time` says it alone
+  bool timed = false;           // `time` says it alone
+  std::optional<double> begin;  // seconds of the film, in place of `at`
 };
 
 // A node that is drawn, or may be; it has the node's number.

@@ -22,7 +22,7 @@ struct Next {
 void add_video(const CompiledFilm& c, const Drawable& d, Next& next) {
   const VideoUse& use = c.video_uses[static_cast<std::size_t>(d.video)];
   const auto number = [&](std::uint32_t offset) { return c.rest[offset]; };
-  const double at = number(use.at), speed = std::abs(number(use.speed));
+  const double at = use.begin.value_or(number(use.at)), speed = std::abs(number(use.speed));
   const auto* const video = d.texture->varies() ? nullptr : c.video(d.texture->constant);
   const bool ends = video && number(use.loop) == 0 && speed > 0;
   if (use.timed || speed == 0 || (ends && next.now.seconds() > at + video->video->seconds() / speed)) return;

@@ -30,10 +30,13 @@ bool show_video(CompiledFilm& c, std::uint32_t node, Drawable& d) {
     return c.find_shown(object, is_video ? f : static_cast<FunctionId>(f - fn::video_at + fn::texture_at));
   };
   const Binding& time = find(fn::video_time);
-  const bool timed = &time != &c.defaults[is_video ? fn::video_time : fn::texture_time];
+  const bool timed = &time != &c.defaults[time.function];
+  const Binding& at = find(fn::video_at);
+  std::optional<double> begin;
+  if (&at == &c.defaults[at.function]) begin = c.document.range().first.seconds();
   d.video = static_cast<std::int32_t>(c.video_uses.size());
-  c.video_uses.push_back({find(fn::video_at).offset, find(fn::video_from).offset, find(fn::video_until).offset,
-                          find(fn::video_speed).offset, find(fn::video_loop).offset, time.offset, timed});
+  c.video_uses.push_back({at.offset, find(fn::video_from).offset, find(fn::video_until).offset,
+                          find(fn::video_speed).offset, find(fn::video_loop).offset, time.offset, timed, begin});
   return true;
 }
 
@@ -48,7 +51,8 @@ const CompiledFilm::NumberedVideo* CompiledFilm::video(const Value& v) const {
 std::uint32_t CompiledFilm::shown(const NumberedVideo& n, const VideoUse& use, Time t, const double* numbers) const {
   const bool loop = numbers[use.loop] != 0;
   if (use.timed) return n.first + static_cast<std::uint32_t>(picture_at_time(*n.video, numbers[use.time], loop));
-  const VideoPart part{numbers[use.at], numbers[use.from], numbers[use.until], numbers[use.speed], loop};
+  const VideoPart part{use.begin.value_or(numbers[use.at]), numbers[use.from], numbers[use.until], numbers[use.speed],
+                       loop};
   return n.first + static_cast<std::uint32_t>(picture_shown(*n.video, part, t.seconds()));
 }
 

@@ -27,11 +27,6 @@
 namespace betwixt {
 namespace {
 
-void put_file(Shape& s, const Value& v, const Scene& scene) {
-  const auto found = scene.meshes->find(*std::get<Text>(v));
-  if (found != scene.meshes->end()) s.mesh = found->second;
-}
-
 bool has_word(std::string_view words, std::string_view word) {
   while (!words.empty()) {
     const auto end = std::min(words.find(' '), words.size());
@@ -233,7 +228,7 @@ const FunctionSpec function_rows[] = {
      .type = Type::text,
      .rest = Text(),
      .kinds = bit(Kind::mesh),
-     .shape = put_file,
+     .shape = put_mesh,
      .sentence = "The file of a mesh.",
      .written = "\"FILE\""},
     measure({.name = "range",

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Functions of videos, and of videos as textures. Only src/scene/functions.cpp includes this; its rows come after those
-// of src/scene/layer_functions.h.
+// The contents of files in shapes; functions of videos, and of videos as textures. Only src/scene/functions.cpp
+// includes this; its rows come after those of src/scene/layer_functions.h.
 #pragma once
 
 #include <string>
@@ -11,6 +11,10 @@
 
 namespace betwixt {
 
+inline void put_mesh(Shape& s, const Value& v, const Scene& scene) {
+  const auto found = scene.meshes->find(*std::get<Text>(v));
+  if (found != scene.meshes->end()) s.mesh = found->second;
+}
 inline void put_video(Shape& s, const Value& v, const Scene& scene) {
   const auto found = scene.videos->find(*std::get<Text>(v));
   const double aspect = found == scene.videos->end() ? 16.0 / 9 : found->second->aspect;
@@ -28,9 +32,11 @@ struct TimeRow {
   double low = 0, high = longest_seconds;
 };
 inline const TimeRow time_rows[] = {
-    {"at", "The time of the film at which the first picture of a video is shown; it stands still before.",
-     "The time of the film at which the first picture of a video on its surface is shown; it stands still before.",
-     "a time", Type::scalar, 0.0, Unit::moment, -longest_seconds},
+    {"at",
+     "The time of the film at which a video begins; by default the film's first frame. Its first picture stands still "
+     "before.",
+     "The time of the film at which the video on its surface begins; by default the film's first frame.", "a time",
+     Type::scalar, 0.0, Unit::moment, -longest_seconds},
     {"from", "The second of its file with which a video begins.",
      "The second of its file with which the video on its surface begins.", "a length of time", Type::scalar, 0.0,
      Unit::seconds},

@@ -35,6 +35,24 @@ TEST(RenderSame, TheSameFrameTwiceIsTheSamePicture) {
   }
 }
 
+// A renderer's first picture is as its others, though it makes what it needs only then: programs, shadows, textures.
+TEST(RenderSame, TheFirstPictureIsAsTheSecond) {
+  const auto white = std::make_shared<const Picture>(Picture{2, 2, std::vector<std::uint8_t>(16, 255)});
+  Frame f = busy();
+  for (Item& i : f.items) i.texture = white, i.transparency = 0;
+  Frame before = f;
+  before.items[3].world = translation({1, 1, 1});
+  for (const bool sky : {false, true}) {
+    if (sky) f.surroundings.environment.kind = before.surroundings.environment.kind = Sky::studio;
+    const Picture first = draw(f, {160, 90, 4, "shaded"});
+    const auto r = renderer({160, 90, 4, "shaded"});
+    Picture later;
+    ASSERT_TRUE(r->render(before, later));
+    ASSERT_TRUE(r->render(f, later));
+    EXPECT_EQ(first.rgba, later.rgba) << sky;
+  }
+}
+
 TEST(RenderSame, TwoThreadsDrawTheSamePictures) {
   const Picture expected = draw(busy(), {160, 90, 4, "shaded"});
   Picture got[2];

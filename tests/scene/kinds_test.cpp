@@ -132,6 +132,7 @@ TEST(Functions, KindsHaveTheirs) {
            {Kind::polygon, {"points", "holes"}},
            {Kind::text, {"text", "tex", "part", "font", "size", "align", "weight", "slant", "typed"}},
            {Kind::rectangle, {"size", "corner"}},
+           {Kind::video, {"file", "height", "corner", "at", "from", "until", "speed", "loop", "time"}},
            {Kind::ring, {"radius", "inner"}},
            {Kind::arc, {"radius", "from", "to", "width", "value", "room"}},
            {Kind::regular, {"sides", "radius"}},
@@ -151,6 +152,8 @@ TEST(Functions, KindsHaveTheirs) {
       "thickness",           "normal-strength", "normal-map",         "roughness-map",     "metalness-map",
       "occlusion-map",       "emission-map",    "texture-projection", "texture-tile",      "texture-move",
       "texture-turn"};
+  const std::set<std::string> times{"texture-at",    "texture-from", "texture-until",
+                                    "texture-speed", "texture-loop", "texture-time"};
   const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "stroke-round", "dash", "trim"};
   for (const bool is_flat : {false, true})
     for (const auto& [kind, names] : is_flat ? flat : own) {
@@ -158,6 +161,7 @@ TEST(Functions, KindsHaveTheirs) {
       all.insert(names.begin(), names.end());
       if (is_flat) all.insert(outlines.begin(), outlines.end());
       if (drawable(kind)) all.insert(finishes.begin(), finishes.end());
+      if (drawable(kind) && kind != Kind::video) all.insert(times.begin(), times.end());
       const auto has = function_names(s, kind);
       EXPECT_EQ(std::set<std::string>(has.begin(), has.end()), all) << name_of(kind);
     }
