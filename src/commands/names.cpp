@@ -81,7 +81,8 @@ bool define(Command& k) {
   std::string_view name;
   if (!new_name(c, name, "function's name", "/")) return false;
   const auto built_in = built_in_functions();
-  const auto called = [&](const FunctionSpec& spec) { return spec.name == name; };
+  // What only videos have (`speed`, `time`) may be a function of the film's own: with a video, its own one is meant.
+  const auto called = [&](const FunctionSpec& spec) { return spec.name == name && spec.kinds != bit(Kind::video); };
   if (name == "world" || name == "velocity" || s.defined->find(name) ||
       std::any_of(built_in.begin(), built_in.end(), called))
     return c.fail(ErrorCode::name, fmt::format("a function '{}' already exists", name), name);

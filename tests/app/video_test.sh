@@ -57,6 +57,9 @@ is "a texture changes its file" "$(shown --frames 2f..6f)" "$(expected 'f + 1' 5
 film $'create clip video file="code.mp4" height=2 at=1f\nset eye.shutter 180deg'
 is "with a shutter" "$(shown --frames 40f..44f)" "$(expected 'f + 39' 5)"
 
+film $'define speed number\ncreate clip video file="code.mp4" height=2 speed=3\ncreate ball sphere display=off speed=7'
+is "a film may have a function speed of its own" "$(shown --frames 1f..4f)" "$(expected '3 * f' 4)"
+has "it has its value" "$("$program" eval now.bx --at 2f ball.speed)" 7
 check "a film with a video is good" 0 "" check now.bx
 check "a missing file" 1 "there is no file" check <(film 'create clip video file="none.mp4"'; cat now.bx)
 for bad in 'create clip video' 'create clip video file="film.bx"' 'create clip video file="sound.wav"' \
