@@ -53,9 +53,8 @@ std::vector<std::string> decoder_call(const std::string& path, const VideoIndex&
   if (!index.decoder.empty()) words.insert(words.end(), {"-c:v", index.decoder});
   words.insert(words.end(), {"-flags:v", "bitexact", "-idct", "simple"});
   for (std::string& word : arguments_for_reading(path)) words.push_back(std::move(word));
-  std::string filter =
-      fmt::format("scale={}:{}:flags=bicubic+bitexact+accurate_rnd+full_chroma_int+full_chroma_inp:out_range=pc",
-                  index.width, index.height);
+  std::string filter = fmt::format("scale={}:{}:flags=bilinear+bitexact+accurate_rnd+full_chroma_int:out_range=pc",
+                                   index.width, index.height);
   // As players do: large pictures have the colours of HDTV.
   if (index.vague_colors && std::max(index.width, index.height) >= 1280) filter += ":in_color_matrix=bt709";
   words.insert(words.end(), {"-map", "0:V:0", "-fps_mode", "passthrough", "-enc_time_base", "-1", "-filter_threads",
