@@ -308,6 +308,7 @@ class Engine {
         FS.writeFile(at, bytes);
         written.push(at);
       }
+      if (path.startsWith("/tmp/")) FS.writeFile(path, this.#module.FS.readFile(path)), written.push(path);  // videos.cpp
       const size = lengthBytesUTF8(path) + 1, at = _malloc(size);
       stringToUTF8(path, at, size);
       const needed = UTF8ToString(this.#reader._betwixt_parse(task, at));

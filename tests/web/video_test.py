@@ -24,7 +24,7 @@ with tempfile.TemporaryDirectory() as folder:
         page.go(f"file://{folder}/film.html")
         page.do("""window.p = document.querySelector("betwixt-player"); window.shown = (frame) => {
             const c = new OffscreenCanvas(128, 64), d = new OffscreenCanvas(128, 64), k = d.getContext("2d"); let n = 0;
-            p.film.draw(c, frame / 24), k.drawImage(c, 0, 0);
+            p.film.draw(c, (frame - 1) / 24), k.drawImage(c, 0, 0);
             for (let i = 0; i < 8; ++i) if (k.getImageData(16 * i + 8, 32, 1, 1).data[0] > 127) n |= 1 << i;
             return n; };""")
         page.until("p.readyState === 4")
