@@ -90,6 +90,13 @@ class Projection {
   std::array<double, 4> depth_;
 };
 
+// Returns whether a gradient goes straight up or down in the picture, to less than can be seen.
+bool is_even(const Gradient& g, const std::array<std::array<double, 3>, 3>& rows, int width) {
+  constexpr double nothing = 1e-9;
+  return g.kind == GradientKind::linear && std::abs(rows[2][0]) * width <= nothing * std::abs(rows[2][2]) &&
+         std::abs(rows[0][0]) * width <= nothing * std::abs(rows[2][2]);
+}
+
 bool boxes_meet(const Area& a, const Area& b) {
   return a.left() < b.right() && b.left() < a.right() && a.top() < b.bottom() && b.top() < a.bottom();
 }
@@ -219,7 +226,9 @@ void FlatPainter::outline(Painted& to, const Thing& t) const {
     if (const Gradient* const gradient = gradient_of(t.gradients.get(), part.tinted, part.stroke)) {
       const auto rows =
           project.back_to(placed_gradient(*gradient, t.gradient_box, t.to_object), t.mesh->box.middle().z);
-      if (rows) paint.graded = std::make_shared<const Graded>(Graded{GradientColors(*gradient), *rows});
+      if (rows)
+        paint.graded =
+            std::make_shared<const Graded>(Graded{GradientColors(*gradient), *rows, is_even(*gradient, *rows, width_)});
       to.good = to.good && rows && !thick;
     }
     to.parts.push_back(std::move(paint));
@@ -298,9 +307,11 @@ void FlatPainter::lay(const Paint& p, const RowCoverage& covered, int y, Color* 
     for (const float share : covered.of) put(row[x++], p.color, share * p.opacity);
     return;
   }
+  const bool even = p.graded->even;
+  const Color of_row = even ? graded_at(*p.graded, 0, y) : Color{0, 0, 0};
   for (const float share : covered.of) {
     if (share > 0) {
-      const Color c = graded_at(*p.graded, x, y);
+      const Color c = even ? of_row : graded_at(*p.graded, x, y);
       put(row[x], {c.r, c.g, c.b}, share * p.opacity * c.opacity);
     }
     ++x;

@@ -35,6 +35,7 @@ class FlatPainter {
   struct Graded {
     GradientColors colors;
     std::array<std::array<double, 3>, 3> rows;
+    bool even = false;  // each row of pixels has one colour
   };
   // A part of an object.
   struct Paint {
