@@ -51,31 +51,7 @@ class Projection {
     all_ = v.clip() * m;
     for (int k = 0; k < 4; ++k) depth_[static_cast<std::size_t>(k)] = -dot(v.backward, {m(0, k), m(1, k), m(2, k)});
   }
-  // Returns rows from pixels (x y 1) to the plane of a gradient on the mesh's plane at this z, with a divisor; nullopt
-  // if it is seen from its edge.
-  std::optional<std::array<std::array<double, 3>, 3>> back_to(const PlacedGradient& to, double z) const {
-    std::array<std::array<double, 3>, 3> p{};  // from (x y 1) of the mesh to pixels
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto at = [&](int row) {
-        const int c = static_cast<int>(k);
-        return k < 2 ? all_(row, c) : all_(row, 2) * z + all_(row, 3);
-      };
-      p[0][k] = 0.5 * width_ * (at(0) + at(3)), p[1][k] = 0.5 * height_ * (at(1) + at(3)), p[2][k] = at(3);
-    }
-    const auto minor = [&](std::size_t r, std::size_t c) {
-      const auto &a = p[(r + 1) % 3], &b = p[(r + 2) % 3];
-      return a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
-    };
-    if (const double d = p[0][0] * minor(0, 0) + p[0][1] * minor(0, 1) + p[0][2] * minor(0, 2); !(std::abs(d) > 1e-300))
-      return std::nullopt;
-    const auto rows = std::array{std::array{to.x[0], to.x[1], to.x[2] * z + to.x[3]},
-                                 std::array{to.y[0], to.y[1], to.y[2] * z + to.y[3]}, std::array{0.0, 0.0, 1.0}};
-    std::array<std::array<double, 3>, 3> out{};
-    for (std::size_t r = 0; r < 3; ++r)
-      for (std::size_t c = 0; c < 3; ++c)
-        out[r][c] = rows[r][0] * minor(c, 0) + rows[r][1] * minor(c, 1) + rows[r][2] * minor(c, 2);
-    return out;
-  }
+  const Mat4& to_clip() const { return all_; }
   Point operator()(const std::array<float, 3>& p) const {
     const double x = static_cast<double>(p[0]), y = static_cast<double>(p[1]), z = static_cast<double>(p[2]);
     const auto row = [&](int i) { return all_(i, 0) * x + all_(i, 1) * y + all_(i, 2) * z + all_(i, 3); };
@@ -89,13 +65,6 @@ class Projection {
   Mat4 all_;
   std::array<double, 4> depth_;
 };
-
-// Returns whether a gradient goes straight up or down in the picture, to less than can be seen.
-bool is_even(const Gradient& g, const std::array<std::array<double, 3>, 3>& rows, int width) {
-  constexpr double nothing = 1e-9;
-  return g.kind == GradientKind::linear && std::abs(rows[2][0]) * width <= nothing * std::abs(rows[2][2]) &&
-         std::abs(rows[0][0]) * width <= nothing * std::abs(rows[2][2]);
-}
 
 bool boxes_meet(const Area& a, const Area& b) {
   return a.left() < b.right() && b.left() < a.right() && a.top() < b.bottom() && b.top() < a.bottom();
@@ -224,8 +193,8 @@ void FlatPainter::outline(Painted& to, const Thing& t) const {
     paint.color = {channel(0), channel(1), channel(2)};
     paint.opacity = t.instance.color[3];
     if (const Gradient* const gradient = gradient_of(t.gradients.get(), part.tinted, part.stroke)) {
-      const auto rows =
-          project.back_to(placed_gradient(*gradient, t.gradient_box, t.to_object), t.mesh->box.middle().z);
+      const auto rows = rows_from_pixels(placed_gradient(*gradient, t.gradient_box, t.to_object), project.to_clip(),
+                                         width_, height_, t.mesh->box.middle().z);
       if (rows)
         paint.graded =
             std::make_shared<const Graded>(Graded{GradientColors(*gradient), *rows, is_even(*gradient, *rows, width_)});

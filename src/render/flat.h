@@ -34,7 +34,7 @@ class FlatPainter {
   // The gradient of a part: its colours, and rows from pixels (x y 1) to its own plane, with a divisor.
   struct Graded {
     GradientColors colors;
-    std::array<std::array<double, 3>, 3> rows;
+    PixelRows rows;
     bool even = false;  // each row of pixels has one colour
   };
   // A part of an object.

@@ -45,6 +45,36 @@ PlacedGradient placed_gradient(const Gradient& g, const Box& box, const Mat4& m)
   return out;
 }
 
+std::optional<PixelRows> rows_from_pixels(const PlacedGradient& to, const Mat4& clip, int width, int height, double z) {
+  PixelRows p{};  // from (x y 1) of the mesh to pixels
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = [&](int row) {
+      const int c = static_cast<int>(k);
+      return k < 2 ? clip(row, c) : clip(row, 2) * z + clip(row, 3);
+    };
+    p[0][k] = 0.5 * width * (at(0) + at(3)), p[1][k] = 0.5 * height * (at(1) + at(3)), p[2][k] = at(3);
+  }
+  const auto minor = [&](std::size_t r, std::size_t c) {
+    const auto &a = p[(r + 1) % 3], &b = p[(r + 2) % 3];
+    return a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+  };
+  const double d = p[0][0] * minor(0, 0) + p[0][1] * minor(0, 1) + p[0][2] * minor(0, 2);
+  if (!(std::abs(d) > 1e-300)) return std::nullopt;
+  const std::array<double, 3> rows[] = {
+      {to.x[0], to.x[1], to.x[2] * z + to.x[3]}, {to.y[0], to.y[1], to.y[2] * z + to.y[3]}, {0, 0, 1}};
+  PixelRows out{};
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c)
+      out[r][c] = rows[r][0] * minor(c, 0) + rows[r][1] * minor(c, 1) + rows[r][2] * minor(c, 2);
+  return out;
+}
+
+bool is_even(const Gradient& g, const PixelRows& rows, int width) {
+  constexpr double nothing = 1e-9;
+  return g.kind == GradientKind::linear && std::abs(rows[2][0]) * width <= nothing * std::abs(rows[2][2]) &&
+         std::abs(rows[0][0]) * width <= nothing * std::abs(rows[2][2]);
+}
+
 GradientColors::GradientColors(const Gradient& g)
     : kind_(g.kind == GradientKind::circular ? GradientKind::radial : g.kind), spread_(g.spread), size_(g.size) {
   GradientLight sum;

@@ -4,6 +4,8 @@
 // Gradients on meshes: for shaders, and the same on the processor.
 #pragma once
 
+#include <optional>
+
 #include "exchange/gradient_place.h"
 
 namespace betwixt {
@@ -13,6 +15,14 @@ struct PlacedGradient {
   std::array<double, 4> x{}, y{};
 };
 PlacedGradient placed_gradient(const Gradient&, const Box& of_object, const Mat4& mesh_to_object);
+
+// Rows from pixels (x y 1) to the plane of a gradient, with a divisor.
+using PixelRows = std::array<std::array<double, 3>, 3>;
+// Returns those of a gradient on the plane of its mesh at this z; nullopt if it is seen from its edge.
+std::optional<PixelRows> rows_from_pixels(const PlacedGradient&, const Mat4& mesh_to_clip, int width, int height,
+                                          double z);
+// Returns whether a gradient goes straight up or down in the picture, to less than can be seen.
+bool is_even(const Gradient&, const PixelRows&, int width);
 
 // Light times opacity, and opacity.
 struct GradientLight {
