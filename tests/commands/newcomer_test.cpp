@@ -62,7 +62,7 @@ TEST(Newcomer, A_scale_of_nothing_is_pointed_out) {
 // Words that are tried as kinds and as commands say what there is.
 TEST(Newcomer, Words_from_elsewhere_lead_to_what_there_is) {
   for (const auto& [word, leads] : {std::pair{"image", "texture=\"photo.png\""},
-                                    {"video", "texture"},
+                                    {"movie", "create clip video file="},
                                     {"svg", "create logo scene file=\"logo.svg\""},
                                     {"particles", "create p{1..200} sphere"},
                                     {"caption", "create caption text"},
