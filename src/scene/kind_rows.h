@@ -149,7 +149,7 @@ inline constexpr KindRow kind_rows[] = {
     flat<video_contours>({.kind = Kind::video,
                           .name = "video",
                           .sentence = "A flat rectangle that shows a video from a file below the script's folder.",
-                          .written = "file=\"…\" height=1 at=0 from=0s until=… speed=1 loop=off time=… corner=0",
+                          .written = "file=\"…\" height=1 at=… from=0s until=… speed=1 loop=off time=… corner=0",
                           .example = "create clip video file=\"talk.mp4\" at=48f height=4",
                           .functions = "height"}),
     flat<ring_contours>({.kind = Kind::ring,
