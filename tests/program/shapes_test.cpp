@@ -37,12 +37,21 @@ std::pair<Value, Value> two_values(const FunctionSpec& f) {
 }
 
 // A scene of one object, whose function goes from one value to another.
+struct WideVideo final : Video {
+  explicit WideVideo(double wide) { aspect = wide, begins = {0}, end = 1; }
+  Result<std::shared_ptr<const Picture>> picture(std::size_t) const override {
+    return std::make_shared<const Picture>();
+  }
+};
+
 Scene scene_of(Kind kind, FunctionId f, const Value& first, const Value& last) {
   Scene s;
   s.meshes.edit()["one"] = std::make_shared<const Mesh>();
   Mesh mesh;
   mesh.positions.push_back({1, 2, 3});
   s.meshes.edit()["two"] = std::make_shared<const Mesh>(mesh);
+  s.videos.edit()["one"] = std::make_shared<const WideVideo>(2),
+  s.videos.edit()["two"] = std::make_shared<const WideVideo>(3);
   for (const char* formula : {"one", "two"}) s.formulas.edit()[formula] = std::make_shared<const Outline>();
   Object o;
   o.name = "thing";
