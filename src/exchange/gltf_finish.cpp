@@ -120,7 +120,9 @@ Result<std::shared_ptr<const Finish>> finish_of(GltfModel& model, const gltf::Ma
   const Finish before = f;
   add_extensions(m, f, leave_out);
   const bool dark = f.emission == Vec3{};
-  const bool plain = !between && dark && !f.has_pictures() && f == before && f.tile_x == 1 && f.tile_y == 1 &&
+  // A shininess is not quite a roughness: only our own files mean one.
+  const bool ours = model.model().asset.generator.starts_with("Betwixt");
+  const bool plain = ours && !between && dark && !f.has_pictures() && f == before && f.tile_x == 1 && f.tile_y == 1 &&
                      f.turn == 0 && f.move_x == 0 && f.move_y == 0;
   return plain ? nullptr : std::make_shared<const Finish>(f);
 }
