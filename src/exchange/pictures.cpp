@@ -182,28 +182,6 @@ Status write_png(const std::string& path, const LinearPicture& picture, bool ove
 
 namespace {
 
-// Gives bytes to the reader, and notices if it wants more than there are: it reads those as black.
-struct GivenBytes {
-  std::span<const std::uint8_t> left;
-  bool asked_for_more = false;
-
-  static int read(void* self, char* to, int wanted) {
-    constexpr int buffer = 128;  // the reader fills this one as far as it can
-    GivenBytes& given = *static_cast<GivenBytes*>(self);
-    const std::size_t count = std::min(static_cast<std::size_t>(std::max(wanted, 0)), given.left.size());
-    given.asked_for_more |=
-        wanted > 0 && (count == 0 || (wanted != buffer && count < static_cast<std::size_t>(wanted)));
-    std::copy_n(given.left.begin(), count, to);
-    given.left = given.left.subspan(count);
-    return static_cast<int>(count);
-  }
-  static void skip(void* self, int count) {
-    GivenBytes& given = *static_cast<GivenBytes*>(self);
-    given.left = given.left.subspan(std::min(static_cast<std::size_t>(std::max(count, 0)), given.left.size()));
-  }
-  static int at_end(void* self) { return static_cast<GivenBytes*>(self)->left.empty() ? 1 : 0; }
-};
-
 // Radiance: RGB with a common exponent. Light that is infinite or no number becomes the most that is kept, or none.
 Result<LinearPicture> decode_hdr(std::span<const std::uint8_t> bytes, const std::string& name) {
   int width = 0, height = 0, channels = 0;
@@ -216,12 +194,17 @@ Result<LinearPicture> decode_hdr(std::span<const std::uint8_t> bytes, const std:
   struct FreeFloats {
     void operator()(float* p) const { stbi_image_free(p); }
   };
-  GivenBytes given{bytes};
-  const stbi_io_callbacks calls{GivenBytes::read, GivenBytes::skip, GivenBytes::at_end};
-  const std::unique_ptr<float, FreeFloats> light(
-      stbi_loadf_from_callbacks(&calls, &given, &width, &height, &channels, 4));
+  using Light = std::unique_ptr<float, FreeFloats>;
+  const auto decoded = [&](std::span<const std::uint8_t> all) {
+    return Light(stbi_loadf_from_memory(all.data(), static_cast<int>(all.size()), &width, &height, &channels, 4));
+  };
+  // The reader takes what is missing at the end as zeros. So it must not matter what follows.
+  std::vector<std::uint8_t> longer(bytes.begin(), bytes.begin() + length);
+  longer.resize(std::min(longer.size() + 4 * static_cast<std::size_t>(width) + 64, std::size_t{INT_MAX}), 0x5a);
+  const Light light = decoded(bytes.first(static_cast<std::size_t>(length))), again = decoded(longer);
   if (!light) return broken(name, stbi_failure_reason() != nullptr ? stbi_failure_reason() : "no reason given");
-  if (given.asked_for_more) return broken(name, "it ends too early");
+  if (!again || std::memcmp(light.get(), again.get(), numbers * sizeof(float)) != 0)
+    return broken(name, "it ends too early");
   constexpr float most = 65504;  // as in OpenEXR's half floats
   LinearPicture picture{width, height, std::vector<float>(light.get(), light.get() + numbers)};
   for (float& c : picture.rgba) c = std::isnan(c) ? 0 : std::clamp(c, 0.0F, most);
