@@ -60,7 +60,7 @@ END
 
 # The animation at the top of README.md: two seconds of six films.
 reel() {
-  local films='still-life 20 letters 20 solar 60 chart-race 150 marbles 60 fourier 130' n=0 inputs=()
+  local films='still-life 20 sunset 20 letters 20 chart-race 150 marbles 60 solar 60' n=0 inputs=()
   set -- "$1" "$2" $films
   for (( ; $# > 2; ++n )); do
     "$1" render "$root/examples/$3.bx" --frames "$4f..$(($4 + 47))f" --size 1280x720 --quality 95 -o "$2/$n.mp4" || return 1
