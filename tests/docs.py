@@ -48,7 +48,7 @@ def main():
         for name in ("narration.wav", "narration.words"):
             shutil.copy(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "examples", name), folder)
         examples = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "examples")
-        shutil.copy(os.path.join(examples, "bounce.mp4"), os.path.join(folder, "talk.mp4"))
+        shutil.copy(os.path.join(examples, "videos", "bouncing.mp4"), os.path.join(folder, "talk.mp4"))
         for page, warns, code in films():
             found += 1
             if output := check_film(program, folder, warns, code):
