@@ -65,11 +65,11 @@ inline const FunctionSpec gradient_functions[] = {
                   .example = "create card rectangle gradient=linear\nset card.gradient-turn 90deg"}),
     gradient_row(fn::gradient_move, {.name = "gradient-move",
                                      .sentence = "How far its gradient is moved, in widths and heights of the object.",
-                                     .example = "create ball disc gradient=radial\nset ball.gradient-move (-0.2 0.2)"}),
+                                     .example = "create dot disc gradient=radial\nset dot.gradient-move (-0.2 0.2)"}),
     gradient_row(fn::gradient_size,
                  {.name = "gradient-size",
                   .sentence = "The length of its gradient, relative to the object; of a conic one, the part of a turn.",
-                  .example = "create ball disc gradient=radial\nset ball.gradient-size 1.5"}),
+                  .example = "create dot disc gradient=radial\nset dot.gradient-size 1.5"}),
     gradient_row(fn::gradient_spread,
                  {.name = "gradient-spread",
                   .sentence = "What is beyond its gradient: the color of the end, the gradient again, or again and "

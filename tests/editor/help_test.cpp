@@ -60,7 +60,10 @@ TEST(Help, RoadsLeadToWords) {
     return std::any_of(help_entries().begin(), help_entries().end(), [&](const HelpEntry& e) { return e.word == w; });
   };
   for (const ForeignWord& r : foreign_words()) {
-    EXPECT_FALSE(has_help(r.word)) << r.word;
+    // The name of a function of few kinds, as speed of videos, has both: where it leads, and what it is there.
+    EXPECT_FALSE(std::any_of(help_entries().begin(), help_entries().end(), [&](const HelpEntry& e) {
+      return e.word == r.word && !e.function;
+    })) << r.word;
     std::istringstream see{std::string(r.see)};
     int words = 0;
     for (std::string w; see >> w; ++words) EXPECT_TRUE(has_help(w)) << r.word << " leads to " << w;

@@ -154,6 +154,10 @@ TEST(Functions, KindsHaveTheirs) {
       "texture-turn"};
   const std::set<std::string> times{"texture-at",    "texture-from", "texture-until",
                                     "texture-speed", "texture-loop", "texture-time"};
+  std::set<std::string> gradients;
+  for (const std::string before : {"", "stroke-"})
+    for (const char* after : {"", "-color", "-stops", "-turn", "-move", "-size", "-spread"})
+      gradients.insert(before + "gradient" + after);
   const std::set<std::string> outlines{"depth", "fill", "stroke", "stroke-width", "stroke-round", "dash", "trim"};
   for (const bool is_flat : {false, true})
     for (const auto& [kind, names] : is_flat ? flat : own) {
@@ -161,6 +165,8 @@ TEST(Functions, KindsHaveTheirs) {
       all.insert(names.begin(), names.end());
       if (is_flat) all.insert(outlines.begin(), outlines.end());
       if (drawable(kind)) all.insert(finishes.begin(), finishes.end());
+      for (const std::string& name : gradients)
+        if (drawable(kind) && (is_flat || !name.starts_with("stroke"))) all.insert(name);
       if (drawable(kind) && kind != Kind::video) all.insert(times.begin(), times.end());
       const auto has = function_names(s, kind);
       EXPECT_EQ(std::set<std::string>(has.begin(), has.end()), all) << name_of(kind);

@@ -90,7 +90,7 @@ class ExplainingTest : public QObject {
   }
 
   void each_kind_shows_something_at_once() {
-    const std::set<Kind> no_shape{Kind::group, Kind::light, Kind::camera, Kind::sound, Kind::mesh};
+    const std::set<Kind> no_shape{Kind::group, Kind::light, Kind::camera, Kind::sound, Kind::mesh, Kind::video};
     for (const QByteArray& film_text :
          {QByteArray("film flat\nrange 1f 24f\n"), QByteArray("range 1f 24f\nground on\n")})
       for (const CreatedKind& row : created_kinds()) {

@@ -198,7 +198,8 @@ class NewParts {
       case Type::color:
         return "(0.1 0 0)";
       default:
-        return spec_of(d_.scene(), targets_.back().function).unit == Unit::opening ? "1s" : "1";
+        const Unit unit = spec_of(d_.scene(), targets_.back().function).unit;
+        return unit == Unit::opening || unit == Unit::seconds || unit == Unit::moment ? "1s" : "1";
     }
   }
 
