@@ -7,9 +7,11 @@
 #include <stb_image.h>
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -182,32 +184,76 @@ Status write_png(const std::string& path, const LinearPicture& picture, bool ove
 
 namespace {
 
-// Radiance: RGB with a common exponent. Light that is infinite or no number becomes the most that is kept, or none.
+// Reads bytes one after the other; `ended` says that there were too few.
+struct ByteReader {
+  std::span<const std::uint8_t> left;
+  bool ended = false;
+
+  std::uint8_t next() {
+    if (left.empty()) return ended = true, std::uint8_t{0};
+    const std::uint8_t byte = left.front();
+    left = left.subspan(1);
+    return byte;
+  }
+  std::string line() {
+    std::string text;
+    for (char c = static_cast<char>(next()); c != '\n' && !ended && text.size() < 1024; c = static_cast<char>(next()))
+      text += c;
+    return text;
+  }
+};
+
+// Fills a row of Radiance: four channels in runs, or pixel by pixel. Returns false if a run is too long.
+bool read_radiance_row(ByteReader& from, std::vector<std::array<std::uint8_t, 4>>& row) {
+  const std::size_t width = row.size();
+  for (std::uint8_t& byte : row[0]) byte = from.next();
+  const auto& head = row[0];
+  const bool runs = width >= 8 && width < 32768 && head[0] == 2 && head[1] == 2 &&
+                    static_cast<std::size_t>(256 * head[2] + head[3]) == width;
+  if (!runs) {
+    for (std::size_t x = 1; x < width && !from.ended; ++x)
+      for (std::uint8_t& byte : row[x]) byte = from.next();
+    return true;
+  }
+  for (std::size_t channel = 0; channel < 4; ++channel)
+    for (std::size_t x = 0; x < width && !from.ended;) {
+      const std::uint8_t count = from.next();
+      const std::size_t length = count > 128 ? count - 128 : count;
+      if (from.ended) break;
+      if (length == 0 || length > width - x) return false;
+      const std::uint8_t same = count > 128 ? from.next() : 0;
+      for (std::size_t k = 0; k < length; ++k) row[x++][channel] = count > 128 ? same : from.next();
+    }
+  return true;
+}
+
+// Radiance: RGB with a common exponent. Light is at most what OpenEXR's half floats hold. Our own reader: that of stb
+// does not come to an end, or leaves rows black, where a file ends too early.
 Result<LinearPicture> decode_hdr(std::span<const std::uint8_t> bytes, const std::string& name) {
-  int width = 0, height = 0, channels = 0;
-  const int length = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
-  if (stbi_info_from_memory(bytes.data(), length, &width, &height, &channels) == 0)
-    return broken(name, stbi_failure_reason() != nullptr ? stbi_failure_reason() : "no reason given");
-  if (const Status size = check_size(name, width, height); !size) return size.error();
-  const std::size_t numbers = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  ByteReader from{bytes};
+  bool rgbe = false;
+  for (std::string line = from.line(); !line.empty() && !from.ended; line = from.line())
+    rgbe |= line == "FORMAT=32-bit_rle_rgbe";
+  const std::string size = from.line();
+  int width = 0, height = 0, read = 0;
+  if (!rgbe || std::sscanf(size.c_str(), "-Y %d +X %d%n", &height, &width, &read) != 2)
+    return broken(name, "its head is not that of 32-bit_rle_rgbe, -Y … +X …");
+  if (const Status fits = check_size(name, width, height); !fits) return fits.error();
+  const std::size_t wide = static_cast<std::size_t>(width), numbers = 4 * wide * static_cast<std::size_t>(height);
   if (const Status fits = unpack(numbers * sizeof(float), name); !fits) return fits.error();
-  struct FreeFloats {
-    void operator()(float* p) const { stbi_image_free(p); }
-  };
-  using Light = std::unique_ptr<float, FreeFloats>;
-  const auto decoded = [&](std::span<const std::uint8_t> all) {
-    return Light(stbi_loadf_from_memory(all.data(), static_cast<int>(all.size()), &width, &height, &channels, 4));
-  };
-  // The reader takes what is missing at the end as zeros. So it must not matter what follows.
-  std::vector<std::uint8_t> longer(bytes.begin(), bytes.begin() + length);
-  longer.resize(std::min(longer.size() + 4 * static_cast<std::size_t>(width) + 64, std::size_t{INT_MAX}), 0x5a);
-  const Light light = decoded(bytes.first(static_cast<std::size_t>(length))), again = decoded(longer);
-  if (!light) return broken(name, stbi_failure_reason() != nullptr ? stbi_failure_reason() : "no reason given");
-  if (!again || std::memcmp(light.get(), again.get(), numbers * sizeof(float)) != 0)
-    return broken(name, "it ends too early");
-  constexpr float most = 65504;  // as in OpenEXR's half floats
-  LinearPicture picture{width, height, std::vector<float>(light.get(), light.get() + numbers)};
-  for (float& c : picture.rgba) c = std::isnan(c) ? 0 : std::clamp(c, 0.0F, most);
+  constexpr float most = 65504;
+  LinearPicture picture{width, height, {}};
+  picture.rgba.reserve(numbers);
+  std::vector<std::array<std::uint8_t, 4>> row(wide);
+  for (int y = 0; y < height; ++y) {
+    if (!read_radiance_row(from, row)) return broken(name, "a run is longer than its row");
+    if (from.ended) return broken(name, "it ends too early");
+    for (const auto& [r, g, b, exponent] : row) {
+      const float unit = exponent == 0 ? 0 : std::ldexp(1.0F, exponent - 136);
+      for (const std::uint8_t c : {r, g, b}) picture.rgba.push_back(std::min(unit * static_cast<float>(c), most));
+      picture.rgba.push_back(1);
+    }
+  }
   return picture;
 }
 
