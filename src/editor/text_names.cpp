@@ -56,12 +56,9 @@ bool is_value_word(std::string_view line, std::size_t word_at, std::string_view 
   if (!token || token->kind != TokenKind::word) return false;
   const std::string_view name = part(line, run_around(line.substr(0, token->end()), token->end(), of_function));
   const auto has = [&](const FunctionSpec& f) {
-    for (std::string_view rest = f.words; f.name == name && !rest.empty();) {
-      const std::size_t bar = std::min(rest.find('|'), rest.size());
-      if (rest.substr(0, bar) == word) return true;
-      rest.remove_prefix(std::min(rest.size(), bar + 1));
-    }
-    return false;
+    if (f.name != name) return false;
+    const std::vector<std::string_view> words = choices(f);
+    return std::ranges::find(words, word) != words.end();
   };
   return std::ranges::any_of(built_in_functions(), has);
 }

@@ -166,20 +166,20 @@ struct FormulaPiece {
 
 const MaterialRow& material_of(const Value&);
 
-// The functions that an object has of those that make a finish.
-struct FinishUse {
-  static constexpr std::size_t count = fn::texture_turn - fn::metalness + 1;
+// The bindings of a drawable's functions from `first_of` to `last`.
+template <FunctionId first_of, FunctionId last>
+struct GivenFunctions {
+  static constexpr FunctionId first = first_of;
+  static constexpr std::size_t count = last - first_of + 1;
   std::array<const Binding*, count> bound{};  // null if it has its default
-  bool colored = false;                       // whether it has a colour of its own, in place of the material's
-  const Binding* at(FunctionId f) const { return bound[f - fn::metalness]; }
+  const Binding* at(FunctionId f) const { return bound[static_cast<std::size_t>(f - first)]; }
 };
-
-// The functions that an object has of those that make gradients.
-struct GradientUse {
-  static constexpr std::size_t count = fn::stroke_gradient_spread - fn::gradient + 1;
-  std::array<const Binding*, count> bound{};  // null if it has its default
-  const Binding* at(std::size_t f) const { return bound[f - fn::gradient]; }
+// Those that make a finish.
+struct FinishUse : GivenFunctions<fn::metalness, fn::texture_turn> {
+  bool colored = false;  // whether it has a colour of its own, in place of the material's
 };
+// Those that make gradients.
+struct GradientUse : GivenFunctions<fn::gradient, fn::stroke_gradient_spread> {};
 
 // The functions that say which picture of a video a drawable shows: offsets into the numbers.
 struct VideoUse {

@@ -4,47 +4,13 @@
 // The finishes of drawables: which functions make one, and their values at a time.
 #include <algorithm>
 
-#include "program/compile.h"
-#include "program/evaluator.h"
+#include "program/given_values.h"
 
 namespace betwixt {
 namespace {
 
 // Returns whether a material may need a finish at some time.
 bool may_be_named(const Drawable& d) { return !d.made_of || !d.made_of->plain; }
-
-// A finish in which the functions that the object has replace those of its material.
-class FinishValues {
- public:
-  FinishValues(const FinishUse& use, const Program::Compiled& film, const std::vector<double>& numbers, Time t,
-               Asking& asking)
-      : use_(use), film_(film), numbers_(numbers), time_(t), asking_(asking) {}
-
-  void number(FunctionId f, double& to) const {
-    if (const Binding* b = use_.at(f)) to = numbers_[b->offset];
-  }
-  void share(FunctionId f, double& to) const { number(f, to), to = std::clamp(to, 0.0, 1.0); }
-  void color(FunctionId f, Vec3& to) const {
-    if (const Binding* b = use_.at(f)) to = {numbers_[b->offset], numbers_[b->offset + 1], numbers_[b->offset + 2]};
-  }
-  void pair(FunctionId f, double& x, double& y) const {
-    if (const Binding* b = use_.at(f)) x = numbers_[b->offset], y = numbers_[b->offset + 1];
-  }
-  void picture(FunctionId f, std::shared_ptr<const Picture>& to) const {
-    if (!use_.at(f)) return;
-    const std::uint32_t number = film_.texture(value(f));
-    to = number == Evaluation::Look::none ? nullptr : film_.textures[number];
-  }
-  std::string word(FunctionId f) const { return use_.at(f) ? *std::get<Text>(value(f)) : std::string(); }
-
- private:
-  Value value(FunctionId f) const { return film_.value(*use_.at(f), time_, asking_); }
-  const FinishUse& use_;
-  const Program::Compiled& film_;
-  const std::vector<double>& numbers_;
-  const Time time_;
-  Asking& asking_;
-};
 
 // The light of each channel relative to another, for colours that a material's own color changes with.
 double times(double part, double from, double to) { return from > 0 ? std::min(part * to / from, 1.0) : part; }
@@ -53,11 +19,7 @@ double times(double part, double from, double to) { return from > 0 ? std::min(p
 
 std::optional<FinishUse> finish_use(const CompiledFilm& film, std::uint32_t object, const Drawable& d) {
   FinishUse use;
-  bool any = may_be_named(d);
-  for (std::size_t i = 0; i < FinishUse::count; ++i) {
-    const auto f = static_cast<FunctionId>(fn::metalness + i);
-    if (const Binding& b = film.find_shown(object, f); &b != &film.defaults[f]) use.bound[i] = &b, any = true;
-  }
+  const bool any = find_given(use, film, object) || may_be_named(d);
   use.colored = &film.find_shown(object, fn::color) != &film.defaults[fn::color];
   return any ? std::optional(use) : std::nullopt;
 }
@@ -71,7 +33,7 @@ bool Evaluator::take_finish(std::uint32_t i, const MaterialRow& made_of, Looks& 
   if (!made_of.plain && !use.colored) now.color = made_of.color;
   if (use.colored && f.pattern != Pattern::none)
     for (int k = 0; k < 3; ++k) f.second[k] = times(f.second[k], made_of.color[k], now.color[k]);
-  const FinishValues of(use, compiled_, numbers_, now_, asking);
+  const GivenValues of(use, compiled_, numbers_, now_, asking);
   of.share(fn::metalness, f.metalness), of.share(fn::roughness, f.roughness);
   double strength = 1;
   of.color(fn::emission, f.emission), of.number(fn::emission_strength, strength);

@@ -4,62 +4,39 @@
 // The gradients of drawables: which functions make them, and their values at a time.
 #include <algorithm>
 
-#include "program/compile.h"
-#include "program/evaluator.h"
+#include "program/given_values.h"
 #include "scene/gradient_stops.h"
 
 namespace betwixt {
 namespace {
 
 // The functions of a stroke's gradient, from those of a fill's.
-constexpr std::size_t to_stroke = fn::stroke_gradient - fn::gradient;
-
-// Returns the place of a word among those of a function, which are in the order of the enumeration.
-template <class Enum>
-Enum choice(std::string_view words, std::string_view word) {
-  std::uint8_t number = 0;
-  while (!words.empty()) {
-    const std::size_t end = std::min(words.find('|'), words.size());
-    if (words.substr(0, end) == word) return static_cast<Enum>(number);
-    words.remove_prefix(std::min(end + 1, words.size())), ++number;
-  }
-  return Enum{};
-}
+constexpr int to_stroke = fn::stroke_gradient - fn::gradient;
 
 }  // namespace
 
 std::optional<GradientUse> gradient_use(const CompiledFilm& film, std::uint32_t object) {
   GradientUse use;
-  for (std::size_t i = 0; i < GradientUse::count; ++i) {
-    const auto f = static_cast<FunctionId>(fn::gradient + i);
-    if (const Binding& b = film.find_shown(object, f); &b != &film.defaults[f]) use.bound[i] = &b;
-  }
+  find_given(use, film, object);
   return use.at(fn::gradient) || use.at(fn::stroke_gradient) ? std::optional(use) : std::nullopt;
 }
 
 // Sets the gradients; returns whether they differ from the last ones. The colour is that of the object already.
 bool Evaluator::take_gradients(std::uint32_t i, Looks& now, Asking& asking) {
   const GradientUse& use = compiled_.gradients[static_cast<std::size_t>(compiled_.drawables[i].gradients)];
-  const auto word = [&](std::size_t f) {
-    const Binding* const b = use.at(f);
-    return b ? *std::get<Text>(compiled_.value(*b, now_, asking)) : std::string();
-  };
-  const auto numbers = [&](std::size_t f) {
-    const Binding* const b = use.at(f);
-    return b ? &numbers_[b->offset] : nullptr;
-  };
-  const auto made = [&](std::size_t offset, Vec3 first) {
+  const GivenValues of(use, compiled_, numbers_, now_, asking);
+  // `offset`: 0 for the fill's, or to_stroke.
+  const auto made = [&](int offset, Vec3 first) {
+    const auto own = [&](FunctionId f) { return static_cast<FunctionId>(f + offset); };
     Gradient g;
-    const auto words = [&](std::size_t f) -> const std::string& { return built_in_functions()[f].words; };
-    g.kind = choice<GradientKind>(words(fn::gradient), word(fn::gradient + offset));
+    of.choice(own(fn::gradient), fn::gradient, g.kind);
     if (g.kind == GradientKind::none) return g;
-    g.spread = choice<GradientSpread>(words(fn::gradient_spread), word(fn::gradient_spread + offset));
+    of.choice(own(fn::gradient_spread), fn::gradient_spread, g.spread);
     Vec3 second;
-    if (const double* const c = numbers(fn::gradient_color + offset)) second = vec3(c);
-    if (const double* const turn = numbers(fn::gradient_turn + offset)) g.turn = *turn;
-    if (const double* const move = numbers(fn::gradient_move + offset)) g.move_x = move[0], g.move_y = move[1];
-    if (const double* const size = numbers(fn::gradient_size + offset)) g.size = std::clamp(*size, 0.001, 1e6);
-    g.stops = stops_of(word(fn::gradient_stops + offset), first, second);
+    of.color(own(fn::gradient_color), second);
+    of.number(own(fn::gradient_turn), g.turn), of.pair(own(fn::gradient_move), g.move_x, g.move_y);
+    of.number(own(fn::gradient_size), g.size), g.size = std::clamp(g.size, 0.001, 1e6);
+    g.stops = stops_of(of.word(own(fn::gradient_stops)), first, second);
     return g;
   };
   Vec3 stroke = now.color;

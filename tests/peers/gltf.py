@@ -5,11 +5,11 @@
 # installed, Blender. Files with --keys cubic are checked with the programs that keep tangents.
 #   gltf.py PROGRAM FOLDER [EXAMPLE…]   FOLDER has gltf.mjs and node_modules; named examples are reported in detail
 import json, os, random, shutil, subprocess, sys, tempfile, time
+from verdicts import done, verdict
 
 here = os.path.dirname(os.path.abspath(__file__))
 root = os.path.dirname(os.path.dirname(here))
 program, modules, wanted = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
-passed = failed = 0
 MOST = {"usual": 1e-3, "cubic": 1e-4}  # the tolerance of each kind of keys
 # These films jump between frames. Some of the tested times lie in the hundredth of a frame that a jump takes.
 JUMPING = {"frisbee": 0.12, "swarm": 0.1}
@@ -19,14 +19,6 @@ BLENDER = 1.1e-3
 
 def run(*words):
     return subprocess.run(words, capture_output=True, text=True)
-
-
-def verdict(good, words):
-    global passed, failed
-    if good: passed += 1
-    else:
-        failed += 1
-        print("FAILED", words)
 
 
 def last_json(said):
@@ -124,5 +116,4 @@ with tempfile.TemporaryDirectory() as folder:
         if wanted or name in ("bounce", "grab", "limp", "two-stars", "funnel"): check(film, "cubic", folder)
     if shutil.which("blender"): check_in_blender(others)
     else: print("left out: there is no Blender here")
-print(f"{passed} passed, {failed} failed")
-sys.exit(failed != 0)
+done()

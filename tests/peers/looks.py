@@ -14,7 +14,8 @@ here = os.path.dirname(os.path.abspath(__file__))
 root = os.path.dirname(os.path.dirname(here))
 sys.path += [here, os.path.join(root, "tests", "web")]
 from browser import Browser, Served, find_browser
-import looks_models
+import looks_models, verdicts
+from verdicts import verdict
 
 program, modules, wanted = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
 width, height = map(int, os.environ.get("LOOKS_SIZE", "256x192").split("x"))
@@ -26,15 +27,6 @@ USUAL = {"spheres": ("studio", 31, 31.5), "helmet": ("studio", 36, 34), "coat": 
          "glass": ("studio", 36, 28.5), "panes": ("studio", 36, None), "many": ("studio", 35, 34), "lamps": ("studio", 40, 38),
          "masks": ("studio", 35, 38), "tiles": ("studio", 38, 35), "cloth": ("studio", 40, None)}
 EYE, FOV = (0.0, 0.8, 9.0), 32.0
-passed = failed = 0
-
-
-def verdict(good, words):
-    global passed, failed
-    if good: passed += 1
-    else:
-        failed += 1
-        print("FAILED", words)
 
 
 def read_picture(path, fine=1):
@@ -119,25 +111,21 @@ with tempfile.TemporaryDirectory() as made_here:
     for n in names:
         model, (sky, least_shaded, least_traced) = f"{folder}/{n}.glb", USUAL[n]
         line, rows = f"{n:10}", []
-        if n in three:
-            shaded = draw(model, sky, folder, "shaded")
-            found = decibels(shaded, three[n])
+        # What others made of the model, our style for it, and the least decibels.
+        for theirs, name, style, least in ((three, "three.js", "shaded", least_shaded), (cycles, "Cycles", "traced", least_traced)):
+            if n not in theirs: continue
+            ours = draw(model, sky, folder, style)
+            found = decibels(ours, theirs[n])
             line += f" {found:8.1f}"
-            verdict(found >= least_shaded, f"{n} shaded beside three.js: {found:.1f} dB; at least {least_shaded}")
-            rows.append((shaded, three[n], difference(shaded, three[n])))
-        if n in cycles:
-            traced = draw(model, sky, folder, "traced")
-            found = decibels(traced, cycles[n])
-            line += f" {found:8.1f}"
-            verdict(found >= least_traced, f"{n} traced beside Cycles: {found:.1f} dB; at least {least_traced}")
-            rows.append((traced, cycles[n], difference(traced, cycles[n])))
-            if wanted: line += f" {decibels(draw(model, sky, folder, 'traced', '--denoise', 'off'), cycles[n]):8.1f}"
-            if wanted and n in three: line += f" {decibels(cycles[n], three[n]):24.1f}"
+            verdict(found >= least, f"{n} {style} beside {name}: {found:.1f} dB; at least {least}")
+            rows.append((ours, theirs[n], difference(ours, theirs[n])))
+        if wanted and n in cycles:
+            line += f" {decibels(draw(model, sky, folder, 'traced', '--denoise', 'off'), cycles[n]):8.1f}"
+            if n in three: line += f" {decibels(cycles[n], three[n]):24.1f}"
         told.append(line)
         if wanted: print(line, flush=True)
         if rows:
             with open(f"{folder}/{n}-sheet.png", "wb") as out:
                 out.write(looks_models.png(np.concatenate([np.concatenate(r, 1) for r in rows])))
-if not wanted and (failed or "LOOKS_OUT" in os.environ): print("\n".join(told))
-print(f"{passed} passed, {failed} failed")
-sys.exit(failed != 0)
+if not wanted and (verdicts.failed or "LOOKS_OUT" in os.environ): print("\n".join(told))
+verdicts.done()
