@@ -31,11 +31,21 @@ class Shaded final : public Module {
   };
   Sorted sorted() const {
     Sorted r;
+    // In drawings, what is opaque and made after something transparent at its depth lies over it, so it is drawn after
+    // it.
+    const bool flat = scenery_.surroundings.flat;
+    std::vector<double> clear;
+    const auto lies_over = [&](const Thing& t) {
+      return std::any_of(clear.begin(), clear.end(),
+                         [&](double d) { return std::abs(d - t.depth) <= 2e-7 * std::abs(d); });
+    };
     for (std::uint32_t i = 0; i < things_.all().size(); ++i) {
       const Thing& t = things_[i];
       if (!t.visible) continue;
       const bool through = t.finish && t.finish->transmission > 0 && !t.transparent;
-      (!t.surface ? r.hairlines : t.transparent ? r.glass : through ? r.through : r.solid).push_back(i);
+      const bool over = t.surface && (t.transparent || (flat && !clear.empty() && lies_over(t)));
+      (!t.surface ? r.hairlines : over ? r.glass : through ? r.through : r.solid).push_back(i);
+      if (flat && t.transparent && (clear.empty() || clear.back() != t.depth)) clear.push_back(t.depth);
       r.metal |= t.look.material == Material::metal;
     }
     return r;

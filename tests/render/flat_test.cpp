@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
 
 #include "betwixt/language.h"
 #include "betwixt/program.h"
@@ -279,6 +280,30 @@ TEST(Flat, PicturesOfFewChangesAreThoseOfNewPainters) {
           << script << "differs at " << at % 80 << ", " << at / 80 << " in picture " << k;
     }
   }
+}
+
+// Two small discs that cut each other leave a picture to the graphics interface. It keeps the order of making, too.
+TEST(Flat, TheGraphicsInterfaceKeepsTheOrder) {
+  const std::string script =
+      "film flat\ncreate back rectangle size=(9 6) color=#204060\ncreate glow circle radius=3 color=#ffb060 "
+      "transparency=0.5\ncreate sun circle radius=1 color=#ffe080\ncreate veil rectangle size=(9 1) position=(0 0.5) "
+      "color=#800000 transparency=0.7\ncreate hill rectangle size=(1 1) position=(0.5 0.5) color=#302010\n";
+  const std::string cut =
+      "create a circle radius=0.05 position=(-6 -4)\ncreate b circle radius=0.05 position=(-6 -4) "
+      "rotation=(60deg 0 0)\n";
+  const Frame frame = program_of(script + cut).frame({});
+  Picture out;
+  ASSERT_FALSE(FlatPainter(160, 90).draw(FrameColumns(frame).columns(), out));
+  const Picture flat = drawn(script, {160, 90, 4, "shaded"}), graphics = drawn(script + cut, {160, 90, 4, "shaded"});
+  std::set<std::array<int, 3>> colors;
+  for (const auto& [x, y] : {std::pair{80, 45}, {80, 38}, {84, 41}, {74, 41}, {62, 45}, {60, 41}, {40, 45}, {84, 44}}) {
+    const scenes::Pixel is = scenes::pixel(graphics, x, y), expected = scenes::pixel(flat, x, y);
+    EXPECT_NEAR(is.r, expected.r, 3) << x << ' ' << y;
+    EXPECT_NEAR(is.g, expected.g, 3) << x << ' ' << y;
+    EXPECT_NEAR(is.b, expected.b, 3) << x << ' ' << y;
+    colors.insert({expected.r, expected.g, expected.b});
+  }
+  EXPECT_GE(colors.size(), 5U);  // the points lie on different layers
 }
 
 TEST(Flat, WhatIsNotFlatIsLeftToTheGraphics) {
