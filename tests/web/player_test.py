@@ -39,7 +39,7 @@ scenarios = {
       const answer = await promise; await until(m, "timeupdate");
       const going = m.currentTime > 0; m.pause(); const paused = m.paused; await calm();
       const t = m.currentTime; await calm();
-      return [at_once, answer === undefined, going, paused, t === m.currentTime, plain(taken(m))];""",
+      return [at_once, answer === undefined, going, paused, t === m.currentTime, plain(taken(m), "canplay", "canplaythrough")];""",
     "seek at rest": """
       taken(m); m.currentTime = 1; const [now, seeking] = [m.currentTime, m.seeking];
       await until(m, "seeked"); await calm();
