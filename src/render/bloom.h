@@ -20,5 +20,13 @@ void blur_light(LinearPicture&, double deviation);
 
 // Calls work(first, end) for ranges of rows, on several threads if there are many pixels.
 void for_rows(int width, int height, const std::function<void(int first, int end)>& work);
+// Calls f with the index of each pixel's first number, in several threads.
+template <class F>
+void each_pixel_of(LinearPicture& p, const F& f) {
+  for_rows(p.width, p.height, [&](int first, int end) {
+    const std::size_t row = 4 * static_cast<std::size_t>(p.width);
+    for (std::size_t i = row * static_cast<std::size_t>(first); i < row * static_cast<std::size_t>(end); i += 4) f(i);
+  });
+}
 
 }  // namespace betwixt

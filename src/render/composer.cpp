@@ -15,33 +15,6 @@
 namespace betwixt {
 namespace {
 
-using Four = std::array<float, 4>;
-
-float blended(LayerBlend how, float below, float above) {
-  const float b = std::min(below, 1.0F), a = std::min(above, 1.0F);
-  switch (how) {
-    case LayerBlend::screen:
-      return below + above - b * a;
-    case LayerBlend::multiply:
-      return below * above;
-    case LayerBlend::add:
-      return below + above;
-    case LayerBlend::overlay:
-      return b <= 0.5F ? 2 * below * above : 1 - 2 * (1 - b) * (1 - a);
-    case LayerBlend::normal:
-      break;
-  }
-  return above;
-}
-
-template <class F>
-void each_pixel_of(LinearPicture& p, const F& f) {
-  for_rows(p.width, p.height, [&](int first, int end) {
-    const std::size_t row = 4 * static_cast<std::size_t>(p.width);
-    for (std::size_t i = row * static_cast<std::size_t>(first); i < row * static_cast<std::size_t>(end); i += 4) f(i);
-  });
-}
-
 // below + share · (with - without)
 void add_difference(LinearPicture& below, const LinearPicture& with, const LinearPicture& without, double share) {
   const auto s = static_cast<float>(share);
@@ -159,16 +132,64 @@ class Composer {
     return Nothing{};
   }
 
-  // Draws the picture of a layer with its effects.
+  // Draws the picture of a layer with its effects. Objects wholly in front of it hide what the effects have made.
   Status picture(std::int32_t k, LinearPicture& out) {
-    if (Status s = own_picture(k, out); !s) return s;
-    if (Status s = add_layers(inside(k), out); !s) return s;
     const Layer& l = layer(k);
+    const bool spreads = l.blur > 0 || l.glow > 0 || !(l.shadow == Vec3{});
+    std::vector<Item> front = spreads ? in_front_of(k) : std::vector<Item>{};
+    for (const Item& item : front) aside_.insert(item.id.index);
+    Status drawn = own_picture(k, out);
+    if (drawn) drawn = add_layers(inside(k), out);
+    for (const Item& item : front) aside_.erase(aside_.find(item.id.index));
+    if (!drawn) return drawn;
     const double scale = pixels_of_metre(l.place);
     if (l.blur > 0) blur_light(out, scale * l.blur);
     if (!(l.shadow == Vec3{})) drop_shadow(l, scale, out);
     if (l.glow > 0) add_glow(l, scale, out);
-    return l.masks.empty() ? Status(Nothing{}) : mask(k, out);
+    if (!front.empty()) drawn = hide_behind(std::move(front), out);
+    return !drawn || l.masks.empty() ? drawn : mask(k, out);
+  }
+
+  template <class F>
+  void each_item_within(std::int32_t k, const F& f) {
+    for (const Item& item : of(k)) f(item);
+    for (const std::int32_t child : inside(k)) each_item_within(child, f);
+  }
+  template <class F>
+  void each_item_around(std::int32_t k, const F& f) {
+    for (std::int32_t outer = k; outer >= 0 && !layer(outer).is_mask;) {
+      outer = layer(outer).within;
+      for (const Item& item : of(outer)) f(item);
+    }
+  }
+
+  // Returns the objects around a layer that are wholly in front of all of its objects; in drawings also those of the
+  // same depth that were created later.
+  std::vector<Item> in_front_of(std::int32_t k) {
+    double nearest = 1e300;
+    std::uint32_t last = 0;
+    each_item_within(k, [&](const Item& item) {
+      nearest = std::min(nearest, depths(item).nearest), last = std::max(last, item.id.index);
+    });
+    std::vector<Item> front;
+    each_item_around(k, [&](const Item& item) {
+      const double farthest = depths(item).farthest;
+      if (farthest < nearest || (frame_.surroundings.flat && farthest == nearest && item.id.index > last))
+        front.push_back(item);
+    });
+    return front;
+  }
+  Status hide_behind(std::vector<Item> front, LinearPicture& out) {
+    Frame now = scenery_;
+    now.surroundings.clear = true, now.surroundings.ground.reset();
+    for (Item& item : front) now.items.push_back(as_shade(item, 1));
+    LinearPicture where;
+    if (Status s = draw_(now, where); !s) return s;
+    each_pixel_of(out, [&](std::size_t i) {
+      const float seen = 1 - std::clamp(where.rgba[i + 3], 0.0F, 1.0F);
+      for (std::size_t c = i; c < i + 4; ++c) out.rgba[c] *= seen;
+    });
+    return Nothing{};
   }
 
   // Draws the objects of a layer, where those of the layers around it do not hide them.
@@ -183,12 +204,10 @@ class Composer {
     now.items = of(k);
     std::vector<Item> before;
     double farthest = -1e300;
-    for (const Item& item : of(k)) farthest = std::max(farthest, depth(translation_of(item.world)) + reach(item));
-    for (std::int32_t outer = k; outer >= 0 && !layer(outer).is_mask;) {
-      outer = layer(outer).within;
-      for (const Item& item : of(outer))
-        if (depth(translation_of(item.world)) - reach(item) <= farthest) before.push_back(as_shade(item, 0));
-    }
+    for (const Item& item : of(k)) farthest = std::max(farthest, depths(item).farthest);
+    each_item_around(k, [&](const Item& item) {
+      if (depths(item).nearest <= farthest && aside_.count(item.id.index) == 0) before.push_back(as_shade(item, 0));
+    });
     put_before(now.items, before);
     if (Status s = draw_(now, out); !s || before.empty()) return s;
     for (Item& item : now.items)
@@ -203,14 +222,21 @@ class Composer {
     items.insert(items.end(), others.begin(), others.end());
     std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.id.index < b.id.index; });
   }
-  double reach(const Item& item) const {
-    const double far = length(extent(*item.shape).half()) + length(extent(*item.shape).middle());
-    double scale = 0;
-    for (int i = 0; i < 3; ++i)
-      scale = std::max(scale, length(Vec3{item.world(0, i), item.world(1, i), item.world(2, i)}));
-    const bool flat = item.shape->mesh == nullptr && extent(*item.shape).half().z == 0 && item.world(2, 0) == 0 &&
-                      item.world(2, 1) == 0;
-    return flat && view_.orthographic && view_.backward == Vec3{0, 0, 1} ? 0 : scale * far;
+  // From which to which depth an object reaches: those of the box around it.
+  struct Depths {
+    double nearest = 1e300, farthest = -1e300;
+  };
+  Depths depths(const Item& item) const {
+    Depths all;
+    for (const Shape* const shape : {item.shape.get(), item.toward.get()}) {
+      if (shape == nullptr) continue;
+      const Extent box = extent(*shape);
+      const double middle = depth(transform_point(item.world, box.middle()));
+      double half = 0;
+      for (int i = 0; i < 3; ++i) half += box.half()[i] * std::abs(dot(column(item.world, i), view_.backward));
+      all.nearest = std::min(all.nearest, middle - half), all.farthest = std::max(all.farthest, middle + half);
+    }
+    return all;
   }
 
   double pixels_of_metre(Vec3 place) const {
@@ -276,7 +302,8 @@ class Composer {
   std::vector<std::vector<Item>> items_;    // by layer; first those without one
   std::map<std::int32_t, double> nearest_;  // by layer: the depth of its nearest object
   std::map<std::int32_t, LinearPicture> masks_;
-  std::set<std::int32_t> drawing_;  // masks
+  std::set<std::int32_t> drawing_;      // masks
+  std::multiset<std::uint32_t> aside_;  // objects that hide a picture only when it has its effects
 };
 
 // Returns the share of the new picture at a place; (0 0) is the middle, (1 1) the right top.
@@ -301,29 +328,6 @@ double share_at(const CameraChange& change, double x, double y, double aspect) {
 }
 
 }  // namespace
-
-void lay_over(LinearPicture& below, const LinearPicture& above, LayerBlend how, double opacity) {
-  each_pixel_of(below, [&](std::size_t i) {
-    const auto o = static_cast<float>(opacity);
-    const float a = o * std::clamp(above.rgba[i + 3], 0.0F, 1.0F), b = std::clamp(below.rgba[i + 3], 0.0F, 1.0F);
-    for (std::size_t c = i; c < i + 3; ++c) {
-      const float light = o * above.rgba[c];
-      float& to = below.rgba[c];
-      if (how == LayerBlend::normal)
-        to = to * (1 - a) + light;
-      else if (how == LayerBlend::add)
-        to += light;
-      else {
-        // Where both are, their straight colours blend; light beyond an opacity, such as a glow, is added.
-        const float extra = std::max(light - a, 0.0F), straight = a > 0 ? std::min(light / a, 1e6F) : 0;
-        const float behind = b > 0 ? to / b : 0;
-        const float both = blended(how, behind, extra > 0 ? std::min(straight, 1.0F) : straight);
-        to = to * (1 - a) + (light - extra) * (1 - b) + a * b * both + extra;
-      }
-    }
-    below.rgba[i + 3] = how == LayerBlend::add ? b : b + a - a * b;
-  });
-}
 
 Status compose(const Frame& frame, int width, int height, const DrawLight& draw, LinearPicture& out) {
   if (Status s = Composer(frame, width, height, draw).whole(out); !s || !frame.change) return s;

@@ -99,6 +99,33 @@ TEST(Composer, ThingsInFrontHideALayer) {
   EXPECT_NEAR(light(p, 15, 50, 1), 0.5, byte);
 }
 
+// Effects spread over neighbours. What is in front of the layer is not changed by them, and leaves no hole in them.
+TEST(Composer, ThingsInFrontStayAsTheyAre) {
+  for (const bool flat : {true, false})
+    for (const int effect : {0, 1, 2}) {
+      Frame f = drawing({0, 0, 0.5});
+      f.surroundings.flat = flat;
+      f.items = {card(4, {0, 0, 0}, {0, 1, 0}, 0, 1), card(1, {0, 0, 1}, {1, 0, 0}, -1, 2)};
+      f.layers.resize(1);
+      Frame without = f;
+      without.items.pop_back();
+      for (Frame* const each : {&f, &without}) {
+        Layer& l = each->layers[0];
+        if (effect == 0) l.blur = 0.5;
+        if (effect == 1) l.glow = 2, l.glow_size = 0.5;
+        if (effect == 2) l.shadow = {0.5, -0.5, 0.3};
+      }
+      const Picture p = draw(f, small), bare = draw(without, small);
+      EXPECT_EQ(pixel(p, 50, 50), (Pixel{255, 0, 0, 255})) << flat << effect;
+      for (const int x : {30, 40, 57, 70}) EXPECT_EQ(pixel(p, x, 50), pixel(bare, x, 50)) << flat << effect << ' ' << x;
+      // A drawing has those in front, too, that have the same depth and were made later.
+      f.items[1].world = translation({0, 0, 0});
+      if (flat) {
+        EXPECT_EQ(pixel(draw(f, small), 50, 50), (Pixel{255, 0, 0, 255})) << effect;
+      }
+    }
+}
+
 TEST(Composer, LayersWithinLayersMultiply) {
   Frame f = drawing({0, 0, 0});
   f.items = {card(4, {0, 0, 0}, {1, 0, 0}, 0, 1), card(2, {0, 0, 0.1}, {0, 1, 0}, 1, 2)};
