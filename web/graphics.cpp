@@ -64,6 +64,7 @@ bool has_extension(std::string_view name) {
 }
 
 Texture new_multisampled_texture(GLenum, int, int, int) { return {}; }
+std::vector<float> sample_places(int) { return {}; }
 
 }  // namespace gl
 }  // namespace betwixt

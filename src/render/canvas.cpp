@@ -59,14 +59,29 @@ std::string weights_of(const PixelFilter& filter, int side) {
 }
 
 // The same sums as the graphics interface's own, whose program no driver stores between runs: it would be compiled
-// again for each first picture, which takes longer than everything else together.
+// again for each first picture, which takes longer than everything else together. Marks are for
+// EdgeSmoother.
 const char* const resolve_fragment = R"(
 uniform highp sampler2DMS samples;
 out vec4 color;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  color = 0.25 * (texelFetch(samples, at, 0) + texelFetch(samples, at, 1) + texelFetch(samples, at, 2) +
-                  texelFetch(samples, at, 3));
+  vec4 a = texelFetch(samples, at, 0), b = texelFetch(samples, at, 1), c = texelFetch(samples, at, 2),
+       d = texelFetch(samples, at, 3);
+  color = 0.25 * (a + b + c + d);
+#ifdef MARKS
+  const vec4 weights = vec4(0.35, 0.5, 0.15, 0.25);
+  vec4 light = min(vec4(dot(a, weights), dot(b, weights), dot(c, weights), dot(d, weights)), 60000.0);
+  float low = min(min(light.x, light.y), min(light.z, light.w)), high = max(max(light.x, light.y), max(light.z, light.w));
+  vec4 bright = step(0.5 * (low + high), light), off = abs(light - mix(vec4(low), vec4(high), bright));
+  if (max(max(off.x, off.y), max(off.z, off.w)) > 0.3 * (high - low)) bright = vec4(1.0);
+  if (high - low <= 0.03 * (high - 0.25 * color.a) + 0.002) bright = vec4(0.0);
+#ifdef LINEAR
+  color = mix(max(color, 0.0), -max(color, 1e-7), greaterThan(bright, vec4(0.5)));
+#else
+  color.a = dot(bright, vec4(1.0, 2.0, 4.0, 8.0)) / 255.0;
+#endif
+#endif
 }
 )";
 
@@ -80,7 +95,7 @@ void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 c = texelFetch(picture, ivec2(at.x, textureSize(picture, 0).y - 1 - at.y), 0);
 #ifdef LINEAR
-  c = clamp(c, 0.0, 1.0);
+  c = clamp(abs(c), 0.0, 1.0);  // the signs are marks
   float opacity = max(max(c.r, c.g), max(c.b, c.a));
   color = vec4(curve(c.rgb / max(opacity, 1e-6)) * opacity, opacity);
 #else
@@ -124,10 +139,18 @@ Result<Canvas> Canvas::create(const RenderOptions& options) {
     c.corners_ = *std::move(corners);
   }
   if (c.corners_.samples.id() != 0) {
-    auto resolve = gl::new_program(gl::fill_vertex, resolve_fragment, {}, "310 es");
+    auto resolve = gl::new_program(gl::fill_vertex, resolve_fragment,
+                                   c.averages_ ? ""
+                                   : c.linear_ ? "#define MARKS\n#define LINEAR"
+                                               : "#define MARKS",
+                                   "310 es");
     if (!resolve) return resolve.error();
     c.resolve_ = *std::move(resolve);
     gl::set_samplers(c.resolve_, {{"samples", 0}});
+    if (!c.averages_) {
+      c.bind();
+      c.edges_.emplace(gl::sample_places(4));
+    }
   }
   auto large = gl::new_target(c.format(), multisampled ? 0 : GL_DEPTH24_STENCIL8, width, height);
   if (!large) return large.error();
@@ -251,6 +274,7 @@ void Canvas::read(Picture& out) const {
   out.rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
   bind_last();
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, out.rgba.data());
+  if (edges_) edges_->finish(out);
 }
 
 void Canvas::read(LinearPicture& out) const {
@@ -260,6 +284,7 @@ void Canvas::read(LinearPicture& out) const {
   out.rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
   bind_last();
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, out.rgba.data());
+  if (edges_) edges_->finish(out);
 }
 
 }  // namespace betwixt

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "betwixt/render.h"
+#include "render/edges.h"
 #include "render/gl.h"
 
 namespace betwixt {
@@ -48,7 +49,7 @@ class Canvas {
   void finish() const;
   // Draws the last finished picture, encoded, to the surface of the graphics system. Errors: machine.
   Status show();
-  // Reads the last finished picture.
+  // Reads the last finished picture; one of four samples a pixel has smoother edges than they give.
   void read(Picture& out) const;
   void read(LinearPicture& out) const;  // of a linear canvas
 
@@ -63,8 +64,9 @@ class Canvas {
   gl::Target large_;          // `side_` times the picture's size
   gl::Target pixels_;         // the picture; absent if `large_` is the picture
   gl::Program gradient_, average_;
-  gl::Program resolve_;  // absent if the graphics interface resolves `corners_`
-  gl::Program show_;     // made on first use
+  std::optional<EdgeSmoother> edges_;  // of four samples that `resolve_` averages
+  gl::Program resolve_;                // absent if the graphics interface resolves `corners_`
+  gl::Program show_;                   // made on first use
   GLint gradient_top_ = 0, gradient_bottom_ = 0, gradient_bends_ = 0;
 };
 

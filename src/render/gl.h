@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "betwixt/render.h"
 #include "betwixt/result.h"
@@ -101,6 +102,8 @@ Result<Multisampled> new_multisampled(GLenum color_format, GLenum depth_format, 
 // Returns a texture with several samples a pixel. Its id is 0 if shaders cannot read such textures: they can from
 // OpenGL ES 3.1 on, and not in pages.
 Texture new_multisampled_texture(GLenum format, int samples, int width, int height);
+// Returns where the samples of the bound framebuffer are, as x and y from the middle of the pixel. Not in pages.
+std::vector<float> sample_places(int samples);
 // Square depth maps as the layers of an array, for filtered comparison; and a framebuffer that draws into one. Errors:
 // machine.
 Result<std::pair<Texture, Framebuffer>> new_depth_layers(int side, int count);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <mutex>
 #include <vector>
 
@@ -149,6 +150,16 @@ Texture new_multisampled_texture(GLenum format, int samples, int width, int heig
   glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, id);
   glTexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, format, width, height, GL_TRUE);
   return Texture(id);
+}
+
+std::vector<float> sample_places(int samples) {
+  std::vector<float> places;
+  for (GLuint k = 0; k < static_cast<GLuint>(samples); ++k) {
+    std::array<GLfloat, 2> at{};
+    glGetMultisamplefv(GL_SAMPLE_POSITION, k, at.data());
+    for (const float x : at) places.push_back(x - 0.5F);
+  }
+  return places;
 }
 
 Current::Current(const Context& c)

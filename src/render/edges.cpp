@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+#include "render/bloom.h"
+#include "render/curves.h"
+#include "render/encoding.h"
+
+namespace betwixt {
+namespace {
+
+constexpr double reach = 1.5;  // how far from the middle samples count, pixels
+// What a line may change at most: four samples are off by no more.
+constexpr double most_change = 0.25;
+
+// As in the shader that makes the marks (canvas.cpp).
+float brightness(const PixelLight& c) { return 0.35F * c[0] + 0.5F * c[1] + 0.15F * c[2] + 0.25F * c[3]; }
+float least_difference(float high) { return 0.03F * high + 0.002F; }
+float bright_samples(int mark) {
+  return static_cast<float>((mark & 1) + (mark >> 1 & 1) + (mark >> 2 & 1) + (mark >> 3 & 1));
+}
+bool is_mixed(int mark) { return mark > 0 && mark < EdgeSmoother::several; }
+
+PixelLight mix_of(const PixelLight& a, const PixelLight& b, float share) {
+  PixelLight c;
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] = a[i] + share * (b[i] - a[i]);
+  return c;
+}
+float largest_difference(const PixelLight& a, const PixelLight& b) {
+  float most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+// Returns 1 up to `full`, 0 from `none` on.
+float trust(float x, float full, float none) { return std::clamp((none - x) / (none - full), 0.0F, 1.0F); }
+
+// The share of a pixel that is further than `away` from its middle in a direction.
+double share_beyond(double x, double y, double away) {
+  const double most = std::max(std::abs(x), std::abs(y)), least = std::min(std::abs(x), std::abs(y));
+  const double corner = 0.5 * (most + least), side = 0.5 * (most - least), d = std::abs(away);
+  double rest = 0;
+  if (d <= side)
+    rest = 0.5 - d / most;
+  else if (d < corner)
+    rest = (corner - d) * (corner - d) / (2 * most * least);
+  return away > 0 ? rest : 1 - rest;
+}
+
+// The pixels of both kinds of pictures, as light.
+class BytePixels {
+ public:
+  explicit BytePixels(Picture& p) : width(p.width), height(p.height), rgba_(p.rgba) {
+    for (std::size_t i = 0; i < 256; ++i)
+      light_of_[i] = static_cast<float>(light_of_signal(static_cast<double>(i) / 255));
+  }
+  int mark(std::size_t i) const { return rgba_[4 * i + 3]; }
+  PixelLight light(std::size_t i) const {
+    return {light_of_[rgba_[4 * i]], light_of_[rgba_[4 * i + 1]], light_of_[rgba_[4 * i + 2]], 0};
+  }
+  void set(std::size_t i, const PixelLight& c) {
+    for (std::size_t k = 0; k < 3; ++k)
+      rgba_[4 * i + k] = static_cast<std::uint8_t>(255 * encoded_as_drawn(c[k]) + 0.5F);
+  }
+  // Writes 1 where a row has marks, otherwise 0.
+  void find_marks(std::size_t y, std::uint8_t* out) const {
+    const std::uint8_t* const row = &rgba_[4 * y * static_cast<std::size_t>(width)];
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) out[x] = row[4 * x + 3] != 0 ? 1 : 0;
+  }
+  void take_marks_away() {
+    for (std::size_t i = 0; i < rgba_.size(); i += 4) {
+      std::uint32_t pixel = 0;  // whole pixels are faster than bytes
+      std::memcpy(&pixel, &rgba_[i], 4);
+      pixel |= 0xff000000U;
+      std::memcpy(&rgba_[i], &pixel, 4);
+    }
+  }
+
+  const int width, height;
+
+ private:
+  std::vector<std::uint8_t>& rgba_;
+  std::array<float, 256> light_of_;
+};
+
+class FloatPixels {
+ public:
+  explicit FloatPixels(LinearPicture& p) : width(p.width), height(p.height), rgba_(p.rgba) {}
+  int mark(std::size_t i) const {
+    int m = 0;
+    for (std::size_t k = 0; k < 4; ++k) m |= rgba_[4 * i + k] < 0 ? 1 << k : 0;
+    return m;
+  }
+  PixelLight light(std::size_t i) const {
+    PixelLight c;
+    for (std::size_t k = 0; k < 4; ++k) c[k] = std::abs(rgba_[4 * i + k]);
+    return c;
+  }
+  void set(std::size_t i, const PixelLight& c) {
+    std::copy(c.begin(), c.end(), &rgba_[4 * i]);
+    rgba_[4 * i + 3] = std::min(c[3], 1.0F);
+  }
+  void find_marks(std::size_t y, std::uint8_t* out) const {
+    const float* const row = &rgba_[4 * y * static_cast<std::size_t>(width)];
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
+      const float* const c = row + 4 * x;
+      out[x] = std::min(std::min(c[0], c[1]), std::min(c[2], c[3])) < 0 ? 1 : 0;
+    }
+  }
+  void take_marks_away() {
+    for (float& x : rgba_)
+      if (x < 0) x = x < -1e-6F ? -x : 0;
+  }
+
+  const int width, height;
+
+ private:
+  std::vector<float>& rgba_;
+};
+
+template <class Pixels>
+NinePixels nine_pixels(const Pixels& p, int x, int y) {
+  NinePixels all;
+  for (int j = 0; j < 9; ++j) {
+    const int column = std::clamp(x + j % 3 - 1, 0, p.width - 1), row = std::clamp(y + j / 3 - 1, 0, p.height - 1);
+    const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(p.width) + static_cast<std::size_t>(column);
+    all.marks[static_cast<std::size_t>(j)] = p.mark(i), all.lights[static_cast<std::size_t>(j)] = p.light(i);
+  }
+  return all;
+}
+
+// The colours on both sides of an edge.
+struct EdgeSides {
+  PixelLight dark, bright;
+  float sure = 1;  // 0 to 1
+};
+
+class MeanLight {
+ public:
+  void add(const PixelLight& c) {
+    for (std::size_t i = 0; i < c.size(); ++i) sum_[i] += c[i];
+    ++count_;
+  }
+  bool empty() const { return count_ == 0; }
+  PixelLight mean() const {
+    const float part = 1 / static_cast<float>(count_);
+    return {part * sum_[0], part * sum_[1], part * sum_[2], part * sum_[3]};
+  }
+
+ private:
+  PixelLight sum_{};
+  int count_ = 0;
+};
+
+// Returns the other side of the edge through a pixel, of which this share has the one side's colour.
+PixelLight other_side(const PixelLight& mixed, const PixelLight& one, float share) {
+  PixelLight c = mix_of(one, mixed, 1 / (1 - share));
+  for (float& x : c) x = std::max(x, 0.0F);
+  return c;
+}
+
+std::optional<EdgeSides> edge_sides(const NinePixels& a) {
+  // Pixels through which no edge goes have the colour of one side. Those with an edge part them.
+  MeanLight mixed, dark, bright;
+  float share = 0;
+  for (std::size_t j = 0; j < 9; ++j)
+    if (is_mixed(a.marks[j])) mixed.add(a.lights[j]), share += 0.25F * bright_samples(a.marks[j]);
+  const bool own = is_mixed(a.marks[4]);
+  const PixelLight middle = own ? a.lights[4] : mixed.mean();
+  for (std::size_t j = 0; j < 9; ++j)
+    if (a.marks[j] == 0) (brightness(a.lights[j]) > brightness(middle) ? bright : dark).add(a.lights[j]);
+  if (dark.empty() && bright.empty()) return std::nullopt;
+  if (own) {
+    share = 0.25F * bright_samples(a.marks[4]);
+  } else {
+    int count = 0;
+    for (const int m : a.marks) count += is_mixed(m) ? 1 : 0;
+    share /= static_cast<float>(count);
+  }
+  EdgeSides s;
+  s.dark = dark.empty() ? other_side(middle, bright.mean(), share) : dark.mean();
+  s.bright = bright.empty() ? other_side(middle, dark.mean(), 1 - share) : bright.mean();
+  const float low = brightness(s.dark), high = brightness(s.bright),
+              least = least_difference(high - 0.25F * s.bright[3]);
+  const float range = largest_difference(s.dark, s.bright);
+  if (!(high - low > least) || !(range < 1e6F)) return std::nullopt;
+  // A third colour is of another edge.
+  float apart = own ? largest_difference(a.lights[4], mix_of(s.dark, s.bright, share)) : 0;
+  for (std::size_t j = 0; j < 9; ++j)
+    if (a.marks[j] == 0)
+      apart =
+          std::max(apart, std::min(largest_difference(a.lights[j], s.dark), largest_difference(a.lights[j], s.bright)));
+  s.sure = trust(least, 0.5F * (high - low), high - low) * trust(apart / range, 0.25F, 0.45F);
+  return s;
+}
+
+}  // namespace
+
+EdgeSmoother::EdgeSmoother(const std::vector<float>& places) {
+  std::array<std::array<double, 2>, samples> at{};
+  for (std::size_t i = 0; i < samples; ++i)
+    for (std::size_t c = 0; c < 2; ++c) {
+      const std::size_t pixel = i / 4, number = c == 0 ? pixel % 3 : pixel / 3;
+      at[i][c] = static_cast<double>(number) - 1 + static_cast<double>(places[2 * (i % 4) + c]);
+    }
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double weight = std::max(1 - (at[i][0] * at[i][0] + at[i][1] * at[i][1]) / (reach * reach), 0.0);
+    near_[i] = weight > 0;
+    for (std::size_t mark = 0; mark < 16; ++mark)
+      for (std::size_t c = 0; c < 2; ++c) toward_[i / 4][mark][c] += (mark >> i % 4 & 1 ? weight : -weight) * at[i][c];
+  }
+  // Once around a square, anticlockwise from (1 -1).
+  for (std::size_t k = 0; k < directions; ++k) {
+    const double s = static_cast<double>(k % 32) / 16 - 1;
+    constexpr std::array<std::array<double, 4>, 4> sides{{{1, 0, 0, 1}, {0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}}};
+    const auto& [x, sx, y, sy] = sides[k / 32];
+    Direction& d = directions_[k];
+    const double length = std::sqrt(1 + s * s);
+    d.x = (x + sx * s) / length, d.y = (y + sy * s) / length;
+    for (std::size_t i = 0; i < samples; ++i) d.along[i] = static_cast<float>(d.x * at[i][0] + d.y * at[i][1]);
+  }
+}
+
+double EdgeSmoother::bright_share(const std::array<int, 9>& marks) const {
+  const double plain = 0.25 * static_cast<double>(bright_samples(marks[4]));
+  double x = 0, y = 0;
+  for (std::size_t j = 0; j < 9; ++j) {
+    const auto& [dx, dy] = toward_[j][static_cast<std::size_t>(marks[j])];
+    x += dx, y += dy;
+  }
+  const double most = std::max(std::abs(x), std::abs(y));
+  if (!(most > 1e-3)) return plain;
+  // Where on the square of directions it is.
+  const int side = x >= std::abs(y) ? 0 : y >= std::abs(x) ? 1 : -x >= std::abs(y) ? 2 : 3;
+  const double s = (side == 0 ? y : side == 1 ? -x : side == 2 ? -y : x) / most;
+  const int first = 32 * side + static_cast<int>(16 * (s + 1) + 0.5);
+  // The line with the widest gap between both sides is the best. Samples of the other side are put far away.
+  std::array<float, samples> if_bright{}, if_dark{};
+  for (std::size_t i = 0; i < samples; ++i) {
+    const bool bright = (marks[i / 4] >> i % 4 & 1) != 0;
+    if_bright[i] = bright && near_[i] ? 0.0F : 9.0F, if_dark[i] = bright || !near_[i] ? -9.0F : 0.0F;
+  }
+  float gap = -9, middle = 0;
+  const Direction* best = nullptr;
+  for (const int turn : {0, -3, 3, -6, 6}) {
+    const Direction& d = directions_[static_cast<std::size_t>((first + turn + directions) % directions)];
+    std::array<float, 4> low{-9, -9, -9, -9}, high{9, 9, 9, 9};  // four at once
+    for (std::size_t i = 0; i < samples; i += 4)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const float bright = d.along[i + k] + if_bright[i + k], dark = d.along[i + k] + if_dark[i + k];
+        high[k] = bright < high[k] ? bright : high[k], low[k] = dark > low[k] ? dark : low[k];
+      }
+    const float least = *std::min_element(high.begin(), high.end()),
+                most_low = *std::max_element(low.begin(), low.end());
+    if (least - most_low > gap) gap = least - most_low, middle = 0.5F * (most_low + least), best = &d;
+  }
+  if (best == nullptr) return plain;
+  const double share = share_beyond(best->x, best->y, static_cast<double>(middle));
+  // Less, the more samples are on the wrong side.
+  const auto sure = static_cast<double>(trust(-gap, 0.2F, 0.5F));
+  return plain + sure * std::clamp(share - plain, -most_change, most_change);
+}
+
+// Returns the light of the middle pixel with a smooth edge, if there is one.
+std::optional<PixelLight> EdgeSmoother::smoothed(NinePixels a) const {
+  int mixed = 0;
+  for (const int m : a.marks) {
+    if (m >= several) return std::nullopt;
+    mixed += is_mixed(m) ? 1 : 0;
+  }
+  if (mixed < 2) return std::nullopt;  // the edge of a pattern, or a point
+  const std::optional<EdgeSides> sides = edge_sides(a);
+  if (!sides) return std::nullopt;
+  const float middle = 0.5F * (brightness(sides->dark) + brightness(sides->bright));
+  for (std::size_t j = 0; j < 9; ++j)
+    if (a.marks[j] == 0 && brightness(a.lights[j]) > middle) a.marks[j] = several;
+  const float plain = 0.25F * bright_samples(a.marks[4]);
+  const float change = sides->sure * (static_cast<float>(bright_share(a.marks)) - plain);
+  if (change == 0) return std::nullopt;
+  PixelLight c = a.lights[4];
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] = std::max(c[i] + change * (sides->bright[i] - sides->dark[i]), 0.0F);
+  return c;
+}
+
+template <class Pixels>
+void EdgeSmoother::finish(Pixels& p) const {
+  struct Change {
+    std::size_t at;
+    PixelLight light;
+  };
+  const auto width = static_cast<std::size_t>(p.width), height = static_cast<std::size_t>(p.height);
+  std::vector<Change> changes;
+  // Whether pixels of a row have marks, with one more at both ends; and whether those of three rows have.
+  constexpr std::size_t at_once = 8;
+  const std::vector<std::uint8_t> none(width + 2 * at_once);
+  std::array<std::vector<std::uint8_t>, 3> rows{none, none, none};
+  std::vector<std::uint8_t> near = none;
+  const auto take = [&](std::size_t y) {
+    if (y < height)
+      p.find_marks(y, rows[y % 3].data() + 1);
+    else
+      rows[y % 3] = none;
+  };
+  if (height > 0) take(0);
+  for (std::size_t y = 0; y < height; ++y) {
+    take(y + 1);
+    for (std::size_t x = 0; x < near.size(); ++x) near[x] = rows[0][x] | rows[1][x] | rows[2][x];
+    for (std::size_t first = 0; first < width; first += at_once) {
+      std::uint64_t some = 0, beyond = 0;  // most pixels are far from edges
+      std::memcpy(&some, &near[first], at_once), std::memcpy(&beyond, &near[first + 2], at_once);
+      if ((some | beyond) == 0) continue;
+      for (std::size_t x = first; x < std::min(first + at_once, width); ++x)
+        if (near[x] | near[x + 1] | near[x + 2])
+          if (const auto light = smoothed(nine_pixels(p, static_cast<int>(x), static_cast<int>(y))))
+            changes.push_back({y * width + x, *light});
+    }
+  }
+  for (const Change& c : changes) p.set(c.at, c.light);
+  p.take_marks_away();
+}
+
+void EdgeSmoother::finish(Picture& p) const {
+  BytePixels pixels(p);
+  finish(pixels);
+}
+void EdgeSmoother::finish(LinearPicture& p) const {
+  FloatPixels pixels(p);
+  finish(pixels);
+}
+
+}  // namespace betwixt
