@@ -94,7 +94,7 @@ struct OwnFont;  // src/scene/own_font.h
 //            y = 0; x = 0 is the left end, centre or right end (`align`). If `formula` is set, it replaces the text
 //   mesh     mesh
 // Flat shapes are in the plane z = 0, face +z and have their centre at the origin; `depth` is along z.
-//   rectangle size x by y, corner: radius of its corners
+//   rectangle size x by y, corner: radius of its corners (also of a box: of its edges)
 //   ring     radius, inner: between these        arc      radius, width, from and to: angles from +x, anticlockwise
 //   regular  sides, radius of its corners, the first one up          star     sides: points, radius, inner
 //   gear     sides: teeth, module: metres of pitch diameter for each; involutes of 20 degrees

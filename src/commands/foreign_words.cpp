@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/foreign_words.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <vector>
 
 #include "base/names.h"
+#include "scene/kinds.h"
 
 namespace betwixt {
 namespace {
@@ -58,8 +63,6 @@ constexpr std::string_view to_drawing = "a drawing is a scene: create logo scene
 constexpr std::string_view to_swarm =
     "a pattern makes many: create p{1..200} sphere radius=0.05 position=(hash(i) hash(i,2) hash(i,3)); fall and noise "
     "move them";
-constexpr std::string_view to_words =
-    "text shows words: create caption text text=\"Once\"; at 24f caption.text \"Then\"";
 constexpr std::string_view to_graph =
     "a graph is a curve through points: create g curve points=((0 0) (1 2) (2 1)); code can give them";
 constexpr std::string_view to_change =
@@ -72,6 +75,8 @@ constexpr std::string_view to_sky =
 constexpr std::string_view to_grade = "view agx or view filmic compresses bright light; exposure 1 doubles all light";
 constexpr std::string_view to_material =
     "material=oak, material=gold … name finishes; metalness, roughness, clearcoat and others change them";
+constexpr std::string_view to_trace =
+    "--style traced follows rays of light, as in betwixt frame film.bx --style traced --samples 256 --denoise on";
 constexpr std::string_view to_grade_color =
     "gradient=linear, radial, circular or conic colors an object: set card.gradient-stops \"#f60, gold 40%, navy\"";
 constexpr std::string_view to_wait =
@@ -172,6 +177,14 @@ constexpr ForeignWord all_foreign_words[] = {
     {"tonemap", to_grade, "view exposure"},
     {"pbr", to_material, "metalness roughness material"},
     {"shader", to_material, "metalness roughness material"},
+    {"traced", to_trace, "samples"},
+    {"ray-tracing", to_trace, "samples"},
+    {"path-tracing", to_trace, "samples"},
+    {"denoise", to_trace, "samples"},
+    {"capsule", "a cylinder between two spheres of its radius is one; a box has round edges by corner=0.1",
+     "cylinder box"},
+    {"lathe", "a surface of revolution is a mesh of another program: create vase mesh file=\"vase.glb\"", "mesh"},
+    {"bevel", "corner makes the edges of a box round: create b box corner=0.05", "corner box"},
     {"ambient-occlusion", to_occlude, "contact"},
     {"linear-gradient", to_grade_color, "gradient gradient-stops"},
     {"radial-gradient", to_grade_color, "gradient gradient-stops"},
@@ -314,7 +327,42 @@ constexpr ForeignWord all_foreign_words[] = {
     {"font-size", "size of a text is its em in metres: set title.size 2", "size"},
 };
 
+// What parameters of other programs are called here. A kind of "" is any kind.
+struct ForeignParameter {
+  std::string_view kind, word, leads;
+};
+constexpr ForeignParameter all_foreign_parameters[] = {
+    {"light", "type", "shines=sun makes it the sun, shape=disc or shape=rectangle an area, cone=40deg a spotlight"},
+    {"light", "target", "look-at=ball turns it to an object, as a camera"},
+    {"light", "angle", "cone=40deg makes it a spotlight, cone-edge=0.2 softens its edge"},
+    {"light", "power", "intensity is how bright it is; range how far it reaches"},
+    {"light", "energy", "intensity is how bright it is; range how far it reaches"},
+    {"camera", "target", "look-at=ball turns the camera to an object or a place"},
+    {"camera", "type", "height=10 makes it orthographic: the height of the view in metres"},
+    {"camera", "projection", "height=10 makes it orthographic: the height of the view in metres"},
+    {"camera", "zoom", "lens=80mm or fov=20deg shows less"},
+    {"box", "bevel", "corner=0.05 makes the edges round"},
+    {"box", "radius", "corner=0.05 makes the edges round"},
+    {"", "opacity", "transparency=0.4 is its opposite; a group has opacity, as a picture"},
+    {"", "roundness", "corner=0.05 makes corners round: of a rectangle, and of a box"},
+    {"", "rotate", "rotation=euler(0 90deg 0) turns it"},
+};
+
 }  // namespace
+
+Hint missing_parameter_hint(const Scene& s, Kind kind, std::string_view name) {
+  const KindRow& own = row_of(kind);
+  for (const ForeignParameter& p : all_foreign_parameters)
+    if ((p.kind.empty() || p.kind == own.name) && same_letters(p.word, name)) return std::string(p.leads);
+  if (Hint near = did_you_mean(name, function_names(s, kind)); !near.text.empty()) return near;
+  std::vector<std::string_view> others;
+  for (const KindRow& row : kinds())
+    if (find_function(s, row.kind, name)) others.push_back(row.name);
+  if (others.size() == 1 && others.front() == row_of(Kind::group).name)
+    return fmt::format("a group has it: create slide group {}=…, attach ball to slide", name);
+  if (others.empty() || others.size() > 6) return std::string(foreign_word_hint(name));
+  return fmt::format("kinds with '{}': {}", name, fmt::join(others, ", "));
+}
 
 std::span<const ForeignWord> foreign_words() { return all_foreign_words; }
 

@@ -7,6 +7,9 @@
 #include <span>
 #include <string_view>
 
+#include "betwixt/result.h"
+#include "scene/document.h"
+
 namespace betwixt {
 
 struct ForeignWord {
@@ -18,5 +21,8 @@ struct ForeignWord {
 std::span<const ForeignWord> foreign_words();
 // Returns the equivalent of the word, or "" if it has no row.
 std::string_view foreign_word_hint(std::string_view word);
+// Returns the hint for a parameter, or a function, that a kind has not: what does the same, a similar name, or the
+// kinds that have it.
+Hint missing_parameter_hint(const Scene&, Kind, std::string_view name);
 
 }  // namespace betwixt

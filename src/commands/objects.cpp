@@ -332,7 +332,7 @@ bool one_parameter(Command& k, Object& object, std::vector<FunctionId>* said, Fu
     if (furnished && furniture(k, object.kind, key, *furnished)) return true;
     if (c.error) return false;
     return c.fail(ErrorCode::name, fmt::format("{} has no '{}'", a_kind(object.kind), name.substr(0, 40)), name,
-                  did_you_mean(name, function_names(s, object.kind)));
+                  missing_parameter_hint(s, object.kind, name));
   }
   const FunctionSpec& spec = spec_of(s, *f);
   const int component = dot == std::string_view::npos ? -1 : find_component(spec.type, key.substr(dot + 1));

@@ -170,6 +170,7 @@ std::vector<std::string_view> words_with_help() {
 }
 
 std::string owners_of(const FunctionSpec& f) {
+  if (f.kinds == bit(Kind::group)) return "a group";
   if (f.kinds & bit(Kind::group)) return "every object";
   std::string out;
   for (const KindRow& k : kinds())
@@ -221,6 +222,24 @@ std::string help_overview(const Scene& scene, bool of_the_shell) {
          "this.\n";
 }
 
+namespace {
+
+// Usage that ends in … is about a few of the words that a function takes.
+std::string whole_usage(const HelpEntry& e) {
+  if (!e.function || e.function->words.empty() || !e.usage.ends_with("…")) return std::string(e.usage);
+  std::string all(e.function->words);
+  for (std::size_t at = 0; (at = all.find('|', at)) != std::string::npos; at += 2) all.replace(at, 1, ", ");
+  return all;
+}
+
+bool is_material(std::string_view word) {
+  for (const FunctionSpec& f : built_in_functions())
+    if (f.name == "material") return fmt::format("|{}|", f.words).find(fmt::format("|{}|", word)) != std::string::npos;
+  return false;
+}
+
+}  // namespace
+
 std::string help_text(std::string_view word, const Scene& scene, std::optional<Kind> of_kind) {
   const bool shared =
       std::ranges::count_if(help_entries(), [&](const HelpEntry& e) { return e.function && e.word == word; }) > 1;
@@ -242,7 +261,7 @@ std::string help_text(std::string_view word, const Scene& scene, std::optional<K
     if (!out.empty()) out += "\n";
     const std::string of = shared && e.function ? " of " + owners_of(*e.function) : "";
     out += fmt::format("{}, {}{}: {}\n", e.word, what(e.group), of, e.sentence);
-    if (!e.usage.empty()) out += fmt::format("  {}: {}\n", e.group <= row ? "usage" : "written", e.usage);
+    if (!e.usage.empty()) out += fmt::format("  {}: {}\n", e.group <= row ? "usage" : "written", whole_usage(e));
     if (!e.example.empty()) {
       std::string lines(e.example);
       for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 12)
@@ -250,6 +269,8 @@ std::string help_text(std::string_view word, const Scene& scene, std::optional<K
       out += fmt::format("  example: {}\n", lines);
     }
   }
+  if (out.empty() && is_material(word))
+    out = fmt::format("{0}, a material: see material\n  example: create ball sphere material={0}\n", word);
   const OwnKind* const kind = scene.kinds->find(word);
   if (!kind && plugin_kind(word))
     out += fmt::format("{}, a kind of a plug-in: {}\n  example: create NAME {}\n", word, plugin_help(word), word);

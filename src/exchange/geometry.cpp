@@ -147,8 +147,8 @@ Geometry realise(const Shape& shape, const Detail& detail) {
   if (row.fill == Fill::file) return {shape.mesh ? simplified(shape.mesh, detail) : empty, {}};
   Geometry g;
   const bool outlined = by_contours(shape);
-  Key key{shape, row.detailed && !outlined ? detail : Detail{}};
-  if (row.measures && !outlined) {
+  Key key{shape, detailed(shape) && !outlined ? detail : Detail{}};
+  if (row.measures && !outlined && !(row.own && row.own(shape))) {
     const Vec3 m = row.measures(shape);
     const auto local = stretch(m);
     if (!local) return {empty, {}};

@@ -143,9 +143,10 @@ Status find_style(const Typeface& face) {
   if (all.contains({face.italic, weight})) return Nothing{};
   std::string there;
   for (const auto& [italic, w] : all) there += fmt::format("{}{}", there.empty() ? "" : ", ", style_name(w, italic));
-  return fail(ErrorCode::name,
-              fmt::format("this machine has no {} of the font \"{}\"", style_name(weight, face.italic), face.family),
-              fmt::format("there is {}", there));
+  return fail(
+      ErrorCode::name,
+      fmt::format("the font \"{}\" has no style \"{}\" on this machine", face.family, style_name(weight, face.italic)),
+      fmt::format("there is {}", there));
 }
 
 namespace {

@@ -14,7 +14,7 @@ constexpr std::uint64_t looked_through_every = 16;  // pictures
 // A blend of outlines or files is made for each request.
 bool has_details(const Shape& shape, const Shape* toward) {
   const KindRow& row = row_of(shape.kind);
-  return toward == nullptr ? row.detailed || row.fill == Fill::file : row.detailed && row_of(toward->kind).detailed;
+  return toward == nullptr ? detailed(shape) || row.fill == Fill::file : detailed(shape) && detailed(*toward);
 }
 
 Form::Form(std::shared_ptr<const Shape> shape, std::shared_ptr<const Shape> toward, double blend)

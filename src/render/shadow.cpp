@@ -329,7 +329,8 @@ void Shadows::draw_some(const Part& one, Things& things, const Made& light, bool
       mesh = cast.mesh.get(), local = cast.local;
     }
     const bool within = one.map.perspective && length(center) <= t.bounds.radius();
-    const bool far = t.closed && !ball && (t.shape->kind != Kind::box || t.form->blends() || within);
+    const bool far =
+        t.closed && !ball && (t.shape->kind != Kind::box || detailed(*t.shape) || t.form->blends() || within);
     Group& g = groups[{mesh, t.mirrored, t.closed, far}];
     g.batch = {mesh, nullptr, nullptr, nullptr, t.mirrored, t.closed, ball, false, 0, g.batch.count + 1};
     g.instances.push_back(instance_of(t, world * local));

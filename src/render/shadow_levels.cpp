@@ -77,7 +77,7 @@ Turned turned(const Thing& t, Store& store) {
 
 // Returns whether an object fills its box, or is flat.
 bool is_plain(const Thing& t, const Turned& box) {
-  if (t.shape->kind == Kind::box && !t.form->blends()) return true;
+  if (t.shape->kind == Kind::box && !detailed(*t.shape) && !t.form->blends()) return true;
   double most = 0, least = INFINITY;
   for (const Vec3& h : box.half) most = std::max(most, length(h)), least = std::min(least, length(h));
   return least < 1e-6 * most;

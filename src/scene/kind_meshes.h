@@ -28,6 +28,16 @@ inline double share_of(double radius, const Extent& all) {
   return radius / std::max({half.x, half.y, half.z, radius, 1e-300});
 }
 
+inline bool has_round_edges(const Shape& box) { return box.corner > 0; }
+inline Mesh any_box_mesh(const Shape& s, const Detail& d) {
+  if (!has_round_edges(s)) return box_mesh();
+  const Vec3 half{std::abs(s.size.x) / 2, std::abs(s.size.y) / 2, std::abs(s.size.z) / 2};
+  const double radius = std::min({s.corner, half.x, half.y, half.z});
+  if (!sane(half) || !(radius > 0)) return {};
+  const int around = d.even ? d.around / 2 : d.around_thin(radius / std::max({half.x, half.y, half.z}));
+  return round_box_mesh(half, radius, std::max(1, around / 8));
+}
+
 inline Mesh ring_mesh(const Shape& s, const Detail& d) {
   if (!(s.tube > 0) || !(s.radius >= 0) || !sane(s.tube) || !sane(s.radius)) return {};
   const int across = d.even ? d.around / 2 : d.around_thin(s.tube / (s.radius + s.tube));

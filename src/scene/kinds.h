@@ -57,6 +57,8 @@ struct KindRow {
   double (*reach)(const Shape&, Vec3 r) = nullptr;
   // Returns the scale of the common mesh. Null if each shape has a mesh of its own.
   Vec3 (*measures)(const Shape&) = nullptr;
+  // Returns whether a shape of a kind with a common mesh has one of its own, with details. Null if none has.
+  bool (*own)(const Shape&) = nullptr;
   Mesh (*mesh)(const Shape&, const Detail&) = nullptr;
   std::vector<std::vector<Vec3>> (*contours)(const Shape&) = nullptr;
 };
@@ -67,6 +69,11 @@ std::optional<Kind> find_kind(std::string_view name);
 
 std::string written_of(const KindRow&);  // with the parameters that all kinds of its sort have
 std::string a_kind(Kind);                // "a sphere", "an environment"
+// Whether the mesh of the shape has more triangles where it is larger in the picture.
+inline bool detailed(const Shape& s) {
+  const KindRow& row = row_of(s.kind);
+  return row.own ? row.own(s) : row.detailed;
+}
 inline bool drawable(Kind k) { return row_of(k).fill != Fill::nothing; }
 inline bool has_coordinates(Kind k) { return row_of(k).coordinates; }
 inline bool placed(Kind k) { return row_of(k).placed; }

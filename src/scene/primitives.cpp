@@ -98,6 +98,41 @@ Mesh box_mesh() {
   return finished(std::move(mesh), true);
 }
 
+Mesh round_box_mesh(Vec3 half, double radius, int steps) {
+  Mesh mesh;
+  // Each face goes half way around its edges. Of a direction (a b 1) seen from the face, a and b are one of these.
+  std::vector<double> slopes;
+  for (int i = -steps; i <= steps; ++i) {
+    const double s = std::abs(i) == steps ? 1 : std::tan(pi / 4 * std::abs(i) / steps);
+    slopes.push_back(i < 0 ? -s : s);
+    if (i == 0) slopes.push_back(0);  // both ends of the flat part
+  }
+  const auto side = static_cast<Index>(slopes.size());
+  const Vec3 inner{half.x - radius, half.y - radius, half.z - radius};
+  const auto face = [&](Vec3 normal, Vec3 upward) {
+    const Vec3 right = cross(upward, normal), r = half * right, u = half * upward;
+    const Index first = static_cast<Index>(mesh.positions.size());
+    for (Index j = 0; j < side; ++j)
+      for (Index i = 0; i < side; ++i) {
+        const double a = slopes[i], b = slopes[j];
+        const Vec3 way = 1 / std::sqrt(a * a + b * b + 1) * (a * right + b * upward + normal);
+        const Vec3 middle = inner * (normal + (2 * i < side ? -1 : 1) * right + (2 * j < side ? -1 : 1) * upward);
+        const Vec3 p = middle + radius * way;
+        const double x = dot(p, right) / length(r), y = dot(p, upward) / length(u);
+        add(mesh, p, way, 0.5 + 0.5 * x, 0.5 - 0.5 * y);
+        if (i > 0 && j > 0) {
+          const Index at = first + j * side + i;
+          quad(mesh, at - side - 1, at - side, at, at - 1);
+        }
+      }
+  };
+  const Vec3 y{0, 1, 0}, z{0, 0, 1};
+  for (const Vec3 towards : {z, Vec3{1, 0, 0}, -z, Vec3{-1, 0, 0}}) face(towards, y);
+  face(y, -z);
+  face(-y, z);
+  return finished(std::move(mesh), true);
+}
+
 Mesh cylinder_mesh(int around) {
   Mesh mesh;
   for (int i = 0; i <= around; ++i) {

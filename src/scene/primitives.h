@@ -23,6 +23,8 @@ inline bool sane(const std::vector<Vec3>& points) {
 // About the origin, radius 1, height 1 along y, sides 1. `around` and `up` are numbers of faces, at least 3 and 2.
 Mesh sphere_mesh(int around, int up);
 Mesh box_mesh();
+// A box with round edges: `radius` > 0 is at most the smallest half. An edge has twice `steps` faces across.
+Mesh round_box_mesh(Vec3 half, double radius, int steps);
 Mesh cylinder_mesh(int around);
 Mesh cone_mesh(int around);  // the tip at y = 1/2
 Mesh plane_mesh();           // 1 by 1 at z = 0, facing +z

@@ -168,7 +168,7 @@ TEST(Texts, FontsThatLackAWeightSayWhichTheyHave) {
     for (const Diagnostic& d : read(text).diagnostics) all.push_back(d.what.message);
     return all;
   };
-  const std::vector<std::string> missing{"this machine has no black of the font \"DejaVu Sans\""};
+  const std::vector<std::string> missing{"the font \"DejaVu Sans\" has no style \"black\" on this machine"};
   EXPECT_EQ(notices("create t text weight=black font=\"DejaVu Sans\""), missing);
   EXPECT_EQ(notices("create t text\nset t.weight black"), missing);
   EXPECT_EQ(notices("create t text\nat 9f t.weight black"), missing);

@@ -138,7 +138,7 @@ TEST(Fonts, WeightsAreHeavierAndWhatIsMissingIsSaid) {
   EXPECT_TRUE(find_style({"No Such Font At All", Weight::bold})) << "that was said already";
   const Status missing = find_style({"DejaVu Sans", Weight::black, true});
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().message, "this machine has no black italic of the font \"DejaVu Sans\"");
+  EXPECT_EQ(missing.error().message, "the font \"DejaVu Sans\" has no style \"black italic\" on this machine");
   EXPECT_NE(missing.error().hint.find("regular, bold"), std::string::npos) << missing.error().hint;
   // The nearest that there is stands in.
   EXPECT_EQ(font_file({"DejaVu Sans", Weight::black}).path, font_file({"DejaVu Sans", Weight::bold}).path);

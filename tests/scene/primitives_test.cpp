@@ -42,6 +42,8 @@ TEST(Primitives, AreSoundAndClosed) {
   for (const int n : {3, 4, 12, 24, 48, 96}) {
     const std::map<const char*, Mesh> bodies{{"sphere", sphere_mesh(n, std::max(2, n / 2))},
                                              {"box", box_mesh()},
+                                             {"round box", round_box_mesh({1, 0.5, 0.7}, 0.1, std::max(1, n / 8))},
+                                             {"ball of a box", round_box_mesh({1, 1, 1}, 1, std::max(1, n / 8))},
                                              {"cylinder", cylinder_mesh(n)},
                                              {"cone", cone_mesh(n)},
                                              {"torus", torus_mesh(1, 0.3, n, n)}};
@@ -67,6 +69,14 @@ TEST(Primitives, MeasureWhatTheFormulasSay) {
     EXPECT_NEAR(area(sphere_mesh(n, n / 2)) / (4 * pi), 1, close);
     EXPECT_NEAR(signed_volume(cylinder_mesh(n)) / pi, 1, close);
     EXPECT_NEAR(area(cylinder_mesh(n)) / (4 * pi), 1, close);
+    // The core, a slab on each face, a quarter of a cylinder on each edge, and eighths of a ball.
+    const double a = 1.8, b = 0.8, c = 1.2, r = 0.1;
+    const double volume =
+        a * b * c + 2 * r * (a * b + b * c + c * a) + pi * r * r * (a + b + c) + 4 * pi / 3 * r * r * r;
+    const double surface = 2 * (a * b + b * c + c * a) + 2 * pi * r * (a + b + c) + 4 * pi * r * r;
+    const Mesh round = round_box_mesh({1, 0.5, 0.7}, r, n / 8);
+    EXPECT_NEAR(signed_volume(round) / volume, 1, close);
+    EXPECT_NEAR(area(round) / surface, 1, close);
     EXPECT_NEAR(signed_volume(cone_mesh(n)) / (pi / 3), 1, close);
     EXPECT_NEAR(area(cone_mesh(n)) / (pi + pi * std::sqrt(2)), 1, close);
     EXPECT_NEAR(signed_volume(torus_mesh(2, 0.5, n, n)) / (2 * pi * pi * 2 * 0.25), 1, close);
