@@ -120,7 +120,10 @@ Mesh round_box_mesh(Vec3 half, double radius, int steps) {
         const Vec3 p = middle + radius * way;
         const double x = dot(p, right) / length(r), y = dot(p, upward) / length(u);
         add(mesh, p, way, 0.5 + 0.5 * x, 0.5 - 0.5 * y);
-        if (i > 0 && j > 0) {
+        const auto has_area = [&](Index k, Vec3 axis) {  // the flat part has none if all of it is round
+          return k > 0 && (2 * k != side || std::abs(dot(inner, axis)) > 0);
+        };
+        if (has_area(i, right) && has_area(j, upward)) {
           const Index at = first + j * side + i;
           quad(mesh, at - side - 1, at - side, at, at - 1);
         }

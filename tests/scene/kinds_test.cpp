@@ -114,7 +114,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::group,
        {"opacity", "blend", "mask", "blur", "glow", "glow-size", "drop-shadow", "shadow-color", "shadow-opacity"}},
       {Kind::sphere, {"radius"}},
-      {Kind::box, {"size"}},
+      {Kind::box, {"size", "corner"}},
       {Kind::cylinder, {"radius", "height"}},
       {Kind::cone, {"radius", "height"}},
       {Kind::torus, {"radius", "tube"}},
