@@ -128,11 +128,18 @@ class Telling {
   std::optional<py::error_already_set> raised_;
 };
 
+ColorCoding coding_of(const std::string& name) {
+  const auto* const at = std::find(color_coding_names.begin(), color_coding_names.end(), name);
+  if (at == color_coding_names.end())
+    raise(fail(ErrorCode::range, "colors must be srgb, p3, rec2020, pq or hlg, not '" + name.substr(0, 60) + "'"));
+  return static_cast<ColorCoding>(at - color_coding_names.begin());
+}
+
 FilmStats render(const Film& film, const std::filesystem::path& path,
                  const std::optional<std::pair<py::object, py::object>>& segment, const Size& size,
                  const std::string& style, const Samples& samples, const std::optional<std::string>& pixel_filter,
                  const std::optional<std::string>& shutter, std::optional<int> subframes, bool denoise, int bits,
-                 int jobs, bool overwrite, bool missing, py::object progress) {
+                 const std::string& colors, int jobs, bool overwrite, bool missing, py::object progress) {
   const Program program = unlocked([&] { return film.program(); });
   const Document& document = program.document();
   auto [first, last] = document.range();
@@ -141,7 +148,7 @@ FilmStats render(const Film& film, const std::filesystem::path& path,
   const FrameList frames = value_or_raise(frames_between(first, last, document.rate()));
   RenderJob job =
       render_job(program, path.string(), frames, options_of(document, style, size, samples, pixel_filter, denoise),
-                 exposure_of(document, shutter, subframes), bits);
+                 exposure_of(document, shutter, subframes), bits, coding_of(colors));
   job.film.jobs = jobs, job.film.overwrite = overwrite, job.film.only_missing = missing;
   value_or_raise(check_options(job.pictures));
   std::mutex mutex;
@@ -227,8 +234,8 @@ void bind_pictures(py::module_& m, py::class_<Film>& film) {
   film.def("render", render, py::arg("path"), py::kw_only(), py::arg("frames") = py::none(),
            py::arg("size") = py::none(), py::arg("style") = "shaded", py::arg("samples") = py::none(),
            py::arg("pixel_filter") = py::none(), py::arg("shutter") = py::none(), py::arg("subframes") = py::none(),
-           py::arg("denoise") = true, py::arg("bits") = 8, py::arg("jobs") = 0, py::arg("overwrite") = true,
-           py::arg("missing") = false, py::arg("progress") = py::none(),
+           py::arg("denoise") = true, py::arg("bits") = 8, py::arg("colors") = "srgb", py::arg("jobs") = 0,
+           py::arg("overwrite") = true, py::arg("missing") = false, py::arg("progress") = py::none(),
            says("Makes a film, or numbered pictures, in the format of the ending. `progress(done, frames, seconds)` is "
                 "called "
                 "now and then. If it returns False, the film ends and no file is left."));

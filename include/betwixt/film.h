@@ -67,14 +67,15 @@ struct FilmOptions {
   // For numbered pictures: keeps those that exist, are complete and have this size, and makes the others. Each is put
   // in place as soon as it is made, even if the film fails later.
   bool only_missing = false;
-  bool alpha = false;             // keeps transparency, if the format can hold it
-  bool drawing = false;           // a flat film: H.264 takes fewer trials, which show only in pictures of nature
-  int bits = 8;                   // bits a channel of numbered PNG: 8 or 16
-  Sounds sounds;                  // without it the film is silent
-  std::string captions;           // a text track in the form of SRT; "": none
-  std::vector<Chapter> chapters;  // of .mp4, .webm and .mov
-  int quality = 0;                // 1 to 100, for lossy formats; 0: the codec's default
-  std::string codec;              // one of codecs_of(path); "": the first of them
+  bool alpha = false;    // keeps transparency, if the format can hold it
+  bool drawing = false;  // a flat film: H.264 takes fewer trials, which show only in pictures of nature
+  int bits = 8;          // bits a channel of numbered PNG: 8 or 16
+  ColorCoding colors = ColorCoding::srgb;  // all others need make_linear_film, and have 10 bits or more
+  Sounds sounds;                           // without it the film is silent
+  std::string captions;                    // a text track in the form of SRT; "": none
+  std::vector<Chapter> chapters;           // of .mp4, .webm and .mov
+  int quality = 0;                         // 1 to 100, for lossy formats; 0: the codec's default
+  std::string codec;                       // one of codecs_of(path); "": the first of them
 };
 
 // Returns the codecs that a format can use, the default first. Returns an empty list if there is no choice.
@@ -132,7 +133,7 @@ struct RenderJob {
   FilmOptions film;          // for make_linear_film if `pictures.linear`, otherwise for make_film
 };
 RenderJob render_job(const Program&, const std::string& path, const FrameList&, RenderOptions, std::optional<Blur>,
-                     int bits = 8);
+                     int bits = 8, ColorCoding colors = ColorCoding::srgb);
 // Return painters for the frames; call each from the thread that made it. After each frame, a painter calls
 // TellProblems with the problems of that frame; the list may be empty. If there are several jobs, several threads may
 // call it at the same time. Errors: those of make_renderer.

@@ -20,8 +20,11 @@ Result<std::string> to_png(const Picture&);
 // name. Errors: file (cannot be written), machine (disk full).
 Status write_png(const std::string& path, const Picture&, bool overwrite = true);
 // The same for linear light: a PNG with 16 bits a channel, as a screen shows it; an OpenEXR in half floats, unchanged.
-Status write_png(const std::string& path, const LinearPicture&, bool overwrite = true);
-Status write_exr(const std::string& path, const LinearPicture&, bool overwrite = true);
+// Both say in the file how its colours are coded; of an OpenEXR this says the primaries only.
+Status write_png(const std::string& path, const LinearPicture&, bool overwrite = true,
+                 ColorCoding colors = ColorCoding::srgb);
+Status write_exr(const std::string& path, const LinearPicture&, bool overwrite = true,
+                 ColorCoding colors = ColorCoding::srgb);
 // Reads PNG or OpenEXR and returns linear light. Errors: those of read_picture.
 Result<LinearPicture> read_linear_picture(const std::string& path);
 // Reads PNG, JPEG, TGA or BMP. Errors: file (missing, unreadable, broken), range (more than 16384 pixels a side).

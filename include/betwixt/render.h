@@ -40,7 +40,10 @@ struct RenderOptions {
   // with this option; without it, it is black.
   bool linear = false;
   bool unclamped = false;  // for linear light: keeps light above white, which is otherwise rolled off
-  bool denoise = true;     // takes the noise out of pictures of "traced" with 4 samples or more
+  // For linear light that is a picture: how bright its brightest light may be. 1 is white; screens with more have room
+  // for highlights.
+  double peak = 1;
+  bool denoise = true;  // takes the noise out of pictures of "traced" with 4 samples or more
   Device device = Device::software;
   friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };

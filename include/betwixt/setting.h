@@ -7,8 +7,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "betwixt/linear_picture.h"
 
@@ -27,6 +29,18 @@ struct Sky {
 // In the order of Sky::Kind.
 inline constexpr std::array<std::string_view, 6> sky_names{"off", "studio", "day", "overcast", "sunset", "picture"};
 
+// What a look file or an OpenColorIO configuration makes of colours: signals of an sRGB screen, of 16 bits.
+struct ColorTable {
+  // What it takes: signals of the picture that a view has made; light; or light in stops (grade.cpp, place_of_stops).
+  enum Takes : std::uint8_t { picture, light, stops } takes = picture;
+  bool cube = true;                             // size^3 colours, red fastest; otherwise a curve of each channel
+  int size = 0;                                 // 2 to most_side, or to most_curve
+  std::array<float, 3> least{}, most{1, 1, 1};  // of `picture` and `light`: what its first and last colours are for
+  std::vector<std::uint16_t> signals;           // r g b of each
+  static constexpr int most_side = 129, most_curve = 65536;
+  friend bool operator==(const ColorTable&, const ColorTable&) = default;
+};
+
 // How linear light becomes a picture. Light that is not graded rolls off towards white (`neutral`).
 struct Grade {
   enum View : std::uint8_t { neutral, plain, filmic, agx } view = neutral;
@@ -34,6 +48,9 @@ struct Grade {
   double bloom = 0;             // how much bright light spreads, 0 to 1
   double vignette = 0;          // how much darker the corners are, 0 to 1
   double grain = 0;             // how strong the grain of the film is, 0 to 1
+  // After the view, or instead of it if it takes light.
+  std::shared_ptr<const ColorTable> table;
+  double table_share = 1;  // how much of its picture is shown, and of that before it
   friend bool operator==(const Grade&, const Grade&) = default;
 };
 // In the order of Grade::View.

@@ -60,12 +60,13 @@ int refuse(const Error& e, int code) {
 std::string parameters_of(const RenderCall& call, const RowFilm& film) {
   const LoadOptions& load = load_options();
   const PictureCall& p = call.picture;
-  std::string all = fmt::format(
-      "{}\n{}\n{}x{} {} {} {} {} {}\n{} {}\n{} {} {} {}/{} {} {} {} {}\n", BETWIXT_VERSION, call.frames,
-      p.size ? p.size->first : 0, p.size ? p.size->second : 0, p.otherwise.style, p.samples.value_or(-1),
-      p.otherwise.denoise, static_cast<int>(p.otherwise.device), p.pixel_filter, call.exposure.shutter.value_or(""),
-      call.exposure.subframes.value_or(0), call.bits, call.quality, call.codec, call.rate ? call.rate->num : 0,
-      call.rate ? call.rate->den : 0, call.keep_going, load.tex, load.read_anywhere, load.language.value_or("-"));
+  std::string all = fmt::format("{}\n{}\n{}x{} {} {} {} {} {}\n{} {}\n{} {} {} {}/{} {} {} {} {} {}\n", BETWIXT_VERSION,
+                                call.frames, p.size ? p.size->first : 0, p.size ? p.size->second : 0, p.otherwise.style,
+                                p.samples.value_or(-1), p.otherwise.denoise, static_cast<int>(p.otherwise.device),
+                                p.pixel_filter, call.exposure.shutter.value_or(""), call.exposure.subframes.value_or(0),
+                                call.bits, call.quality, call.codec, call.rate ? call.rate->num : 0,
+                                call.rate ? call.rate->den : 0, call.keep_going, load.tex, load.read_anywhere,
+                                load.language.value_or("-"), color_coding_names[static_cast<std::size_t>(call.colors)]);
   for (const auto* lets : {&load.lets, &film.lets})
     for (const GivenLet& let : *lets) all += fmt::format("{}={}\n", json_text(let.name), json_text(let.value));
   return all;
@@ -114,7 +115,8 @@ Status make(Work& work, RowFilm& film) {
   const Findings found =
       look_through(program, call.file, frames->time(0), frames->time(frames->count - 1), frames->count);
   if (!found.errors.empty() && !call.keep_going) return fail(ErrorCode::type, errors_in(found.errors));
-  RenderJob job = render_job(program, film.path, *frames, call.picture.of(*document), *exposure, call.bits);
+  RenderJob job =
+      render_job(program, film.path, *frames, call.picture.of(*document), *exposure, call.bits, call.colors);
   job.film.jobs = 1;
   job.film.overwrite = !call.keep_old;
   job.film.quality = call.quality, job.film.codec = call.codec;

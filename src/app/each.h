@@ -18,6 +18,7 @@ struct RenderCall {
   PictureCall picture;
   ExposureCall exposure;
   int jobs = 0, bits = 8, quality = 0;
+  ColorCoding colors = ColorCoding::srgb;
   std::string codec, captions;
   std::optional<Rate> rate;
   bool missing = false, keep_old = false, keep_going = false, stats = false, plan = false, progress = false;

@@ -21,6 +21,7 @@ struct FrameCall {
   PictureCall picture;
   ExposureCall exposure;
   int bits = 8, quality = 0;
+  ColorCoding colors = ColorCoding::srgb;
   bool keep_old = false, keep_going = false;
 };
 
@@ -34,8 +35,8 @@ Status write(const FrameCall& call, const LinearPicture& light) {
     to_shown(light, shown);
     return write_jpeg(call.out, shown, call.quality == 0 ? usual_quality : call.quality, !call.keep_old);
   }
-  if (ending(call.out) == "exr") return write_exr(call.out, light, !call.keep_old);
-  if (call.bits > 8) return write_png(call.out, light, !call.keep_old);
+  if (ending(call.out) == "exr") return write_exr(call.out, light, !call.keep_old, call.colors);
+  if (call.bits > 8 || call.colors != ColorCoding::srgb) return write_png(call.out, light, !call.keep_old, call.colors);
   Picture shown;
   to_shown(light, shown);
   return write_png(call.out, shown, !call.keep_old);
@@ -75,6 +76,14 @@ int frame(FrameCall& call) {
         fail(ErrorCode::range, kind == "exr" ? "--bits is for PNG; a channel of OpenEXR is always a half float"
                                              : "--bits is for PNG; a channel of JPEG always has 8 bits"),
         wrong_call);
+  if (is_jpeg(call.out) && call.colors != ColorCoding::srgb)
+    return complain(
+        fail(ErrorCode::range, "--colors: JPEG has the colors of sRGB only", ".png and .exr can have others"),
+        wrong_call);
+  if (kind == "exr" && has_highlights(call.colors))
+    return complain(fail(ErrorCode::range, "--colors: OpenEXR has light without limit, not signals",
+                         "p3 and rec2020 choose its primaries"),
+                    wrong_call);
   if (!is_jpeg(call.out) && call.quality != 0)
     return complain(fail(ErrorCode::range, "--quality is for .jpg; the other formats are lossless"), wrong_call);
   if (Status s = check_place(call.out, !call.keep_old); !s) return complain(s.error(), wrong_call);
@@ -86,7 +95,9 @@ int frame(FrameCall& call) {
   if (!exposure) return complain(exposure.error(), wrong_call);
   RenderOptions options = call.picture.of(*document);
   options.unclamped = kind == "exr";
-  options.linear = options.unclamped || call.bits > 8 || document->transparent() || *exposure;
+  options.linear =
+      options.unclamped || call.bits > 8 || document->transparent() || *exposure || call.colors != ColorCoding::srgb;
+  options.peak = has_highlights(call.colors) ? peak_nits / white_nits : 1;
   Result<std::unique_ptr<Renderer>> renderer = make_renderer(options);
   if (!renderer) return complain(renderer.error(), wrong_call);
   const Program program = Program::compile(*document);
@@ -117,7 +128,8 @@ const Enlisted enlisted_frame(frame, [](FrameCall& call) -> Subcommand {
                                  "the picture: .png .jpg .exr; - is standard output, -.jpg a JPEG there", "png")},
                picture_parameters(call.picture),
                exposure_parameters(call.exposure),
-               {bits_parameter(call.bits), quality_parameter(call.quality, "the quality of JPEG; by default 92"),
+               {bits_parameter(call.bits), colors_parameter(call.colors),
+                quality_parameter(call.quality, "the quality of JPEG; by default 92"),
                 flag("--no-overwrite", "keeps an existing file", call.keep_old), keep_going_flag(call.keep_going)}}),
           .example = "betwixt frame examples/bounce.bx --at 24f -o bounce.png"};
 });

@@ -13,6 +13,7 @@
 #include "betwixt/film.h"
 #include "betwixt/picture.h"
 #include "betwixt/program.h"
+#include "film/formats.h"
 #include "film/numbered.h"
 #include "language/captions.h"
 
@@ -24,6 +25,7 @@ struct JoinCall {
   std::optional<std::pair<int, int>> numbers;
   std::optional<Rate> rate = {};
   int jobs = 0;
+  ColorCoding colors = ColorCoding::srgb;
   bool alpha = false, keep_old = false;
 };
 
@@ -126,7 +128,8 @@ int join(const JoinCall& call) {
   if (!all) return complain(all.error(), all.error().code == ErrorCode::range ? wrong_call : wrong_input);
   std::optional<Program> heard;
   if (const int code = open_sounds(call, heard); code != all_done) return code;
-  const bool linear = pictures->exr || takes_16_bits(call.out);
+  if (Status s = check_colors(call.out, call.colors, call.alpha); !s) return complain(s.error(), wrong_call);
+  const bool linear = pictures->exr || takes_16_bits(call.out) || call.colors != ColorCoding::srgb;
   const auto first = read_linear_picture(pictures->path(all->front()));
 
   FilmOptions options;
@@ -138,7 +141,7 @@ int join(const JoinCall& call) {
   if (first) options.width = first->width, options.height = first->height;
   options.alpha = call.alpha || (first && has_clear(*first));
   if (options.alpha && !takes_alpha(call.out)) say_not_clear(call.out);
-  options.jobs = call.jobs;
+  options.jobs = call.jobs, options.colors = call.colors;
   options.overwrite = !call.keep_old;
   if (heard && has_sounds(heard->document()))
     options.sounds = [&](std::span<float> stereo) {
@@ -197,6 +200,7 @@ const Enlisted enlisted_join(join, [](JoinCall& call) -> Subcommand {
                  .value = "N",
                  .sentence = "pictures a second, 24 or 30000/1001; by default the rate of the script of --sound, or 24",
                  .into = ReadValue([&call](const std::string& text) { return read_rate(text, call); })},
+                colors_parameter(call.colors),
                 {.name = "--jobs",
                  .value = "N",
                  .sentence = "pictures read in parallel; by default chosen for this machine",

@@ -37,8 +37,9 @@ int print_plan(const FilmOptions& o, const FrameList& frames) {
   const std::string first = write_number(frames.rate.frame_number(frames.first));
   fmt::print("{{\"first\":{},\"frames\":{},\"rate\":\"{}\",\"width\":{},\"height\":{},", first, o.frames, rate, o.width,
              o.height);
-  fmt::print("\"bits\":{},\"alpha\":{},\"sound\":{}}}\n", takes_16_bits(o.path) ? 16 : o.bits,
-             o.alpha && takes_alpha(o.path), static_cast<bool>(o.sounds));
+  fmt::print("\"bits\":{},\"alpha\":{},\"sound\":{}}}\n",
+             takes_16_bits(o.path) || o.colors != ColorCoding::srgb ? 16 : o.bits, o.alpha && takes_alpha(o.path),
+             static_cast<bool>(o.sounds));
   return all_done;
 }
 
@@ -107,8 +108,12 @@ int render(RenderCall& call) {
   if (!exposure) return complain(exposure.error(), wrong_call);
 
   const Program program = Program::compile(*document);
+  if (ending(call.out) == "pdf" && call.colors != ColorCoding::srgb)
+    return complain(fail(ErrorCode::range, "--colors: .pdf has the colors of sRGB only",
+                         ".mp4, .webm, .mov, .png and .exr can have others"),
+                    wrong_call);
   if (ending(call.out) == "pdf") return render_pdf(call, program, *frames);
-  RenderJob job = render_job(program, call.out, *frames, call.picture.of(*document), *exposure, call.bits);
+  RenderJob job = render_job(program, call.out, *frames, call.picture.of(*document), *exposure, call.bits, call.colors);
   const Time last = frames->time(frames->count - 1);
   const Findings found = look_through(program, call.file, frames->time(0), last, frames->count);
   if (stopped_by(found, call.keep_going)) return wrong_input;
@@ -190,6 +195,7 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
            picture_parameters(call.picture),
            exposure_parameters(call.exposure),
            {bits_parameter(call.bits),
+            colors_parameter(call.colors),
             quality_parameter(call.quality, "the quality of .mp4 and .webm; by default that of the codec"),
             option("--codec", "NAME", "the codec; " + all_codecs(), &call.codec),
             file_option("--captions", "FILE", "writes what is spoken as captions too, .vtt or .srt", &call.captions),
@@ -215,7 +221,9 @@ const Enlisted enlisted_render(render, [](RenderCall& call) -> Subcommand {
           "All formats except numbered pictures need the program ffmpeg. With \"background transparent\", .webm, "
           ".mov (ProRes 4444), .apng and .png have straight alpha, .exr has premultiplied alpha, and .gif has "
           "transparent and opaque pixels only. .mov has more than 8 bits a channel, and so has .png with --bits 16. "
-          ".exr has linear light in half floats. A terminal shows a progress bar with frames per second and the time "
+          ".exr has linear light in half floats. With --colors other than srgb, .mp4 has H.265 or AV1 and .webm AV1, "
+          "both with 10 bits, .mov 10 and .png 16. In pq and hlg white is at 203 nits, and highlights have room up to "
+          "1000. A terminal shows a progress bar with frames per second and the time "
           "left. If you stop a film, or if it fails, there is no file with the film's name. With --missing each "
           "picture gets its name when it is complete, so the next call continues with the missing ones. With --each, "
           "each film stays as soon as "

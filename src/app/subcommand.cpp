@@ -252,6 +252,24 @@ Parameter bits_parameter(int& bits) {
           .words = {"8", "16"}};
 }
 
+Parameter colors_parameter(ColorCoding& colors) {
+  return {.name = "--colors",
+          .value = "NAME",
+          .sentence =
+              "how the colors are coded: srgb; p3 or rec2020, for screens with more colors; pq or hlg, for "
+              "screens with more light too (.mp4 .webm .mov .png; .exr takes p3 and rec2020)",
+          .into = ReadValue([&colors](const std::string& text) -> Status {
+            const auto* const at = std::find(color_coding_names.begin(), color_coding_names.end(), text);
+            if (at == color_coding_names.end())
+              return fail(ErrorCode::range,
+                          fmt::format("--colors must be srgb, p3, rec2020, pq or hlg, not '{}'", text.substr(0, 60)));
+            colors = static_cast<ColorCoding>(at - color_coding_names.begin());
+            return Nothing{};
+          }),
+          .words_only = true,
+          .words = {color_coding_names.begin(), color_coding_names.end()}};
+}
+
 Parameter quality_parameter(int& quality, const std::string& of) {
   return {.name = "--quality",
           .value = "N",

@@ -119,6 +119,7 @@ struct ExposureCall {
 };
 std::vector<Parameter> exposure_parameters(ExposureCall&);  // --shutter, --subframes
 Parameter bits_parameter(int& bits);
+Parameter colors_parameter(ColorCoding&);
 Parameter quality_parameter(int& quality, const std::string& of);  // 1 to 100
 std::vector<Parameter> picture_parameters(PictureCall&);  // --size, --style, --samples, --denoise, --pixel-filter
 std::vector<Parameter> joined(std::initializer_list<std::vector<Parameter>>);

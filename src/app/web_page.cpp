@@ -25,6 +25,7 @@
 #include "base/utf8.h"
 #include "betwixt/language.h"
 #include "betwixt/program.h"
+#include "exchange/color_table.h"
 #include "exchange/said_text.h"
 #include "exchange/typefaces.h"
 #include "exchange/words_file.h"
@@ -75,6 +76,14 @@ Result<std::string> as_gltf(const std::string& script, const std::string& name) 
   if (has_errors(one.diagnostics)) return one.diagnostics.front().what;
   Exported made;
   return make_glb(Program::compile(one.document), {}, made);
+}
+
+// Files that only OpenColorIO reads, because a configuration names them.
+bool of_a_configuration(const std::string& path) {
+  static constexpr std::string_view endings[] = {"ocio",  "cube",   "3dl", "csp", "clf", "ctf", "spi1d",
+                                                 "spi3d", "spimtx", "vf",  "lut", "cc",  "ccc", "cdl",
+                                                 "itx",   "look",   "mga", "m3d", "hdl", "cub"};
+  return std::find(std::begin(endings), std::end(endings), ending(path)) != std::end(endings);
 }
 
 Status add(PageFiles& to, const std::string& script, const std::string& name, const fs::path& path) {
@@ -162,6 +171,12 @@ Status add_files(PageFiles& to, const std::string& script, const Document& docum
     if (name.empty() || name == ".." || name.starts_with("../"))
       return fail(ErrorCode::file, fmt::format("'{}' is outside the folder of {}", path, script),
                   "move it into or below the folder of the script");
+    // A page has no OpenColorIO, but the table that it has made.
+    if (name == scene.appearance.view_file.file && scene.appearance.grade.table) {
+      to[name] = packed_colors(*scene.appearance.grade.table), sum += to[name].size();
+      continue;
+    }
+    if (of_a_configuration(name)) continue;
     if (only_the_program_reads(name) && !scene.meshes->contains(name))
       return fail(ErrorCode::type, fmt::format("pages do not support the format of the scene '{}'", name),
                   "supported: glTF (.glb .gltf) and drawings (.svg)");

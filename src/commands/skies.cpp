@@ -11,6 +11,7 @@
 #include "base/names.h"
 #include "betwixt/picture.h"
 #include "commands/command.h"
+#include "exchange/color_table.h"
 #include "scene/memory.h"
 
 namespace betwixt {
@@ -24,6 +25,15 @@ bool bounded(Command& k, const char* what, double low, double high, double& out)
   if (!values(k).scalar(out)) return false;
   if (out >= low && out <= high) return true;
   return c.fail(ErrorCode::range, fmt::format("{} must be from {} to {}", what, low, high), c.since(start));
+}
+
+// Reads the key of an option and the = after it.
+bool option_key(Cursor& c, std::string_view& key) {
+  key = c.word();
+  if (key.empty()) return finish(c) && false;
+  if (c.peek() != '=')
+    return c.fail(ErrorCode::syntax, fmt::format("'{}' has no value here", key), key, "as in strength=0.5");
+  return ++c.at, true;
 }
 
 // Reads a picture of the whole sky. Makes `path` relative to the first script's folder.
@@ -79,9 +89,8 @@ bool sky(Command& k) {
   bool plain = false;
   if (!which_sky(k, sky, file, plain)) return false;
   while (sky.kind != Sky::none && !c.at_line_end()) {
-    const std::string_view key = c.word();
-    if (key.empty() || c.peek() != '=') return finish(c) && false;
-    ++c.at;
+    std::string_view key;
+    if (!option_key(c, key)) return false;
     if (!sky_option(k, key, sky)) return false;
   }
   if (!finish(c)) return false;
@@ -90,15 +99,97 @@ bool sky(Command& k) {
   return true;
 }
 
+// What `view "FILE"` says.
+struct FileView {
+  ViewFile names;
+  Grade::View of = Grade::neutral;  // whose picture a look file takes
+  bool of_light = false;
+  double strength = 1;
+};
+
+bool what_it_takes(Command& k, FileView& v) {
+  Cursor& c = k.cursor;
+  const std::string_view w = c.word();
+  const auto* const at = std::find(view_names.begin(), view_names.end(), w);
+  v.of_light = w == "light";
+  if (!v.of_light && at == view_names.end())
+    return no_choice(c, w, "a look file takes light, or the picture of neutral, plain, filmic or agx",
+                     did_you_mean(w, {"light", "neutral", "plain", "filmic", "agx"}));
+  v.of = v.of_light ? Grade::plain : static_cast<Grade::View>(at - view_names.begin());
+  return true;
+}
+
+bool view_option(Command& k, std::string_view key, FileView& v) {
+  Cursor& c = k.cursor;
+  constexpr std::pair<std::string_view, std::string ViewFile::*> texts[] = {{"display", &ViewFile::display},
+                                                                            {"through", &ViewFile::through},
+                                                                            {"look", &ViewFile::look},
+                                                                            {"space", &ViewFile::space}};
+  const bool configuration = is_configuration(v.names.file);
+  const auto* const text =
+      std::find_if(std::begin(texts), std::end(texts), [&](const auto& t) { return t.first == key; });
+  if (text != std::end(texts) && !configuration)
+    return c.fail(ErrorCode::syntax, fmt::format("a look file has no '{}'", key), key,
+                  "an OpenColorIO configuration has: view \"config.ocio\" display=\"sRGB\"");
+  if (text != std::end(texts)) return c.text(v.names.*text->second);
+  if ((key == "takes" || key == "strength") && configuration)
+    return c.fail(ErrorCode::syntax, fmt::format("an OpenColorIO configuration has no '{}'", key), key,
+                  "it has display, through, look and space");
+  if (key == "takes") return what_it_takes(k, v);
+  if (key == "strength") return bounded(k, "the strength of a look", 0, 1, v.strength);
+  return c.fail(ErrorCode::name, fmt::format("a view has no '{}'", key.substr(0, 40)), key,
+                did_you_mean(key, {"takes", "strength", "display", "through", "look", "space"}));
+}
+
+// Reads the table. Makes the file's name relative to the first script's folder.
+bool read_colors(Command& k, FileView& v, std::string_view about, std::shared_ptr<const ColorTable>& table) {
+  std::filesystem::path where;
+  ViewFile& n = v.names;
+  if (!may_use(k, n.file, about, where)) return false;
+  const ColorQuery query{n.display, n.through, n.look, n.space, v.of_light};
+  const MayRead may_read = [&](const std::string& p) { return k.script.may_read(p); };
+  const auto read = KeptResults::get("colors", where.string() + "\n" + text_of_query(query),
+                                     [&] { return load_colors(where.string(), query, may_read); });
+  if (!read) return k.cursor.fail(read.error(), about);
+  ContentBytes bytes;
+  bytes.add(*read);
+  if (!has_room(k, bytes, about)) return false;
+  table = *read;
+  return true;
+}
+
+bool view_of_file(Command& k) {
+  Cursor& c = k.cursor;
+  const char* const start = c.at;
+  FileView v;
+  if (!c.text(v.names.file)) return false;
+  const std::string_view about = c.since(start);
+  while (!c.at_line_end()) {
+    std::string_view key;
+    if (!option_key(c, key)) return false;
+    if (!view_option(k, key, v)) return false;
+  }
+  std::shared_ptr<const ColorTable> table;
+  if (!finish(c) || !read_colors(k, v, about, table)) return false;
+  Appearance& a = k.scene.appearance;
+  a.grade.view = is_configuration(v.names.file) ? Grade::plain : v.of;
+  a.grade.table = std::move(table), a.grade.table_share = v.strength, a.view_file = std::move(v.names);
+  return true;
+}
+
 bool view(Command& k) {
   Cursor& c = k.cursor;
+  c.space();
+  if (c.peek() == '"') return view_of_file(k);
   const std::string_view w = c.next_word();
   const auto* const at = std::find(view_names.begin(), view_names.end(), w);
   if (at == view_names.end())
-    return no_choice(c, w, "a view must be neutral, plain, filmic or agx",
+    return no_choice(c, w, "a view must be neutral, plain, filmic, agx or a \"FILE\"",
                      did_you_mean(w, {view_names.begin(), view_names.end()}));
   if (!finish(c)) return false;
-  k.scene.appearance.grade.view = static_cast<Grade::View>(at - view_names.begin());
+  Appearance& a = k.scene.appearance;
+  a.grade.view = static_cast<Grade::View>(at - view_names.begin());
+  a.grade.table = nullptr, a.grade.table_share = 1, a.view_file = {};
   return true;
 }
 
@@ -127,10 +218,15 @@ constexpr Verb skies_rows[] = {
      "visible unless the script sets a `background`. `on` is a simple blue sky.",
      "sky day hour=17 turn=90deg", Verb::once | Verb::aside, sky,
      "on off studio day overcast sunset \"FILE\"; turn= strength= hour="},
-    {"view", "view neutral|plain|filmic|agx",
+    {"view",
+     "view neutral|plain|filmic|agx|\"FILE\" [takes=VIEW|light] [strength=N] [display=\"NAME\"] [through=\"NAME\"] "
+     "[look=\"NAME\"] [space=\"NAME\"]",
      "How light becomes a picture: `neutral`, the default, keeps colors and rolls off what is too bright; `filmic` and "
-     "`agx` compress more, as a camera does; `plain` cuts off at white.",
-     "view agx", Verb::once | Verb::aside, view, "neutral plain filmic agx"},
+     "`agx` compress more, as a camera does; `plain` cuts off at white. A look file (.cube and others) changes the "
+     "picture of the view that it `takes`. An OpenColorIO configuration (.ocio) shows light on a `display` `through` "
+     "one of its views, with a `look`.",
+     "view agx", Verb::once | Verb::aside, view,
+     "neutral plain filmic agx \"FILE\"; takes= strength= display= through= look= space="},
     {"white-balance", "white-balance KELVIN",
      "The color temperature of the light that becomes white: 6500, the default, changes nothing; less makes the "
      "picture "

@@ -60,13 +60,37 @@ class Read final : public Imf::IStream {
 // Clamps to the largest half. NaN becomes 0, because it would spread in every blur.
 half half_of(float x) { return std::isnan(x) ? 0.0F : std::clamp(x, -65504.0F, 65504.0F); }
 
+Imf::Chromaticities primaries_of(ColorCoding c) {
+  const Imath::V2f white(0.3127F, 0.329F);
+  if (c == ColorCoding::srgb) return {};  // those of BT.709
+  if (c == ColorCoding::p3) return {{0.68F, 0.32F}, {0.265F, 0.69F}, {0.15F, 0.06F}, white};
+  return {{0.708F, 0.292F}, {0.17F, 0.797F}, {0.131F, 0.046F}, white};
+}
+
+// Converts light with other primaries and the white of sRGB.
+void to_srgb_primaries(LinearPicture& picture, const Imf::Header& head) {
+  if (!Imf::hasChromaticities(head)) return;
+  const Imf::Chromaticities is = Imf::chromaticities(head), srgb;
+  const auto same = [](const Imath::V2f& a, const Imath::V2f& b) { return (a - b).length() < 1e-3F; };
+  if ((same(is.red, srgb.red) && same(is.green, srgb.green) && same(is.blue, srgb.blue)) || !same(is.white, srgb.white))
+    return;
+  const Imath::M44f m = Imf::RGBtoXYZ(is, 1) * Imf::XYZtoRGB(srgb, 1);
+  for (std::size_t i = 0; i + 4 <= picture.rgba.size(); i += 4) {
+    const Imath::V3f c = Imath::V3f(picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]) * m;
+    picture.rgba[i] = c.x, picture.rgba[i + 1] = c.y, picture.rgba[i + 2] = c.z;
+  }
+}
+
 }  // namespace
 
-Status write_exr(const std::string& path, const LinearPicture& picture, bool overwrite) {
+Status write_exr(const std::string& path, const LinearPicture& picture, bool overwrite, ColorCoding colors) {
   if (Status s = check_picture(picture.width, picture.height, picture.rgba.size()); !s) return s;
   std::vector<Imf::Rgba> pixels(picture.rgba.size() / 4);
+  LinearPicture changed;
+  if (colors != ColorCoding::srgb) changed = picture, change_primaries(changed, colors);
+  const LinearPicture& light = colors == ColorCoding::srgb ? picture : changed;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const float* const p = &picture.rgba[4 * i];
+    const float* const p = &light.rgba[4 * i];
     pixels[i] = {half_of(p[0]), half_of(p[1]), half_of(p[2]), half_of(p[3])};
   }
   try {
@@ -74,7 +98,7 @@ Status write_exr(const std::string& path, const LinearPicture& picture, bool ove
     {
       Imf::Header head(picture.width, picture.height);
       head.compression() = Imf::ZIP_COMPRESSION;
-      Imf::addChromaticities(head, Imf::Chromaticities());  // those of BT.709
+      Imf::addChromaticities(head, primaries_of(colors));
       Imf::RgbaOutputFile file(out, head, Imf::WRITE_RGBA, 0);
       file.setFrameBuffer(pixels.data(), 1, static_cast<std::size_t>(picture.width));
       file.writePixels(picture.height);
@@ -100,6 +124,7 @@ Result<LinearPicture> decode_exr(std::string_view bytes, const std::string& name
     LinearPicture out{static_cast<int>(width), static_cast<int>(height), {}};
     out.rgba.reserve(4 * pixels.size());
     for (const Imf::Rgba& p : pixels) out.rgba.insert(out.rgba.end(), {p.r, p.g, p.b, p.a});
+    to_srgb_primaries(out, file.header());
     return out;
   } catch (const std::exception& e) {
     return fail(ErrorCode::file, fmt::format("{} is broken or not a picture: {}", name, e.what()));

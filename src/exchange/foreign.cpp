@@ -4,7 +4,11 @@
 // Reads untrusted files, in a separate process if possible.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "betwixt/picture.h"
+#include "exchange/color_table.h"
 #include "exchange/drawing.h"
 #include "exchange/meshes.h"
 #include "exchange/parser_process.h"
@@ -50,6 +54,24 @@ Result<std::shared_ptr<const DrawingFile>> load_drawing(const std::string& path,
 Result<std::shared_ptr<const TableText>> parsed_table(const std::string& path, const std::string& inside) {
   const MayRead nothing_else = [&](const std::string& p) { return p == path; };
   return parsed<TableText>(ParserTask::table, path, nothing_else, true, inside);
+}
+
+Result<std::shared_ptr<const ColorTable>> load_colors(const std::string& path, const ColorQuery& query,
+                                                      const MayRead& may_read) {
+  if (!may_read(path)) return fail(ErrorCode::file, fmt::format("reading {} is not allowed", path));
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  // Whole: the reader has another working folder, and finds the files that a configuration names from its path.
+  const fs::path whole = fs::absolute(path, ignored).lexically_normal();
+  const fs::path folder = fs::weakly_canonical(whole.parent_path(), ignored);
+  const MayRead in_its_folder = [&](const std::string& p) {
+    std::error_code why;
+    const fs::path real = fs::weakly_canonical(p, why);
+    const bool below =
+        !why && std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first == folder.end();
+    return (below || p == whole.string()) && may_read(p);
+  };
+  return parsed<ColorTable>(ParserTask::colors, whole.string(), in_its_folder, false, text_of_query(query));
 }
 
 Result<std::shared_ptr<const Picture>> load_picture(const std::string& path, bool any_size) {

@@ -29,6 +29,7 @@ constexpr std::uint32_t other_numbering = 0x40000000;  // x32 calls on x86-64
 
 constexpr auto head = BPF_LD | BPF_W | BPF_ABS, compare = BPF_JMP | BPF_JEQ | BPF_K, answer = BPF_RET | BPF_K;
 constexpr std::size_t first_argument = offsetof(seccomp_data, args);  // its lower half on a little-endian machine
+constexpr std::size_t second_argument = first_argument + sizeof(std::uint64_t);
 
 }  // namespace
 
@@ -103,6 +104,13 @@ void CallFilter::refuse(std::span<const int> calls, int error) {
     add(compare, static_cast<std::uint32_t>(call), 0, 1);
     add(answer, SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error));
   }
+}
+void CallFilter::allow_if_second_is(int call, std::uint32_t number) {
+  add(compare, static_cast<std::uint32_t>(call), 0, 4);
+  add(head, second_argument);
+  add(compare, number, 0, 1);
+  add(answer, SECCOMP_RET_ALLOW);
+  add(answer, SECCOMP_RET_ERRNO | EPERM);
 }
 void CallFilter::refuse_unless_first_is(int call, std::uint32_t number) {
   add(compare, static_cast<std::uint32_t>(call), 0, 4);

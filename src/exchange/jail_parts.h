@@ -47,6 +47,8 @@ class CallFilter {
   CallFilter& operator=(const CallFilter&) = delete;
   void allow(std::span<const int> calls);
   void refuse(std::span<const int> calls, int error);
+  // Allows the call if its second argument is this number; otherwise refuses it.
+  void allow_if_second_is(int call, std::uint32_t number);
   // Refuses the call unless its first argument is this number.
   void refuse_unless_first_is(int call, std::uint32_t number);
   // Refuses the call unless its first argument has this bit.

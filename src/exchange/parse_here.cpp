@@ -5,6 +5,7 @@
 #include <new>
 
 #include "betwixt/picture.h"
+#include "exchange/color_table.h"
 #include "exchange/meshes.h"
 #include "exchange/parser_process.h"
 #include "exchange/pictures.h"
@@ -35,6 +36,8 @@ Parsed parse_here(ParserTask task, const std::string& path, FileSource& files, b
         return parsed(parse_drawing(path, counted));
       case ParserTask::table:
         return parsed(parse_table_text(path, counted, line));
+      case ParserTask::colors:
+        return parsed(parse_colors(path, counted, line));
       case ParserTask::letters: {
         auto bytes = counted.read(path);
         return bytes ? parsed(parse_letters(*std::move(bytes), path, line)) : Parsed(bytes.error());

@@ -16,8 +16,9 @@
 namespace betwixt {
 
 // A request to the process that waits for work: the task, then the path; for letters then a zero byte and the line, for
-// a table what is inside. With it come a socket for the conversation, memory for the result, and the file.
-enum class ParserTask : std::uint32_t { mesh, picture, scene, drawing, linear_picture, letters, table };
+// a table what is inside, for colors the query. With it come a socket for the conversation, memory for the result, and
+// the file.
+enum class ParserTask : std::uint32_t { mesh, picture, scene, drawing, linear_picture, letters, table, colors };
 struct ParserCeilings {
   std::uint64_t memory = 0;             // bytes
   std::uint64_t seconds = 0, wall = 0;  // of work and in all
@@ -27,7 +28,7 @@ struct ParserRequest {
   std::uint32_t any_size = 0;  // no limit on the unpacked size (unpacking.h)
   ParserCeilings most;
 };
-constexpr char parser_version[] = "12";  // of this protocol; the program's first argument
+constexpr char parser_version[] = "13";  // of this protocol; the program's first argument
 // Its second argument: become another program in a jail, for a file or in a folder (parser_program.cpp).
 constexpr char parser_runs[] = "run", parser_works_in[] = "work";
 constexpr char parser_says[] = "say";                                       // or: say the text of a folder

@@ -21,6 +21,9 @@
 #include <new>
 
 #include "base/files.h"
+#ifdef BETWIXT_OCIO
+#include "exchange/color_program.h"
+#endif
 #include "exchange/parser_jail.h"
 #include "exchange/parser_process.h"
 #include "exchange/scratch_voice.h"
@@ -44,6 +47,12 @@ class AskingShelf final : public FileSource {
     if (answer->text[0] == answers_yes && answer->files.size() == 1) return whole(answer->files[0].fd(), path);
     const auto code = answer->text.size() > 1 ? answer->text[1] : static_cast<char>(ErrorCode::file);
     return fail(static_cast<ErrorCode>(code), answer->text.substr(std::min<std::size_t>(2, answer->text.size())));
+  }
+  // Returns an open file, or -1.
+  int open(const std::string& path) const {
+    auto answer = ask(asks_read, path);
+    if (!answer || answer->text[0] != answers_yes || answer->files.size() != 1) return -1;
+    return answer->files[0].release();
   }
 
  private:
@@ -71,6 +80,13 @@ void work(const ParserMessage& message) {
   if (!say(job, {&says_begun, 1})) return;
   give_up_all_but_reading(request.most);
   AskingShelf files(job, path, message.files[2].fd());
+#ifdef BETWIXT_OCIO
+  static const AskingShelf* shelf = nullptr;
+  shelf = &files;
+  bake_colors = [](const std::string& asked, FileSource& from, const ColorQuery& query) {
+    return colors_by_ocio(asked, from, query, [](const std::string& p) { return shelf->open(p); });
+  };
+#endif
   if (write_parsed(parse_here(request.task, path, files, request.any_size != 0, line), memory) == 0)
     say(job, {&says_done, 1});
 }

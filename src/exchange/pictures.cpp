@@ -137,8 +137,47 @@ bool repeats(std::span<const std::byte> rgba, std::size_t row, std::size_t size)
   return 2 * repeated > seen;
 }
 
+// The chunk cICP: the numbers of primaries, curve and matrix in ITU-T H.273, and the full range.
+constexpr std::array<std::uint8_t, 4> cicp_of(ColorCoding c) {
+  constexpr std::array<std::uint8_t, 4> all[] = {
+      {1, 13, 0, 1}, {12, 13, 0, 1}, {9, 13, 0, 1}, {9, 16, 0, 1}, {9, 18, 0, 1}};
+  return all[static_cast<std::size_t>(c)];
+}
+
+// Says how the colours are coded. Programs that do not know cICP find the primaries and about the curve.
+void say_colors(spng_ctx* png, ColorCoding colors) {
+  if (colors == ColorCoding::srgb) return void(spng_set_srgb(png, 0));
+  std::array<std::uint8_t, 4> cicp = cicp_of(colors);
+  spng_unknown_chunk chunk{};
+  std::memcpy(chunk.type, "cICP", 4);
+  chunk.length = cicp.size(), chunk.data = cicp.data(), chunk.location = SPNG_AFTER_IHDR;
+  spng_set_unknown_chunks(png, &chunk, 1);
+  spng_chrm primaries = colors == ColorCoding::p3 ? spng_chrm{0.3127, 0.329, 0.68, 0.32, 0.265, 0.69, 0.15, 0.06}
+                                                  : spng_chrm{0.3127, 0.329, 0.708, 0.292, 0.17, 0.797, 0.131, 0.046};
+  spng_set_chrm(png, &primaries);
+  if (!has_highlights(colors)) spng_set_gama(png, 1 / 2.2);
+}
+
+// Returns how the colours of a PNG are coded, by its cICP.
+ColorCoding coding_of_png(std::span<const std::uint8_t> bytes) {
+  for (std::size_t at = 8; at + 16 <= bytes.size();) {
+    const auto chunk = bytes.subspan(at);
+    const std::size_t length =
+        std::size_t{chunk[0]} << 24 | std::size_t{chunk[1]} << 16 | std::size_t{chunk[2]} << 8 | chunk[3];
+    if (begins(chunk.subspan(4), "IDAT")) break;
+    if (begins(chunk.subspan(4), "cICP") && length == 4)
+      for (std::size_t c = 0; c < color_coding_names.size(); ++c) {
+        const auto known = cicp_of(static_cast<ColorCoding>(c));
+        if (chunk[8] == known[0] && chunk[9] == known[1]) return static_cast<ColorCoding>(c);
+      }
+    at += 12 + length;
+  }
+  return ColorCoding::srgb;
+}
+
 // `rgba`: straight alpha, `bits` bits a channel.
-Result<std::string> to_png(int width, int height, std::uint8_t bits, std::span<const std::byte> rgba) {
+Result<std::string> to_png(int width, int height, std::uint8_t bits, std::span<const std::byte> rgba,
+                           ColorCoding colors = ColorCoding::srgb) {
   if (Status s = check_picture(width, height, 8 * rgba.size() / bits); !s) return s.error();
   const Png png(spng_ctx_new(SPNG_CTX_ENCODER));
   if (!png) return fail(ErrorCode::machine, "out of memory");
@@ -153,7 +192,7 @@ Result<std::string> to_png(int width, int height, std::uint8_t bits, std::span<c
   spng_set_option(png.get(), SPNG_IMG_COMPRESSION_LEVEL, plain ? 3 : 4);
   if (plain) spng_set_option(png.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_NONE);
   spng_set_ihdr(png.get(), &head);
-  spng_set_srgb(png.get(), 0);
+  say_colors(png.get(), colors);
   const int error = spng_encode_image(png.get(), rgba.data(), rgba.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
   if (error != 0) return fail(ErrorCode::machine, fmt::format("a picture cannot be encoded: {}", spng_strerror(error)));
   int result = 0;
@@ -177,9 +216,9 @@ Status write_png(const std::string& path, const Picture& picture, bool overwrite
   return write(path, to_png(picture), overwrite);
 }
 
-Status write_png(const std::string& path, const LinearPicture& picture, bool overwrite) {
-  const std::vector<std::uint16_t> shown = to_shown_16(picture);
-  return write(path, to_png(picture.width, picture.height, 16, std::as_bytes(std::span(shown))), overwrite);
+Status write_png(const std::string& path, const LinearPicture& picture, bool overwrite, ColorCoding colors) {
+  const std::vector<std::uint16_t> shown = to_coded_16(picture, colors);
+  return write(path, to_png(picture.width, picture.height, 16, std::as_bytes(std::span(shown)), colors), overwrite);
 }
 
 namespace {
@@ -290,7 +329,7 @@ Result<std::shared_ptr<const LinearPicture>> parse_linear_picture(const std::str
                 "supported: PNG, OpenEXR, Radiance (.hdr) and JPEG");
   auto raw = read_png<std::uint16_t>(as_bytes(*bytes), path);
   if (!raw) return raw.error();
-  return shared(to_light(raw->width, raw->height, raw->rgba));
+  return shared(to_light(raw->width, raw->height, raw->rgba, coding_of_png(as_bytes(*bytes))));
 }
 
 }  // namespace betwixt

@@ -4,6 +4,7 @@
 // The outlines that the paths of an SVG fill and stroke, and the look of a path.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "exchange/drawing.h"
@@ -13,6 +14,8 @@
 namespace betwixt {
 
 inline constexpr double farthest_drawn = 1e6;  // in heights of the drawing
+
+struct SvgGradient;  // exchange/svg_gradients.h
 
 struct SvgPaint {
   bool there = false;

@@ -20,7 +20,8 @@ enum class Holds : std::uint32_t {
   drawing = 5,
   linear_picture = 6,
   letters = 7,
-  table = 8
+  table = 8,
+  colors = 9
 };
 struct Head {
   std::uint32_t holds = 0;
@@ -52,6 +53,10 @@ struct FlatThing {
 enum : std::uint32_t { is_group = 1, is_filled = 2, is_stroked = 4, is_round = 8 };
 struct FlatSize {
   std::int32_t width = 0, height = 0;
+};
+struct FlatColors {
+  std::uint32_t takes = 0, cube = 0, size = 0;
+  std::array<float, 3> least{}, most{};
 };
 struct FlatScene {
   std::uint64_t nodes = 0, meshes = 0, clips = 0, sentences = 0;

@@ -109,6 +109,20 @@ std::shared_ptr<const TableText> take_table(Taker& from) {
   return from.block(table->text) ? table : nullptr;
 }
 
+std::shared_ptr<const ColorTable> take_colors(Taker& from) {
+  FlatColors flat;
+  auto t = std::make_shared<ColorTable>();
+  if (!from.one(flat) || !from.block(t->signals) || flat.takes > ColorTable::stops || flat.cube > 1 || flat.size < 2 ||
+      flat.size > static_cast<std::uint32_t>(flat.cube ? ColorTable::most_side : ColorTable::most_curve))
+    return nullptr;
+  t->takes = static_cast<ColorTable::Takes>(flat.takes), t->cube = flat.cube != 0;
+  t->size = static_cast<int>(flat.size), t->least = flat.least, t->most = flat.most;
+  const std::uint64_t side = flat.size, colors = t->cube ? side * side * side : side;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (!(std::abs(t->least[c]) <= 1e5F && std::abs(t->most[c]) <= 1e5F && t->least[c] < t->most[c])) return nullptr;
+  return t->signals.size() == 3 * colors ? t : nullptr;
+}
+
 // Accepts only text that is safe to print on a terminal.
 bool take_words(Taker& from, std::string& words) {
   if (!from.block(words) || words.size() > longest_words) return false;
@@ -378,6 +392,8 @@ bool take(Taker& from, Parsed& out) {
       return keep(take_letters(from), out);
     case Holds::table:
       return keep(take_table(from), out);
+    case Holds::colors:
+      return keep(take_colors(from), out);
   }
   return false;
 }

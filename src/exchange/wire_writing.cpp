@@ -169,6 +169,11 @@ int write_parsed(const Parsed& parsed, int memory) {
   } else if (const auto* table = std::get_if<std::shared_ptr<const TableText>>(&parsed)) {
     to.one(Head{static_cast<std::uint32_t>(Holds::table), 0});
     to.block((*table)->text);
+  } else if (const auto* colors = std::get_if<std::shared_ptr<const ColorTable>>(&parsed)) {
+    const ColorTable& t = **colors;
+    to.one(Head{static_cast<std::uint32_t>(Holds::colors), 0});
+    to.one(FlatColors{t.takes, t.cube, static_cast<std::uint32_t>(t.size), t.least, t.most});
+    to.block(t.signals);
   } else {
     to.error(std::get<Error>(parsed));
   }

@@ -19,6 +19,7 @@ struct Codec {
   int worst = 0, usual = 0;
   std::vector<std::string> (*arguments)(const FilmOptions&, const std::string& crf) = nullptr;
   bool alpha = false;  // keeps transparency
+  bool deep = false;   // has 10 bits, for other colours than those of sRGB
 };
 
 struct Format {
@@ -30,6 +31,7 @@ struct Format {
   bool alpha = true;                   // keeps transparency
   bool sixteen_bits = false;           // ffmpeg gets 16 bits a channel
   std::string_view captions = {};      // the codec of a text track; "": it has none
+  bool wide = false;                   // can have other colours than those of sRGB
   std::span<const Codec> codecs = {};  // the default first; if empty, the film has no codecs and no quality to choose
 };
 
@@ -37,6 +39,10 @@ std::span<const Format> formats();
 // Returns the arguments of ffmpeg for a film whose options have been checked.
 std::vector<std::string> arguments_of(const Format&, const FilmOptions&);
 const Format* find_format(std::string_view ending);  // null if there is none
-std::string film_endings();                          // ".mp4 .webm …"
+// Returns the arguments that say how the colours are coded, before or after the input.
+std::vector<std::string> color_tags(ColorCoding);
+// Errors: range (a kind of file without such colours).
+Status check_colors(const std::string& path, ColorCoding, bool alpha);
+std::string film_endings();  // ".mp4 .webm …"
 
 }  // namespace betwixt

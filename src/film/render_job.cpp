@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/files.h"
 #include "betwixt/film.h"
 #include "language/captions.h"
 
@@ -63,10 +64,12 @@ Result<FrameList> frames_between(Time first, Time last, Rate rate) {
 }
 
 RenderJob render_job(const Program& program, const std::string& path, const FrameList& frames, RenderOptions pictures,
-                     std::optional<Blur> blur, int bits) {
+                     std::optional<Blur> blur, int bits, ColorCoding colors) {
   const Document& document = program.document();
   pictures.unclamped = takes_unclamped_light(path);
-  pictures.linear = (document.transparent() && takes_alpha(path)) || takes_16_bits(path) || bits > 8 || blur;
+  pictures.linear = (document.transparent() && takes_alpha(path)) || takes_16_bits(path) || bits > 8 || blur ||
+                    colors != ColorCoding::srgb;
+  pictures.peak = has_highlights(colors) ? peak_nits / white_nits : 1;
   FilmOptions film;
   film.path = path;
   film.frames = frames.count;
@@ -75,7 +78,8 @@ RenderJob render_job(const Program& program, const std::string& path, const Fram
   film.width = pictures.width, film.height = pictures.height;
   film.alpha = document.transparent();
   film.drawing = document.scene().appearance.flat;
-  film.bits = bits;
+  film.bits = ending(path) == "png" && colors != ColorCoding::srgb ? 16 : bits;
+  film.colors = colors;
   film.chapters = chapters_of(document, frames.time(0), frames.time(frames.count - 1) + frames.rate.span(1));
   if (has_sounds(document) && takes_sound(path))
     film.sounds = [program, from = frames.time(0)](std::span<float> stereo) {

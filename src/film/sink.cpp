@@ -49,6 +49,7 @@ class Movie final : public Sink {
 
   Status pack(int, Parcel& parcel) override {
     if (!options_.alpha) lay_over_black(parcel);
+    if (options_.colors != ColorCoding::srgb) return pack_colors(parcel);
     if (place_.format->sixteen_bits) return pack_16_bits(parcel), Nothing{};
     if (parcel.linear.width > 0) to_shown(parcel.linear, parcel.picture);
     if (place_.format->yuv) to_yuv420(parcel.picture, options_.alpha, parcel.bytes);
@@ -69,6 +70,14 @@ class Movie final : public Sink {
   }
 
  private:
+  Status pack_colors(Parcel& parcel) const {
+    if (parcel.linear.width == 0) return fail(ErrorCode::range, "pictures of linear light are needed for other colors");
+    const std::vector<std::uint16_t> channels = to_coded_16(parcel.linear, options_.colors);
+    if (!place_.format->yuv) return in_bytes(channels, parcel.bytes), Nothing{};
+    to_yuv420_10(parcel.linear.width, parcel.linear.height, channels,
+                 options_.colors == ColorCoding::p3 ? YuvMatrix::bt709 : YuvMatrix::bt2020, parcel.bytes);
+    return Nothing{};
+  }
   // Adds in linear light, not in bytes.
   static void lay_over_black(Parcel& parcel) {
     if (parcel.linear.width > 0) return make_opaque(parcel.linear);
@@ -94,14 +103,15 @@ class Movie final : public Sink {
     return all;
   }
 
-  // Sixteen bits a channel, little-endian.
   static void pack_16_bits(Parcel& parcel) {
-    const std::vector<std::uint16_t> channels =
-        parcel.linear.width > 0 ? to_shown_16(parcel.linear) : doubled(parcel.picture.rgba);
-    parcel.bytes.clear();
-    parcel.bytes.reserve(2 * channels.size());
+    in_bytes(parcel.linear.width > 0 ? to_shown_16(parcel.linear) : doubled(parcel.picture.rgba), parcel.bytes);
+  }
+  // Sixteen bits a channel, little-endian.
+  static void in_bytes(const std::vector<std::uint16_t>& channels, std::vector<std::uint8_t>& bytes) {
+    bytes.clear();
+    bytes.reserve(2 * channels.size());
     for (const std::uint16_t c : channels)
-      parcel.bytes.insert(parcel.bytes.end(), {static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(c >> 8)});
+      bytes.insert(bytes.end(), {static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(c >> 8)});
   }
 
   FilmOptions options_;
@@ -156,10 +166,11 @@ class Pictures final : public Sink {
 
  private:
   Status write(const std::string& path, Parcel& parcel) const {
-    if (place_.exr || options_.bits == 16) {
+    if (place_.exr || options_.bits == 16 || options_.colors != ColorCoding::srgb) {
       if (parcel.linear.width == 0)
         return fail(ErrorCode::range, "pictures of linear light are needed for " + place_.name);
-      return place_.exr ? write_exr(path, parcel.linear) : write_png(path, parcel.linear);
+      return place_.exr ? write_exr(path, parcel.linear, true, options_.colors)
+                        : write_png(path, parcel.linear, true, options_.colors);
     }
     if (parcel.linear.width > 0) to_shown(parcel.linear, parcel.picture);
     return write_png(path, parcel.picture);
@@ -193,11 +204,12 @@ std::vector<std::string> encoder_arguments(const FilmOptions& o, const Format& f
                              "-xerror", "-y",           "-f",       "rawvideo"};
   const auto add = [&](std::initializer_list<const char*> more) { a.insert(a.end(), more.begin(), more.end()); };
   const auto tags = [&] {
-    add({"-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"});
+    const std::vector<std::string> all = color_tags(o.colors);
+    a.insert(a.end(), all.begin(), all.end());
   };
   add({"-pix_fmt",
        yuv && o.alpha        ? "yuva420p"
-       : yuv                 ? "yuv420p"
+       : yuv                 ? (o.colors == ColorCoding::srgb ? "yuv420p" : "yuv420p10le")
        : format.sixteen_bits ? "rgba64le"
                              : "rgba",
        "-video_size"});
@@ -231,6 +243,7 @@ Result<std::unique_ptr<Sink>> make_sink(const FilmOptions& o) {
   if (!place) return place.error();
   if (o.bits == 16 && (place->format || place->exr))
     return fail(ErrorCode::range, "--bits 16 is only for numbered PNG; .mov and .exr always have more than 8 bits");
+  if (Status s = check_colors(o.path, o.colors, o.alpha); !s) return s.error();
   if (o.only_missing && place->format)
     return fail(ErrorCode::range, "--missing is only for numbered pictures",
                 "render to frame-%04d.png; betwixt join makes a film of the pictures");

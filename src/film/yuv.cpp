@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <utility>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -169,6 +171,59 @@ void to_yuv420(const Picture& in, bool alpha, std::vector<std::uint8_t>& out) {
     std::uint8_t* to = out.data() + 6 * plane + static_cast<std::size_t>(y) * wide;
     for (int x = 0; x < 2 * half_w; ++x) to[x] = row(y)[4 * std::min(x, w - 1) + 3];
   }
+}
+
+namespace {
+
+// Factors of 2^30 for channels of 16 bits, limited to 64 to 940 and 64 to 960.
+struct DeepFactors {
+  std::array<std::int64_t, 3> y{}, cb{}, cr{};
+};
+DeepFactors deep_factors(YuvMatrix matrix) {
+  const double r = matrix == YuvMatrix::bt709 ? 0.2126 : 0.2627, b = matrix == YuvMatrix::bt709 ? 0.0722 : 0.0593;
+  const auto whole = [](double x) { return static_cast<std::int64_t>(std::llround(x * (1 << 30))); };
+  const double tall = 876.0 / 65535, half = 448.0 / 65535;
+  return {{whole(tall * r), whole(tall * (1 - r - b)), whole(tall * b)},
+          {whole(-half * r / (1 - b)), whole(-half * (1 - r - b) / (1 - b)), whole(half)},
+          {whole(half), whole(-half * (1 - r - b) / (1 - r)), whole(-half * b / (1 - r))}};
+}
+
+}  // namespace
+
+void to_yuv420_10(int width, int height, const std::vector<std::uint16_t>& rgba, YuvMatrix matrix,
+                  std::vector<std::uint8_t>& out) {
+  const DeepFactors f = deep_factors(matrix);
+  const auto half_w = static_cast<std::size_t>((width + 1) / 2), half_h = static_cast<std::size_t>((height + 1) / 2);
+  out.resize(12 * half_w * half_h);
+  const auto pixel = [&](std::int64_t x, std::int64_t y) {
+    return &rgba[4 * static_cast<std::size_t>(std::clamp<std::int64_t>(y, 0, height - 1) * width +
+                                              std::clamp<std::int64_t>(x, 0, width - 1))];
+  };
+  const auto put = [&](std::size_t at, std::int64_t value) {
+    out[2 * at] = static_cast<std::uint8_t>(value & 0xff), out[2 * at + 1] = static_cast<std::uint8_t>(value >> 8);
+  };
+  const auto sum = [](const std::array<std::int64_t, 3>& by, const auto& c) {
+    return by[0] * c[0] + by[1] * c[1] + by[2] * c[2];
+  };
+  for (std::size_t y = 0; y < 2 * half_h; ++y)
+    for (std::size_t x = 0; x < 2 * half_w; ++x)
+      put(y * 2 * half_w + x, (sum(f.y, pixel(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y))) +
+                               (std::int64_t{64} << 30) + (1 << 29)) >>
+                                  30);
+  const std::size_t chroma = 4 * half_w * half_h, plane = half_w * half_h;
+  for (std::size_t y = 0; y < half_h; ++y)
+    for (std::size_t x = 0; x < half_w; ++x) {
+      std::array<std::int64_t, 3> c{};
+      for (std::int64_t j = 0; j < 2; ++j)
+        for (std::int64_t i = -1; i <= 1; ++i) {
+          const auto* const p = pixel(2 * static_cast<std::int64_t>(x) + i, 2 * static_cast<std::int64_t>(y) + j);
+          for (std::size_t k = 0; k < 3; ++k) c[k] += (i == 0 ? 2 : 1) * std::int64_t{p[k]};
+        }
+      for (const auto& [by, first] : {std::pair(&f.cb, chroma), std::pair(&f.cr, chroma + plane)})
+        put(first + y * half_w + x,
+            std::clamp<std::int64_t>((sum(*by, c) + (std::int64_t{512} << 33) + (std::int64_t{1} << 32)) >> 33, 64,
+                                     960));
+    }
 }
 
 }  // namespace betwixt

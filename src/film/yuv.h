@@ -16,4 +16,10 @@ namespace betwixt {
 // transparent pixels do not affect chroma.
 void to_yuv420(const Picture&, bool alpha, std::vector<std::uint8_t>& out);
 
+// The same with 10 bits, each in two bytes, from pictures of 16 bits (to_coded_16), by the matrix of BT.709 or of
+// BT.2020.
+enum class YuvMatrix : std::uint8_t { bt709, bt2020 };
+void to_yuv420_10(int width, int height, const std::vector<std::uint16_t>& rgba, YuvMatrix,
+                  std::vector<std::uint8_t>& out);
+
 }  // namespace betwixt

@@ -29,10 +29,25 @@ std::string write_sky(const Appearance& a) {
   return out + "\n";
 }
 
+std::string write_view(const Appearance& a) {
+  const Grade& g = a.grade;
+  if (!g.table) return g.view == Grade::neutral ? "" : fmt::format("view {}\n", view_names[g.view]);
+  const ViewFile& f = a.view_file;
+  std::string out = "view " + write_text(f.file);
+  const bool of_picture = g.table->takes == ColorTable::picture;
+  if (g.view != Grade::neutral && of_picture) out += fmt::format(" takes={}", view_names[g.view]);
+  if (!of_picture && !f.file.ends_with(".ocio")) out += " takes=light";
+  if (g.table_share != 1) out += " strength=" + write_number(g.table_share);
+  const auto add = [&](const char* key, const std::string& name) {
+    if (!name.empty()) out += fmt::format(" {}={}", key, write_text(name));
+  };
+  add("display", f.display), add("through", f.through), add("look", f.look), add("space", f.space);
+  return out + "\n";
+}
+
 std::string write_grade(const Grade& g) {
   const Grade plain;
   std::string out;
-  if (g.view != plain.view) out += fmt::format("view {}\n", view_names[g.view]);
   if (g.white_balance != plain.white_balance) out += fmt::format("white-balance {}\n", write_number(g.white_balance));
   if (g.bloom != 0) out += fmt::format("bloom {}\n", write_number(g.bloom));
   if (g.vignette != 0) out += fmt::format("vignette {}\n", write_number(g.vignette));
@@ -59,7 +74,7 @@ std::string write_appearance(const Scene& s) {
   if (a.ground_color) out += fmt::format("ground {}\n", write_color(*a.ground_color));
   if (a.ground != a.ground_color.has_value()) out += a.ground ? "ground on\n" : "ground off\n";
   if (a.sky) out += "sky on\n";
-  out += write_sky(a) + write_grade(a.grade);
+  out += write_sky(a) + write_view(a) + write_grade(a.grade);
   if (a.contact) out += "contact on\n";
   return out;
 }

@@ -9,6 +9,7 @@
 
 #include "render/bloom.h"
 #include "render/curves.h"
+#include "render/look_table.h"
 
 namespace betwixt {
 namespace {
@@ -92,7 +93,7 @@ Vec3 neutral_view(Vec3 c) {
 
 Vec3 signals(Vec3 light) { return {signal_of(light.x), signal_of(light.y), signal_of(light.z)}; }
 
-Vec3 viewed(Vec3 light, const Development& how) {
+Vec3 by_view(Vec3 light, const Development& how) {
   switch (how.grade.view) {
     case Grade::agx: {
       const Vec3 s = agx(light);
@@ -106,6 +107,32 @@ Vec3 viewed(Vec3 light, const Development& how) {
       break;
   }
   return signals(light);
+}
+
+// Mixes what a table makes with the picture before it.
+Vec3 by_table(Vec3 light, const Development& how) {
+  const ColorTable& table = *how.grade.table;
+  const double share = how.grade.table_share;
+  const bool of_picture = table.takes == ColorTable::picture;
+  Vec3 before;
+  if (of_picture || share < 1) before = of_picture ? by_view(light, how) : signals(light);
+  const Vec3 after = looked_up(table, of_picture ? before : light);
+  return share < 1 ? (1 - share) * before + share * after : after;
+}
+
+bool keeps_highlights(const Development& how) {
+  return how.peak > 1 && !how.grade.table && how.grade.view <= Grade::plain;
+}
+// Shows light on a screen with room for highlights: rolls it off at the peak instead of at white. The result is a
+// signal of the light's share of the peak.
+Vec3 with_highlights(Vec3 light, const Development& how) {
+  const Vec3 share = (1 / how.peak) * light;
+  return signals(how.grade.view == Grade::neutral && !how.cut ? neutral_view(share) : share);
+}
+
+Vec3 viewed(Vec3 light, const Development& how) {
+  if (keeps_highlights(how)) return with_highlights(light, how);
+  return how.grade.table ? by_table(light, how) : by_view(light, how);
 }
 
 // ---- edges of bright light
@@ -220,6 +247,16 @@ struct ShownPixel {
   double opacity = 1;
 };
 
+// Strongest in the middle, none on black and white, and none above white.
+double grained(double signal, const Development& how, double grain) {
+  const auto with = [&](double is) {
+    return std::clamp(is + 0.24 * how.grade.grain * grain * is * (1 - is), 0.0, 1.0);
+  };
+  if (!keeps_highlights(how)) return with(signal);
+  const double light = how.peak * light_of_signal(signal);
+  return light < 1 ? signal_of(light_of_signal(with(signal_of(light))) / how.peak) : signal;
+}
+
 // As to_shown: an opacity is raised so far that straight light can be as bright as the pixel.
 ShownPixel shown_pixel(const float* p, const BrightEdges& edges, int x, const Development& how, float grain) {
   ShownPixel s;
@@ -232,10 +269,7 @@ ShownPixel shown_pixel(const float* p, const BrightEdges& edges, int x, const De
     s.signal = viewed(1 / s.opacity * light, how);
   }
   if (how.grade.grain > 0)
-    for (int c = 0; c < 3; ++c) {  // strongest in the middle, none on black and white
-      const double is = s.signal[c];
-      s.signal[c] = std::clamp(is + 0.24 * how.grade.grain * static_cast<double>(grain) * is * (1 - is), 0.0, 1.0);
-    }
+    for (int c = 0; c < 3; ++c) s.signal[c] = grained(s.signal[c], how, static_cast<double>(grain));
   return s;
 }
 
@@ -308,9 +342,11 @@ void develop(const LinearPicture& picture, const Development& how, Picture& out)
 
 void develop(LinearPicture& picture, const Development& how) {
   const LinearPicture light = picture;
+  const double brightest = keeps_highlights(how) ? how.peak : 1;
   each_shown(light, how, [&](std::size_t at, const ShownPixel& s) {
     for (int c = 0; c < 3; ++c)
-      picture.rgba[at + static_cast<std::size_t>(c)] = static_cast<float>(s.opacity * light_of_signal(s.signal[c]));
+      picture.rgba[at + static_cast<std::size_t>(c)] =
+          static_cast<float>(s.opacity * brightest * light_of_signal(s.signal[c]));
     picture.rgba[at + 3] = static_cast<float>(s.opacity);
   });
 }

@@ -19,11 +19,13 @@ struct Development {
   bool cut = false;  // the view `neutral` cuts off at white: the light has rolled off already, or is that of a drawing
   Time time;         // of the picture; the grain of each time is another one
   bool opaque = true;  // light over black, instead of straight colours with opacities
+  double peak = 1;     // how bright the brightest light may be; 1 is white
 };
 
 // Changes light by white balance, bloom and vignette.
 void grade_light(LinearPicture&, const Grade&);
-// Shows graded light, as sRGB with straight alpha or as linear light from 0 to 1 with premultiplied alpha.
+// Shows graded light, as sRGB with straight alpha or as linear light from 0 to the peak with premultiplied alpha. Views
+// with a white of their own (filmic, agx, tables) stay below it.
 void develop(const LinearPicture&, const Development&, Picture& out);
 void develop(LinearPicture&, const Development&);
 

@@ -41,7 +41,7 @@ class GradedRenderer final : public Renderer {
   }
   Status render_blurred(Evaluation& e, Time t, const Blur& how, LinearPicture& out) override {
     ToGrade g = to_grade(e);
-    if (g.grade == Grade() || !options_.linear) return plain_->render_blurred(e, t, how, out);
+    if (shows_plainly(g) || !options_.linear) return plain_->render_blurred(e, t, how, out);
     g.time = t;
     return finish(
         g, [&](Renderer& r) { return r.render_blurred(e, t, how, out); }, out);
@@ -63,7 +63,7 @@ class GradedRenderer final : public Renderer {
   template <class Source>
   Status give(const Source& source, LinearPicture& out) {
     const ToGrade g = to_grade(source);
-    if (g.grade == Grade() || !options_.linear) return plain_->render(source, out);
+    if (shows_plainly(g) || !options_.linear) return plain_->render(source, out);
     return finish(
         g, [&](Renderer& r) { return r.render(source, out); }, out);
   }
@@ -86,9 +86,15 @@ class GradedRenderer final : public Renderer {
 
   // With the view `neutral`, surfaces roll off as they do without a grade, and colours that need no light stay. But
   // bloom needs to know how bright they are.
-  static bool rolls_off_first(const ToGrade& g) { return g.grade.view == Grade::neutral && !(g.grade.bloom > 0); }
+  bool rolls_off_first(const ToGrade& g) const {
+    return g.grade.view == Grade::neutral && !(g.grade.bloom > 0) && (options_.peak <= 1 || g.grade.table);
+  }
+  // Without a grade, the style makes the picture; but it rolls off at white.
+  bool shows_plainly(const ToGrade& g) const {
+    return g.grade == Grade() && (options_.peak <= 1 || options_.unclamped);
+  }
   Development development(const ToGrade& g) const {
-    return {g.grade, g.drawing || rolls_off_first(g), g.time, !(options_.linear && g.clear)};
+    return {g.grade, g.drawing || rolls_off_first(g), g.time, !(options_.linear && g.clear), options_.peak};
   }
   Result<Renderer*> renderer_of_light(bool unclamped) {
     RenderOptions wanted = options_;

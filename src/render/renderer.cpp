@@ -299,6 +299,8 @@ Result<const Entry*> find(const RenderOptions& options) {
     return fail(ErrorCode::name, fmt::format("there is no pixel filter '{}'", options.pixel_filter.substr(0, 64)),
                 fmt::format("pixel filters are {}", fmt::join(names, ", ")));
   }
+  if (!(options.peak >= 1 && options.peak <= 100))
+    return fail(ErrorCode::range, fmt::format("a peak of {} times white cannot be drawn", options.peak), "1 to 100");
   return entry;
 }
 

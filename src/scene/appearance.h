@@ -15,6 +15,12 @@
 
 namespace betwixt {
 
+// A look file or a configuration of colours, as in the script; "": not said.
+struct ViewFile {
+  std::string file, display, through, look, space;
+  friend bool operator==(const ViewFile&, const ViewFile&) = default;
+};
+
 struct Appearance {
   struct Fog {
     Color color;
@@ -38,6 +44,7 @@ struct Appearance {
   Sky environment;
   std::string sky_file;  // of a picture, as in the script
   Grade grade;
+  ViewFile view_file;  // of the grade's table
   bool contact = false;
   Shared<Theme> theme;
   friend bool operator==(const Appearance&, const Appearance&) = default;

@@ -10,7 +10,6 @@ namespace betwixt {
 namespace {
 
 double encoded(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
-double decoded(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
 // Clamps to 0 to 1; NaN becomes 0.
 float share(float x) { return x > 0 ? std::min(x, 1.0F) : 0.0F; }
@@ -70,16 +69,6 @@ std::vector<std::uint16_t> to_shown_16(const LinearPicture& picture) {
     for (std::size_t c = 0; c < 3; ++c) out[i + c] = static_cast<std::uint16_t>(steps_of(light[c]) + 0.5F);
     out[i + 3] = static_cast<std::uint16_t>(opacity * 65535 + 0.5F);
   });
-  return out;
-}
-
-LinearPicture to_light(int width, int height, const std::vector<std::uint16_t>& rgba) {
-  LinearPicture out{width, height, std::vector<float>(rgba.size())};
-  for (std::size_t i = 0; i + 4 <= rgba.size(); i += 4) {
-    const double opacity = rgba[i + 3] / 65535.0;
-    for (std::size_t c = 0; c < 3; ++c) out.rgba[i + c] = static_cast<float>(opacity * decoded(rgba[i + c] / 65535.0));
-    out.rgba[i + 3] = static_cast<float>(opacity);
-  }
   return out;
 }
 

@@ -284,6 +284,9 @@ void ContentBytes::add(const std::shared_ptr<const Picture>& picture) {
 void ContentBytes::add(const std::shared_ptr<const LinearPicture>& picture) {
   if (first(picture.get())) sum_ += bytes_in(picture->rgba);
 }
+void ContentBytes::add(const std::shared_ptr<const ColorTable>& table) {
+  if (first(table.get())) sum_ += bytes_in(table->signals);
+}
 void ContentBytes::add(const std::shared_ptr<const Sound>& sound) {
   if (first(sound.get())) sum_ += bytes_in(sound->energy, sound->onsets);
 }

@@ -11,6 +11,7 @@
 #include "betwixt/document.h"
 #include "betwixt/linear_picture.h"
 #include "betwixt/mesh.h"
+#include "betwixt/setting.h"
 #include "betwixt/sound.h"
 #include "scene/outline.h"
 #include "scene/spoken_words.h"
@@ -36,6 +37,7 @@ class ContentBytes {
   void add(const std::shared_ptr<const Mesh>&);  // with its pictures and its rig
   void add(const std::shared_ptr<const Picture>&);
   void add(const std::shared_ptr<const LinearPicture>&);
+  void add(const std::shared_ptr<const ColorTable>&);
   void add(const std::shared_ptr<const Sound>&);
   void add(const std::shared_ptr<const Video>&);
   void add(const std::shared_ptr<const SpokenWords>&);

@@ -179,8 +179,10 @@ TEST_F(Files, RadianceIsReadWholeOrNotAtAll) {
 
 TEST_F(Files, PicturesOfLightAreNeverHalfWritten) {
   const LinearPicture p = light(7, 5);
-  using Write = Status (*)(const std::string&, const LinearPicture&, bool);
-  for (const auto& [name, write] : {std::pair<std::string, Write>{"p.exr", write_exr}, {"p.png", write_png}}) {
+  for (const std::string name : {"p.exr", "p.png"}) {
+    const auto write = [&](const std::string& path, const LinearPicture& picture, bool overwrite) {
+      return name == "p.exr" ? write_exr(path, picture, overwrite) : write_png(path, picture, overwrite);
+    };
     ASSERT_TRUE(write(at(name), p, true));
     EXPECT_EQ(told(write(at(name), p, false)), "file");
     EXPECT_TRUE(mentions(write(at(name), p, false), at(name)));

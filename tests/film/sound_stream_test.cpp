@@ -18,7 +18,7 @@ namespace {
 constexpr std::int64_t block = SoundStream::block, second = 48'000;
 
 // Plays what it was given, a pair a pair's time; then nothing.
-struct Device : SoundOutput {
+struct KeptSound : SoundOutput {
   std::vector<float> given, played;  // left and right
   std::size_t heard = 0;             // of what it was given
   std::int64_t waiting() override { return static_cast<std::int64_t>((given.size() - heard) / 2); }
@@ -67,7 +67,7 @@ class Stream : public ::testing::Test {
     for (std::int64_t i = from + 1; i < device.time(); ++i)
       ASSERT_LE(std::abs(device.left(i) - device.left(i - 1)), loudest / 100) << i;
   }
-  Device device;
+  KeptSound device;
   SoundStream stream{places, 10 * second, false};
 };
 
@@ -173,7 +173,7 @@ TEST_F(Stream, ComesBackAfterAGap) {
 }
 
 TEST_F(Stream, TwoFilmsDoNotKnowOfEachOther) {
-  Device other;
+  KeptSound other;
   SoundStream second_stream([](std::int64_t from, std::span<float> s) { return places(from + 100'000, s); }, second,
                             true);
   for (std::int64_t t = 0; t < 2 * second; t += 480) {

@@ -30,7 +30,7 @@ PY
 fi
 [ "$program" != --install ] || exit 0
 program=$(realpath -- "$program")
-[ $# -gt 0 ] || set -- gltf usda lottie drawings looks web typescript editor
+[ $# -gt 0 ] || set -- gltf usda lottie drawings looks colors web typescript editor
 passed=0 failed=0
 for script; do count "" /usr/bin/python3 "$root/tests/peers/$script.py" "$program" "$peers"; done
 echo "$passed passed, $failed failed"

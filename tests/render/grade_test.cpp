@@ -230,6 +230,38 @@ TEST(Grade, LightForCompositingHasNoViewAndTransparencyStays) {
   EXPECT_EQ(pixel(straight, 20, 20).a, 255);
 }
 
+// On a screen with room for highlights, neutral light stays up to 0.8 of the peak, and rolls off to the peak; plain
+// light is cut off there. Views that have a white keep it. Flat films are as bright as elsewhere.
+TEST(Grade, HighlightsHaveRoomUpToThePeak) {
+  RenderOptions o{20, 20, 4, "shaded"};
+  o.linear = true, o.peak = 5;
+  const auto shown = [&](double light, Grade::View view, bool flat = false, bool grain = false) {
+    Grade g;
+    g.view = view, g.grain = grain ? 0.5 : 0;
+    Frame f = lit_by({light, light, light}, g);
+    f.surroundings.flat = flat;
+    LinearPicture p;
+    EXPECT_TRUE(renderer(o)->render(f, p));
+    return static_cast<double>(p.rgba[4 * (20 * 10 + 10)]);
+  };
+  for (const double light : {0.2, 1.0, 3.9}) EXPECT_NEAR(shown(light, Grade::neutral), light, 0.003 * light) << light;
+  EXPECT_NEAR(shown(8, Grade::neutral), 4 + (8 - 4) / (1 + 8 - 4.0), 0.02);  // 0.8 + x / (1 + 5 x) of the peak
+  EXPECT_LT(shown(1000, Grade::neutral), 5.001);
+  EXPECT_GT(shown(1000, Grade::neutral), 4.9);
+  EXPECT_NEAR(shown(4.5, Grade::plain), 4.5, 0.02);
+  EXPECT_NEAR(shown(9, Grade::plain), 5, 0.001);
+  EXPECT_LE(shown(50, Grade::agx), 1.0001);
+  EXPECT_LE(shown(50, Grade::filmic), 1.0001);
+  EXPECT_NEAR(shown(0.5, Grade::neutral, true), 0.5, 0.003);
+  EXPECT_NEAR(shown(1, Grade::neutral, true), 1, 0.003);
+  EXPECT_NEAR(shown(3, Grade::neutral, false, true), 3, 0.01);  // no grain above white
+  EXPECT_NE(shown(0.3, Grade::neutral, false, true), shown(0.3, Grade::neutral));
+  o.peak = 0.5;
+  EXPECT_FALSE(make_renderer(o));
+  o.peak = std::nan("");
+  EXPECT_FALSE(make_renderer(o));
+}
+
 TEST(Grade, BrokenLightIsBlackOrWhiteAndStaysInItsPlace) {
   LinearPicture p = plane_of(64, 64, {0.1, 0.1, 0.1});
   p.rgba[0] = std::nanf(""), p.rgba[5] = INFINITY, p.rgba[10] = -3;

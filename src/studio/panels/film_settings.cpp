@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <QColorDialog>
+#include <QFileDialog>
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QToolButton>
@@ -25,6 +26,7 @@ struct Setting {
   const char *verb, *name, *otherwise;  // `otherwise`: the setting of a script that says nothing
   const char* choices;                  // separated by ';'
   bool color = false;                   // a colour can be chosen
+  const char* files = nullptr;          // or a file with one of these endings
 };
 constexpr Setting settings[] = {
     {"rate", QT_TRANSLATE_NOOP("FilmSettings", "Frames a second"), "24", "12;24;25;30;50;60"},
@@ -35,12 +37,14 @@ constexpr Setting settings[] = {
     {"theme", QT_TRANSLATE_NOOP("FilmSettings", "Theme"), "none", "none;dark;light;paper"},
     {"background", QT_TRANSLATE_NOOP("FilmSettings", "Background"), "none",
      "none;transparent;white;black;navy to black", true},
-    {"sky", QT_TRANSLATE_NOOP("FilmSettings", "Sky"), "off", "off;studio;day hour=10;sunset;overcast;on"},
+    {"sky", QT_TRANSLATE_NOOP("FilmSettings", "Sky"), "off", "off;studio;day hour=10;sunset;overcast;on", false,
+     "*.hdr *.exr"},
     {"ground", QT_TRANSLATE_NOOP("FilmSettings", "Ground"), "off", "off;on", true},
     {"contact", QT_TRANSLATE_NOOP("FilmSettings", "Contact shadows"), "off", "off;on"},
     {"ambient", QT_TRANSLATE_NOOP("FilmSettings", "Ambient light"), "off", "off;#202428", true},
     {"exposure", QT_TRANSLATE_NOOP("FilmSettings", "Exposure"), "0", "-1;0;0.5;1"},
-    {"view", QT_TRANSLATE_NOOP("FilmSettings", "View transform"), "neutral", "neutral;filmic;agx;plain"},
+    {"view", QT_TRANSLATE_NOOP("FilmSettings", "View transform"), "neutral", "neutral;filmic;agx;plain", false,
+     "*.cube *.ocio *.3dl *.csp *.clf *.ctf *.spi1d *.spi3d *.vf *.cc *.ccc *.cdl"},
     {"white-balance", QT_TRANSLATE_NOOP("FilmSettings", "White balance"), "6500", "3200;5000;6500;8000"},
     {"bloom", QT_TRANSLATE_NOOP("FilmSettings", "Bloom"), "0", "0;0.1;0.3"},
     {"vignette", QT_TRANSLATE_NOOP("FilmSettings", "Vignette"), "0", "0;0.2;0.4"},
@@ -114,14 +118,17 @@ FilmSettings::FilmSettings(Workspace& workspace, QWidget* parent) : QWidget(pare
     const Row& of = rows_.back();
     connect(row.box, &QComboBox::activated, this, [this, &of] { say(of); });
     connect(row.box->lineEdit(), &QLineEdit::editingFinished, this, [this, &of] { say(of); });
-    if (!s.color) continue;
-    auto* swatch = new QToolButton(this);
-    swatch->setObjectName("color_" + name);
-    swatch->setText("…");
-    swatch->setToolTip(tr("Chooses a colour"));
-    swatch->setAccessibleName(tr("Colour of %1").arg(tr(s.name)));
-    grid->addWidget(swatch, at, 2);
-    connect(swatch, &QToolButton::clicked, this, [this, &of] { choose_color(of); });
+    if (!s.color && s.files == nullptr) continue;
+    auto* chooser = new QToolButton(this);
+    chooser->setObjectName((s.color ? "color_" : "file_") + name);
+    chooser->setText("…");
+    chooser->setToolTip(s.color ? tr("Chooses a colour") : tr("Chooses a file"));
+    chooser->setAccessibleName((s.color ? tr("Colour of %1") : tr("File of %1")).arg(tr(s.name)));
+    grid->addWidget(chooser, at, 2);
+    if (s.color)
+      connect(chooser, &QToolButton::clicked, this, [this, &of] { choose_color(of); });
+    else
+      connect(chooser, &QToolButton::clicked, this, [this, &of, &s] { choose_file(of, s.files); });
   }
   auto* hint = new QLabel(tr("Nothing is selected. Select an object to see its properties."), this);
   hint->setWordWrap(true);
@@ -167,6 +174,13 @@ void FilmSettings::choose_color(const Row& row) {
   const QColor color = QColorDialog::getColor(QColor(row.box->currentText()), this);
   if (!color.isValid()) return;
   row.box->setEditText(color.name());
+  say(row);
+}
+
+void FilmSettings::choose_file(const Row& row, const char* endings) {
+  const QString file = QFileDialog::getOpenFileName(this, row.called->text(), {}, QString("(%1)").arg(endings));
+  if (file.isEmpty()) return;
+  row.box->setEditText(text_of(write_text(file.toStdString())));
   say(row);
 }
 

@@ -27,6 +27,7 @@ class FilmSettings : public QWidget {
   };
   void say(const Row&);
   void choose_color(const Row&);
+  void choose_file(const Row&, const char* endings);
 
   Workspace& workspace_;
   std::vector<Row> rows_;
