@@ -73,6 +73,8 @@ constexpr std::string_view to_shine =
 constexpr std::string_view to_sky =
     "sky \"studio.hdr\" lights the scene with a picture of the whole sky; sky studio and sky day need no file";
 constexpr std::string_view to_grade = "view agx or view filmic compresses bright light; exposure 1 doubles all light";
+constexpr std::string_view to_look =
+    "view \"teal.cube\" takes a look file, view \"studio.ocio\" through=\"Filmic\" an OpenColorIO configuration";
 constexpr std::string_view to_material =
     "material=oak, material=gold … name finishes; metalness, roughness, clearcoat and others change them";
 constexpr std::string_view to_trace =
@@ -175,6 +177,9 @@ constexpr ForeignWord all_foreign_words[] = {
     {"environment-map", to_sky, "sky"},
     {"tone-mapping", to_grade, "view exposure"},
     {"tonemap", to_grade, "view exposure"},
+    {"lut", to_look, "view"},
+    {"ocio", to_look, "view"},
+    {"color-management", to_look, "view"},
     {"pbr", to_material, "metalness roughness material"},
     {"shader", to_material, "metalness roughness material"},
     {"traced", to_trace, "samples"},

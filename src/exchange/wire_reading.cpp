@@ -3,7 +3,6 @@
 //
 // Takes the serialized result of a parser process and validates all of it.
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,6 +14,7 @@
 #include "exchange/wire_finish.h"
 #include "exchange/wire_format.h"
 #include "exchange/wire_layout.h"
+#include "exchange/wire_taker.h"
 #include "scene/gradient_stops.h"
 
 namespace betwixt {
@@ -24,40 +24,6 @@ using namespace wire;
 
 constexpr std::size_t most_pictures = 100'000, most_pieces = 1'000'000;
 constexpr int largest_side = 16384;
-
-// Copies everything out and reads no shared byte twice, because the other process may still be writing.
-class Taker {
- public:
-  Taker(int memory, std::uint64_t size) : memory_(memory), left_(size) {}
-  template <class T>
-  bool one(T& value) {
-    return raw(&value, sizeof value);
-  }
-  template <class T>
-  bool block(T& all) {
-    std::uint64_t count = 0;
-    if (!one(count) || count > left_ / sizeof(*all.data())) return false;
-    all.resize(count);
-    return raw(all.data(), count * sizeof(*all.data()));
-  }
-  bool done() const { return left_ == 0; }
-
- private:
-  bool raw(void* to, std::uint64_t size) {
-    if (size > left_) return false;
-    left_ -= size;
-    for (auto* at = static_cast<char*>(to); size > 0;) {
-      const ssize_t n = ::pread(memory_, at, size, at_);
-      if (n < 0 && errno == EINTR) continue;
-      if (n <= 0) return false;
-      at += n, at_ += n, size -= static_cast<std::uint64_t>(n);
-    }
-    return true;
-  }
-  int memory_;
-  std::uint64_t left_;
-  off_t at_ = 0;
-};
 
 template <std::size_t N>
 bool finite(const std::vector<std::array<float, N>>& all) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
@@ -52,18 +53,29 @@ bool whole_picture(const std::string& path, int width, int height) {
   return picture && (*picture)->width == width && (*picture)->height == height;
 }
 
-std::string made_otherwise(const std::string& path, int width, int height, int bits) {
+std::string made_otherwise(const std::string& path, int width, int height, int bits, ColorCoding colors) {
   std::ifstream file(path, std::ios::binary);
-  std::array<unsigned char, 25> head{};  // signature, length and name of the first chunk, width, height, bits
-  if (!file.read(reinterpret_cast<char*>(head.data()), head.size()) || head[0] != 0x89 || head[1] != 'P') return "";
+  // Signature; length and name of the first chunk, width, height, bits, …; then chunks about the colours.
+  std::array<char, 256> head{};
+  file.read(head.data(), head.size());
+  const std::string_view begin(head.data(), static_cast<std::size_t>(file.gcount()));
+  if (begin.size() < 25 || !begin.starts_with("\x89P")) return "";
   const auto number = [&](std::size_t at) {
-    return head[at] << 24 | head[at + 1] << 16 | head[at + 2] << 8 | head[at + 3];
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(begin[i]); };
+    return byte(at) << 24 | byte(at + 1) << 16 | byte(at + 2) << 8 | byte(at + 3);
   };
   const int wide = number(16), tall = number(20), deep = head[24];
   if (wide < 1 || tall < 1) return "";
   if (wide != width || tall != height)
     return fmt::format("{} has {}x{} pixels, not {}x{}", path, wide, tall, width, height);
-  return deep == bits ? "" : fmt::format("{} has {} bits a channel, not {}", path, deep, bits);
+  if (deep != bits) return fmt::format("{} has {} bits a channel, not {}", path, deep, bits);
+  constexpr std::string_view codings[] = {"cICP\x01\x0d", "cICP\x0c\x0d", "cICP\x09\x0d", "cICP\x09\x10",
+                                          "cICP\x09\x12"};
+  const std::size_t at = begin.find("cICP");
+  const auto* const is = std::find(std::begin(codings), std::end(codings), at == begin.npos ? "" : begin.substr(at, 6));
+  const ColorCoding has = is == std::end(codings) ? ColorCoding::srgb : static_cast<ColorCoding>(is - codings);
+  const auto name = [](ColorCoding c) { return color_coding_names[static_cast<std::size_t>(c)]; };
+  return has == colors ? "" : fmt::format("{} has its colors in {}, not in {}", path, name(has), name(colors));
 }
 
 std::string runs(const std::vector<int>& ascending) {

@@ -132,7 +132,8 @@ class Pictures final : public Sink {
     for (int k = 0; k < (options_.only_missing ? 1 : count_); ++k)
       if (Status s = check_place(place_.path(number(k)), options_.overwrite); !s) return s;
     for (int k = 0; k < count_ && options_.only_missing && !place_.exr; ++k)
-      if (std::string what = made_otherwise(place_.path(number(k)), options_.width, options_.height, options_.bits);
+      if (std::string what =
+              made_otherwise(place_.path(number(k)), options_.width, options_.height, options_.bits, options_.colors);
           !what.empty())
         return fail(ErrorCode::range, std::move(what),
                     "render the missing pictures with the same settings, or in another folder");

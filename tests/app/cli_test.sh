@@ -108,6 +108,28 @@ check 'another rate' 0 '6 frames in' render bounce.bx -o a.mp4 $small --fps 12
 is 'the film has it too' "$(ffprobe -v error -select_streams v:0 -show_entries stream=r_frame_rate -of csv=p=0 a.mp4)" 12/1
 for f in 0 x 24fps 1e9; do check "rate '$f'" 2 'is not a rate such as 24' render bounce.bx -o a.mp4 --fps $f; done
 rm a.mp4 fine.webm poor.webm
+# More colours and more light.
+tags() { ffprobe -v error -select_streams v:0 -show_entries stream=pix_fmt,color_transfer,color_primaries -of csv=p=0 "$1"; }
+wide='--size 64x64 --frames 1f..2f'
+check 'a film in pq' 0 '2 frames' render bounce.bx -o a.mp4 $wide --colors pq
+is 'it says so' "$(tags a.mp4)" yuv420p10le,smpte2084,bt2020
+check 'pictures in hlg' 0 '2 frames' render bounce.bx -o h-%d.png $wide --colors hlg
+check 'missing ones in pq' 2 'h-1.png has its colors in hlg, not in pq' render bounce.bx -o h-%d.png $wide --colors pq --missing
+check 'missing ones in hlg' 0 'already' render bounce.bx -o h-%d.png $wide --colors hlg --missing
+check 'join them' 0 '2 frames' join h-%d.png -o b.mp4 --colors hlg
+is 'the film is in hlg' "$(tags b.mp4)" yuv420p10le,arib-std-b67,bt2020
+check 'the plan has 16 bits' 0 '"bits":16' render bounce.bx -o a.mp4 $wide --colors pq --plan
+check 'one picture in p3' 0 '' frame bounce.bx -o p.png --size 64x64 --colors p3
+is 'it says so too' "$(grep -ac cICP p.png)" 1
+check 'light in rec2020' 0 '' frame bounce.bx -o p.exr --size 64x64 --colors rec2020
+check 'no such colors' 2 "--colors: rec709 not in {srgb,p3,rec2020,pq,hlg}" render bounce.bx -o a.mp4 --colors rec709
+check 'a GIF has sRGB' 2 '--colors pq: .gif has the colors of sRGB only' render bounce.bx -o a.gif --colors pq
+check 'so has a PDF' 2 '.pdf has the colors of sRGB only' render bounce.bx -o a.pdf --colors p3
+check 'and a JPEG' 2 'JPEG has the colors of sRGB only' frame bounce.bx -o a.jpg --colors p3
+check 'OpenEXR has light' 2 'OpenEXR has light without limit' render bounce.bx -o a-%d.exr --colors pq
+check 'H.264 has 8 bits' 2 'h264 has 8 bits here' render bounce.bx -o a.mp4 --colors pq --codec h264
+check 'join to a GIF' 2 '.gif has the colors of sRGB only' join h-%d.png -o a.gif --colors hlg
+rm a.mp4 b.mp4 h-?.png p.png p.exr
 
 # Colours.
 is 'no colours but on a terminal' "$("$program" check wrong.bx 2>&1 | grep -c $'\x1b')" 0

@@ -5,7 +5,7 @@
 #   colors.py PROGRAM [FOLDER]
 # Draws each picture as light (.exr) and through the view (PNG of 16 bits). Leaves out the edges of bright light, where
 # Betwixt mixes pictures instead of light. Prints differences in units of 255.
-import array, os, subprocess, sys, tempfile
+import array, os, shutil, subprocess, sys, tempfile
 
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path.append(here)
@@ -71,14 +71,14 @@ def numbers(kind, path, pixels):
     return out
 
 
-def compare(view, look, exposure):
+def compare(view, look, exposure, space):
     with open("film.bx", "w") as out: out.write(FILM % (exposure, view, f'look="{look}"' if look else ""))
     subprocess.run([program, "frame", "film.bx", "-o", "light.exr"], check=True)
     subprocess.run([program, "frame", "film.bx", "-o", "shown.png", "--bits", "16"], check=True)
     planes, shown, n = numbers("f", "light.exr", "gbrapf32le"), numbers("H", "shown.png", "rgb48le"), W * H
     light = list(zip(planes[2 * n:3 * n], planes[:n], planes[n:2 * n]))
     pipeline = ocio.LegacyViewingPipeline()
-    pipeline.setDisplayViewTransform(ocio.DisplayViewTransform(src="lin_srgb", display="sRGB", view=view))
+    pipeline.setDisplayViewTransform(ocio.DisplayViewTransform(src=space, display="sRGB", view=view))
     if look: pipeline.setLooksOverrideEnabled(True), pipeline.setLooksOverride(look)
     config = ocio.Config.CreateFromFile("config.ocio")
     cpu = pipeline.getProcessor(config, config.getCurrentContext()).getDefaultCPUProcessor()
@@ -96,6 +96,21 @@ def compare(view, look, exposure):
 # The most that the mean and the 99.9th percentile may be.
 ROWS = [("Standard", "", 0.01, 0.02), ("Logarithm", "", 0.01, 0.02), ("File", "", 0.15, 0.3), ("Mixed", "", 0.3, 6),
         ("Standard", "Punchy", 0.3, 12), ("Mixed", "Punchy", 0.3, 8)]
+# The configuration that comes with Blender, if it is there.
+BLENDER = "/usr/share/blender/datafiles/colormanagement"
+BLENDER_ROWS = [("Standard", "", 0.01, 0.02), ("Filmic", "", 0.1, 0.3), ("Filmic", "High Contrast", 0.1, 0.3),
+                ("Filmic", "Very Low Contrast", 0.1, 0.3)]
+
+
+def all_of(rows, name, space):
+    for view, look, most_mean, most in rows:
+        for exposure in (-4, 0, 2):
+            mean, high, worst = compare(view, look, exposure, space)
+            words = f"{name} {view} {look} exposure {exposure}: mean {mean:.3f}, 99.9 % {high:.3f}, most {worst:.2f} of 255"
+            print(words)
+            verdict(mean < most_mean and high < most, words)
+
+
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     os.mkdir("luts")
@@ -106,10 +121,8 @@ with tempfile.TemporaryDirectory() as folder:
             for g in range(17):
                 for r in range(17):
                     out.write(f"{r / 16 * 0.9:.6f} {min(1, 0.05 + 0.9 * g / 16 + 0.05 * b / 16):.6f} {0.1 + 0.85 * b / 16:.6f}\n")
-    for view, look, most_mean, most in ROWS:
-        for exposure in (-4, 0, 2):
-            mean, high, worst = compare(view, look, exposure)
-            words = f"{view} {look} exposure {exposure}: mean {mean:.3f}, 99.9 % {high:.3f}, most {worst:.2f} of 255"
-            print(words)
-            verdict(mean < most_mean and high < most, words)
+    all_of(ROWS, "our own", "lin_srgb")
+    if os.path.exists(BLENDER):
+        shutil.copytree(BLENDER, folder, dirs_exist_ok=True)
+        all_of(BLENDER_ROWS, "Blender's", "Linear")
 done()

@@ -169,6 +169,7 @@ class Films(unittest.TestCase):
         for path, how, said in (("a.mp5", {}, "mp5"), ("no/a.mp4", {}, "no"),
                                 ("a.mp4", {"frames": (5, 3)}, "ends before it begins"),
                                 ("a.mp4", {"frames": (1, 1e9)}, "too many"), ("a.mp4", {"bits": 9}, "8 or 16"),
+                                ("a.mp4", {"colors": "rec709"}, "rec709"), ("a.gif", {"colors": "pq"}, "sRGB only"),
                                 ("a.mp4", {"jobs": -1}, "jobs"), ("a.mp4", {"size": (-1, 1)}, "-1x1"),
                                 ("a.mp4", {"missing": True}, "")):
             with self.assertRaisesRegex(betwixt.Error, said, msg=(path, how)):
