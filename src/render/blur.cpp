@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "render/closing.h"
 #include "render/view.h"
 #include "scene/extent.h"
 
@@ -14,108 +15,6 @@ namespace betwixt {
 namespace {
 
 constexpr double clear_sight = 0.25;  // pixels: less blur than this is sharp
-
-// Returns whether two numbers differ by more than any speed explains within a flick.
-bool far_apart(double a, double b) { return std::abs(a - b) > 1e-6 * (1 + std::max(std::abs(a), std::abs(b))); }
-bool far_apart(const Mat4& a, const Mat4& b) {
-  return !std::equal(a.m.begin(), a.m.end(), b.m.begin(), [](double x, double y) { return !far_apart(x, y); });
-}
-bool far_apart(Vec3 a, Vec3 b) { return far_apart(a.x, b.x) || far_apart(a.y, b.y) || far_apart(a.z, b.z); }
-
-// A mesh with joints is another one at every time; no part of it moves far within a flick.
-bool jumps(const Mesh& a, const Mesh& b) {
-  if (!a.posed || !b.posed || a.positions.size() != b.positions.size()) return true;
-  constexpr float near = 1e-4F;
-  for (std::size_t i = 0; i < a.positions.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (std::abs(a.positions[i][k] - b.positions[i][k]) > near * (1 + std::abs(a.positions[i][k]))) return true;
-  return false;
-}
-
-bool jumps(const std::shared_ptr<const Shape>& a, const std::shared_ptr<const Shape>& b) {
-  if (a == b) return false;
-  const auto meshes = [&] { return a->mesh != b->mesh && (!a->mesh || !b->mesh || jumps(*a->mesh, *b->mesh)); };
-  if (!a || !b || a->kind != b->kind || meshes() || *a->text != *b->text || a->points->size() != b->points->size())
-    return true;
-  for (const auto measure : shape_measures)
-    if (far_apart((*a).*measure, (*b).*measure)) return true;
-  for (std::size_t i = 0; i < a->points->size(); ++i)
-    if (far_apart((*a->points)[i], (*b->points)[i])) return true;
-  return far_apart(a->size, b->size);
-}
-
-bool jumps(const Content& a, const Content& b) {
-  const Evaluation::Look &l = a.look, &m = b.look;
-  if (!l.visible && !m.visible) return false;
-  return l.visible != m.visible || far_apart(a.world, b.world) || far_apart(l.color, m.color) ||
-         far_apart(l.transparency, m.transparency) || far_apart(l.blend, m.blend) || l.material != m.material ||
-         a.texture != b.texture || jumps(a.shape, b.shape) || jumps(a.toward, b.toward);
-}
-
-bool jumps(const Camera& a, const Camera& b) {
-  return far_apart(a.world, b.world) || far_apart(a.fov, b.fov) || a.orthographic != b.orthographic ||
-         far_apart(a.height, b.height);
-}
-
-bool jumps(const Light& a, const Light& b) {
-  return a.id.index != b.id.index || far_apart(a.position, b.position) || far_apart(a.color, b.color) ||
-         a.sun != b.sun || far_apart(a.range, b.range);
-}
-
-bool alike(const std::vector<Light>& a, const std::vector<Light>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Light& x, const Light& y) { return !jumps(x, y); });
-}
-
-// The times at which the shutter closes for objects that jump: just before. By place, in order of time.
-struct Closing {
-  std::vector<std::pair<Time, std::vector<std::uint32_t>>> places;
-  std::optional<Time> camera, lights;
-};
-
-Closing closing(Evaluation& e, const std::vector<Time>& breaks) {
-  Closing all;
-  std::vector<bool> closed;
-  for (const Time at : breaks) {
-    e.to(at - Time{1});
-    const Columns before = columns_of(e);
-    std::vector<Content> was;
-    for (std::uint32_t i = 0; i < before.worlds.size(); ++i) was.push_back(content_of(before, i));
-    const Camera camera = e.camera();
-    const std::vector<Light> lights = e.lights();
-    e.to(at);
-    const Columns after = columns_of(e);
-    closed.resize(was.size());
-    std::vector<std::uint32_t> jumped;
-    for (const std::uint32_t i : e.changed())
-      if (!closed[i] && jumps(was[i], content_of(after, i))) jumped.push_back(i), closed[i] = true;
-    if (!jumped.empty()) all.places.emplace_back(at, std::move(jumped));
-    if (!all.camera && jumps(camera, e.camera())) all.camera = at;
-    if (!all.lights && !alike(lights, e.lights())) all.lights = at;
-  }
-  return all;
-}
-
-// The state of objects that jump, for one of the pictures: all of its pictures are before the jump.
-struct Held {
-  std::vector<std::pair<std::uint32_t, Content>> places;
-  std::optional<Camera> camera;
-  std::optional<std::vector<Light>> lights;
-};
-
-// `part`: of the time that the shutter is open.
-Held held_at(Evaluation& e, Time opened, double part, const Closing& closing) {
-  Held all;
-  const auto before = [&](Time at) { return opened + from_seconds(part * (at - opened).seconds()); };
-  for (const auto& [at, places] : closing.places) {
-    e.to(before(at));
-    const Columns columns = columns_of(e);
-    for (const std::uint32_t i : places) all.places.emplace_back(i, content_of(columns, i));
-  }
-  if (closing.camera) e.to(before(*closing.camera)), all.camera = e.camera();
-  if (closing.lights) e.to(before(*closing.lights)), all.lights = e.lights();
-  return all;
-}
 
 // Columns with the held objects in their places.
 class Mixed {
@@ -280,8 +179,9 @@ void add(const LinearPicture& one, std::vector<double>& sum) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(one.rgba[i]);
 }
 
-// Returns how many pictures are needed, at most `most`.
-int needed(Evaluation& e, Time t, double shutter, int most, int width, int height) {
+}  // namespace
+
+int subframes_needed(Evaluation& e, Time t, double shutter, int most, int width, int height) {
   if (most <= 1) return 1;
   const auto next = shutter > 0 ? e.program().next_change(t) : std::nullopt;
   const bool still = shutter <= 0 || !next || *next > t + from_seconds(shutter);
@@ -300,13 +200,11 @@ int needed(Evaluation& e, Time t, double shutter, int most, int width, int heigh
   return std::min(most, 4 * static_cast<int>(std::ceil(std::clamp(a_pixel * blur.most(), at_least, 1e6) / 4)));
 }
 
-}  // namespace
-
 Status render_blurred(Evaluation& e, Time t, const Blur& how, int width, int height, const DrawColumns& draw,
                       LinearPicture& out) {
   e.to(t);
   const double shutter = std::clamp(how.shutter.value_or(e.camera().shutter), 0.0, 60.0);
-  const int n = needed(e, t, shutter, how.subframes, width, height);
+  const int n = subframes_needed(e, t, shutter, how.subframes, width, height);
   e.to(t);
   if (n == 1) return draw(columns_of(e), out);
   const Closing closes =
@@ -318,9 +216,7 @@ Status render_blurred(Evaluation& e, Time t, const Blur& how, int width, int hei
     e.to(t + from_seconds(shutter * part));
     const Columns all = columns_of(e);
     const Mixed mixed(all, held, part_of(held.camera.value_or(e.camera()), k, n, width, height));
-    Columns columns = mixed.columns();
-    columns.part = k, columns.parts = n;
-    if (Status s = draw(columns, out); !s) return s;
+    if (Status s = draw(mixed.columns(), out); !s) return s;
     add(out, sum);
   }
   for (std::size_t i = 0; i < sum.size(); ++i) out.rgba[i] = static_cast<float>(sum[i] / n);

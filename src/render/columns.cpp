@@ -9,13 +9,6 @@
 namespace betwixt {
 namespace {
 
-bool same_light(const Light& a, const Light& b) {
-  return a.sun == b.sun && a.position == b.position && a.direction == b.direction && a.color == b.color &&
-         a.range == b.range && a.casting == b.casting && a.shape == b.shape && a.across == b.across &&
-         a.width == b.width && a.height == b.height && a.cone == b.cone && a.cone_edge == b.cone_edge &&
-         a.picture == b.picture;
-}
-
 // Returns the number of the last element, after adding the value if it is a new one.
 template <class T>
 std::uint32_t number_of(std::vector<T>& all, const T& one) {
@@ -25,6 +18,13 @@ std::uint32_t number_of(std::vector<T>& all, const T& one) {
 }
 
 }  // namespace
+
+bool same_light(const Light& a, const Light& b) {
+  return a.sun == b.sun && a.position == b.position && a.direction == b.direction && a.color == b.color &&
+         a.range == b.range && a.casting == b.casting && a.shape == b.shape && a.across == b.across &&
+         a.width == b.width && a.height == b.height && a.cone == b.cone && a.cone_edge == b.cone_edge &&
+         a.picture == b.picture;
+}
 
 Columns columns_of(const Evaluation& e) {
   const Scene& scene = e.program().document().scene();

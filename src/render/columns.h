@@ -24,7 +24,6 @@ struct Columns {
   const Camera& camera;
   std::optional<Vec3> background;
   Surroundings surroundings;
-  int part = 0, parts = 1;  // which of several pictures that are averaged
 };
 
 Columns columns_of(const Evaluation&);
@@ -46,6 +45,8 @@ struct Content {
   friend bool operator==(const Content&, const Content&) = default;
 };
 Content content_of(const Columns&, std::uint32_t);
+
+bool same_light(const Light&, const Light&);
 
 // The content of a picture besides objects and camera.
 struct Scenery {

@@ -11,13 +11,13 @@ namespace betwixt::traced {
 namespace {
 
 constexpr int tile = Plane::tile;
-constexpr int radius = 7;                      // of the neighbourhood that is averaged
-constexpr int widest_patch = 3;                // the largest radius of the surroundings that are compared
-constexpr int wide = tile + 2 * widest_patch;  // of a tile's differences
+constexpr int radius = 7;                          // of the neighbourhood that is averaged
+constexpr int widest_patch = 3;                    // the largest radius of the surroundings that are compared
+constexpr int bordered = tile + 2 * widest_patch;  // of a tile's differences
 static_assert(radius + widest_patch <= Plane::margin);
 
 // The numbers of a tile, and of a border around it.
-using Cells = std::array<std::array<float, wide>, wide>;
+using Cells = std::array<std::array<float, bordered>, bordered>;
 using TileCells = std::array<std::array<float, tile>, tile>;
 
 struct Pass {

@@ -68,12 +68,6 @@ PathTracer::PathTracer(const World& world, const View& view, const Scenery& scen
     physical_.emplace(*this, world_, lighting_, sky_);
 }
 
-Ray PathTracer::camera_ray(double across, double down) const {
-  const Vec3 there =
-      (2 * across - 1 - view_.shift_x) / view_.sx * view_.right + (1 - 2 * down - view_.shift_y) / view_.sy * view_.up;
-  return view_.orthographic ? Ray{there, -view_.backward} : Ray{{}, unit(there - view_.backward)};
-}
-
 Vec3 PathTracer::sky_radiance(double up, double below) const {
   const double over = 1 - std::clamp(up, 0.0, 1.0);
   return mix(mix(lighting_.zenith, lighting_.horizon, over * over), lighting_.below, below);
@@ -85,11 +79,13 @@ void PathTracer::add_background(double down, Vec3 along, double left, CameraSamp
     result.clear = left;
   } else if (sky_ && sky_.seen_behind()) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
-    result.lit = result.lit + left * sky_.seen(d);
+    result.beyond = left * sky_.seen(d);
+    result.lit = result.lit + result.beyond;
     result.share = std::min(result.share + left, 1.0);
   } else if (around_.sky) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
-    result.lit = result.lit + left * sky_radiance(d.y, smoothstep(0, 1, -4 * d.y));
+    result.beyond = left * sky_radiance(d.y, smoothstep(0, 1, -4 * d.y));
+    result.lit = result.lit + result.beyond;
     result.share = std::min(result.share + left, 1.0);
   } else {
     result.plain = result.plain + left * mix(top_, bottom_, bends_ ? smoothstep(0, 1, down) : down);
@@ -114,7 +110,7 @@ SurfacePoint PathTracer::floor_point(const Ray& r, double distance) const {
   s.at.y = -view_.eye.y;
   s.normal = s.face = {0, 1, 0};
   s.start = s.at + coplanar_tolerance * (largest(s.at) + std::abs(view_.eye.y)) * s.face;
-  s.color = *around_.ground, s.material = Material::matte;
+  s.color = *around_.ground, s.material = Material::matte, s.time = r.time;
   return s;
 }
 
@@ -160,7 +156,7 @@ double PathTracer::visibility(const SurfacePoint& point, const Lighting::One& li
     to = to + from_frame(unit(to), cylindrical(light.size * std::sqrt(area), turn, 0));
   }
   const double distance = light.sun ? INFINITY : std::sqrt(dot(to, to)) * (1 - coplanar_tolerance);
-  return world_.transmittance({point.start, unit(to)}, distance);
+  return world_.transmittance({point.start, unit(to), point.time}, distance);
 }
 
 Vec3 PathTracer::direct_light(const Surface& s, PixelSampler& sampler) const {
@@ -207,7 +203,8 @@ Vec3 PathTracer::indirect_light(const Surface& s, int depth, PixelSampler& sampl
   const RayKind kind = s.kind == RayKind::ambient || !is_specular ? RayKind::ambient
                        : s.metal                                  ? RayKind::reflected_by_metal
                                                                   : RayKind::reflected;
-  const Vec3 light = incoming_radiance({s.point.start, kept_outside(s.point.face, along)}, kind, depth + 1, sampler);
+  const Ray next{s.point.start, kept_outside(s.point.face, along), s.point.time};
+  const Vec3 light = incoming_radiance(next, kind, depth + 1, sampler);
   if (!is_specular)
     return (1 - specular) / ((1 - specular_probability) * survival_probability) * (s.diffuse_albedo * light);
   return 1 / (specular_probability * survival_probability) *
@@ -233,8 +230,7 @@ Vec3 PathTracer::incoming_radiance(Ray r, RayKind kind, int depth, PixelSampler&
   return {};
 }
 
-CameraSample PathTracer::sample(double across, double down, PixelSampler& sampler) const {
-  const Ray r = camera_ray(across, down);
+CameraSample PathTracer::sample(const Ray& r, double down, PixelSampler& sampler) const {
   const double floor = floor_distance(r);
   CameraSample result;
   double left = 1;

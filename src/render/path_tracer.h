@@ -16,6 +16,7 @@ namespace betwixt::traced {
 // highlights roll off. `clear`: how much of it is transparent.
 struct CameraSample {
   Vec3 lit, plain;
+  Vec3 beyond;  // what of `lit` is the sky behind everything
   double share = 0, clear = 0;
   // What the denoiser knows of the lit surfaces: the light that they reflect of white light, their normal and place in
   // eye space, each times their part of the sample (`seen`).
@@ -29,8 +30,8 @@ Vec3 tone_mapped(Vec3);
 class PathTracer {
  public:
   PathTracer(const World&, const View&, const Scenery&);
-  // Returns the light at a place of the picture, from 0 to 1 from its left and top.
-  CameraSample sample(double across, double down, PixelSampler&) const;
+  // Returns the light along a ray of the camera. `down`: where it is in the picture, from 0 to 1 from the top.
+  CameraSample sample(const Ray&, double down, PixelSampler&) const;
 
   double floor_distance(const Ray&) const;  // infinity if the ray misses it
   SurfacePoint floor_point(const Ray&, double distance) const;
@@ -41,7 +42,6 @@ class PathTracer {
   enum class RayKind : std::uint8_t { camera, reflected_by_metal, reflected, ambient };
   struct Surface;
 
-  Ray camera_ray(double across, double down) const;
   void add_background(double down, Vec3 along, double left, CameraSample&) const;
   Vec3 environment_radiance(Vec3 along, RayKind) const;
   Vec3 sky_radiance(double up, double below) const;

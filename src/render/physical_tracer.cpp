@@ -81,7 +81,7 @@ Vec3 PhysicalTracer::from_light(const SurfacePoint& p, const Scattering& s, std:
   const Vec3 value = strength > 0 ? strength * s.value(along) : Vec3{};
   if (!(largest(value) > 0)) return {};
   const double distance = l.sun ? INFINITY : std::sqrt(dot(to, to)) * (1 - coplanar_tolerance);
-  return (casts ? world_.transmittance({p.start, along}, distance) : 1) * (value * projected_color(l, -along));
+  return (casts ? world_.transmittance({p.start, along, p.time}, distance) : 1) * (value * projected_color(l, -along));
 }
 
 Vec3 PhysicalTracer::from_lights(const SurfacePoint& p, const Scattering& s, bool all, PixelSampler& sampler) const {
@@ -103,8 +103,8 @@ Vec3 PhysicalTracer::from_sky(const SurfacePoint& p, const Scattering& s, PixelS
   if (!(d.density > 0)) return {};
   const Vec3 value = s.value(d.along);
   if (!(largest(value) > 0)) return {};
-  if (tracer_.meets_floor({p.start, d.along})) return {};
-  const double seen = world_.transmittance({p.start, d.along}, INFINITY);
+  if (tracer_.meets_floor({p.start, d.along, p.time})) return {};
+  const double seen = world_.transmittance({p.start, d.along, p.time}, INFINITY);
   return seen * balance(d.density, s.density(d.along)) / (pi * d.density) * (value * sky_.seen(d.along));
 }
 
@@ -160,7 +160,7 @@ Vec3 PhysicalTracer::radiance(SurfacePoint p, Vec3 toward, PixelSampler& sampler
     Vec3 along = next.along;
     const double into = dot(along, p.face);
     if (!next.through && into < 0) along = along - 2 * into * p.face;
-    Ray r{next.through ? p.beyond : p.start, along};
+    Ray r{next.through ? p.beyond : p.start, along, p.time};
     if (next.density > 0 && next.density < 20) least_roughness = std::max(least_roughness, 0.2);
     double density = next.density;
     // Straight through what is transparent, to the next surface.

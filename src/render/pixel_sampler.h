@@ -6,7 +6,8 @@
 //
 // The samples of a decision are the first two coordinates of Sobol's sequence: of 2^k samples, each of 2^k equal boxes
 // has one, in whatever way the square is halved. Each pixel and decision has its own flipped digits and its own order
-// of samples, so that decisions are independent.
+// of samples, so that decisions are independent. Where a camera's ray goes and when is one decision of five
+// coordinates.
 #pragma once
 
 #include <array>
@@ -14,6 +15,25 @@
 #include <cstdint>
 
 namespace betwixt::traced {
+
+using SobolColumns = std::array<std::uint32_t, 32>;
+// The columns of a coordinate of Sobol's sequence, by Joe and Kuo's numbers: a polynomial and its first columns. The
+// first digit of a number is its lowest bit.
+constexpr SobolColumns sobol_columns(std::size_t degree, std::uint32_t polynomial, std::array<std::uint32_t, 3> begin) {
+  SobolColumns v{};
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    if (k < degree) {
+      for (std::size_t j = 0; j <= k; ++j) v[k] |= (begin[k] >> (k - j) & 1) << j;
+      continue;
+    }
+    v[k] = v[k - degree] ^ (v[k - degree] << degree);
+    for (std::size_t j = 1; j < degree; ++j)
+      if ((polynomial >> (degree - 1 - j) & 1) != 0) v[k] ^= v[k - j];
+  }
+  return v;
+}
+inline constexpr std::array<SobolColumns, 3> sobol_more{sobol_columns(2, 1, {1, 3, 0}), sobol_columns(3, 1, {1, 3, 1}),
+                                                        sobol_columns(3, 2, {1, 1, 1})};
 
 class PixelSampler {
  public:
@@ -37,8 +57,33 @@ class PixelSampler {
             unit_float(sobol_second(i) ^ static_cast<std::uint32_t>(flips >> 32))};
   }
   double next_1d() { return next_2d()[0]; }
+  // Returns five numbers for one decision. The first two are those that next_2d() would return.
+  std::array<double, 5> next_5d() {
+    const std::uint64_t own = hashed(pixel_ + decision_);
+    const std::uint32_t i = first_ + shuffled(own);
+    const auto [x, y] = next_2d();
+    std::array<double, 5> all{x, y};
+    std::uint64_t seed = hashed(own ^ 0x5d);
+    for (std::size_t d = 0; d < sobol_more.size(); ++d, seed = hashed(seed)) {
+      std::uint32_t digits = 0;
+      for (std::size_t k = 0; i >> k != 0; ++k) digits ^= sobol_more[d][k] & (0 - (i >> k & 1));
+      all[d + 2] = scrambled(digits, static_cast<std::uint32_t>(seed));
+    }
+    return all;
+  }
 
  private:
+  // Flips each digit by chance, depending on those before it (Owen's scrambling, by Laine and Karras' hash). The first
+  // digit is the lowest bit.
+  static constexpr double scrambled(std::uint32_t x, std::uint32_t seed) {
+    x += seed;
+    for (const std::uint32_t factor : {0x6c50b47cU, 0xb82f1e52U, 0xc7afe638U, 0x8d22f6e6U}) x ^= x * factor;
+    x = (x & 0x55555555) << 1 | (x >> 1 & 0x55555555);
+    x = (x & 0x33333333) << 2 | (x >> 2 & 0x33333333);
+    x = (x & 0x0f0f0f0f) << 4 | (x >> 4 & 0x0f0f0f0f);
+    x = (x & 0x00ff00ff) << 8 | (x >> 8 & 0x00ff00ff);
+    return unit_float(x << 16 | x >> 16);
+  }
   // Every bit of the result depends on every bit of the input (splitmix64).
   static constexpr std::uint64_t hashed(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15;

@@ -12,17 +12,17 @@
 
 #include "base/stages.h"
 #include "base/work_progress.h"
-#include "render/blur.h"
 #include "render/denoise.h"
+#include "render/exposure.h"
 #include "render/shared_work.h"
 #include "render/traced_tile.h"
 
 namespace betwixt {
 namespace {
 
+using traced::ExposedTracer;
 using traced::FilterSampler;
 using traced::NoisyPicture;
-using traced::PathTracer;
 using traced::PixelSums;
 using traced::SamplePlan;
 using traced::TileOfPixels;
@@ -45,26 +45,26 @@ class FlushDenormals {
   [[maybe_unused]] unsigned before_ = 0;
 };
 
-// The last picture.
+// The last picture of one moment.
 class PreviousPicture {
  public:
   // Returns whether anything differs from it, and takes over the new state.
   bool differs(const Columns& c) {
-    std::vector<Content> now(c.looks.size());
-    for (std::uint32_t i = 0; i < now.size(); ++i)
-      if (c.looks[i].visible) now[i] = content_of(c, i);
-    const bool scenery = scenery_.take(c), things = now != things_;
-    const bool camera = !camera_ || !(*camera_ == c.camera) || part_ != std::pair(c.part, c.parts);
-    things_ = std::move(now), camera_ = c.camera, part_ = {c.part, c.parts};
-    return scenery || camera || things;
+    Exposure now = moment_of(c);
+    const bool differs = !last_ || !same(now, *last_);
+    last_ = std::move(now);
+    return differs;
   }
-  const Scenery& scenery() const { return scenery_; }
+  const Exposure& exposure() const { return *last_; }
 
  private:
-  std::vector<Content> things_;
-  std::optional<Camera> camera_;
-  std::pair<int, int> part_;
-  Scenery scenery_;
+  static bool same(const Exposure& a, const Exposure& b) {
+    const auto things = [](const Course& x, const Course& y) { return x.states == y.states; };
+    return a.cameras == b.cameras && a.background == b.background && a.surroundings == b.surroundings &&
+           std::equal(a.lights[0].begin(), a.lights[0].end(), b.lights[0].begin(), b.lights[0].end(), same_light) &&
+           std::equal(a.things.begin(), a.things.end(), b.things.begin(), b.things.end(), things);
+  }
+  std::optional<Exposure> last_;
 };
 
 // Returns a step that goes to all of `count` places before it comes back. Successive ones are far apart, so that the
@@ -77,22 +77,21 @@ std::size_t scattering_step(std::size_t count) {
 
 constexpr std::uint32_t enough_to_denoise = 4;  // samples
 
-// Adds a pixel of one of some pictures that are averaged.
-void add_noisy(const std::array<PixelSums, 2>& halves, double share, int x, int y, NoisyPicture& to) {
-  const auto add = [&](traced::Plane& plane, double value) { plane.row(y)[x] += static_cast<float>(value); };
+void add_noisy(const std::array<PixelSums, 2>& halves, int x, int y, NoisyPicture& to) {
+  const auto add = [&](traced::Plane& plane, double value) { plane.row(y)[x] = static_cast<float>(value); };
   PixelSums all = halves[0];
   all += halves[1];
   const double n = all.samples, seen = all.seen / n;
-  add(to.seen, share * seen), add(to.samples, n);
+  add(to.seen, seen), add(to.samples, n);
   const auto variance = [&](double square, double mean) { return std::max(square - mean * mean, 0.0) / (n - 1); };
-  add(to.spread, share * share * variance(all.far_square / all.seen, all.far / all.seen));
+  add(to.spread, variance(all.far_square / all.seen, all.far / all.seen));
   for (int i = 0; i < 3; ++i) {
     const auto c = static_cast<std::size_t>(i);
-    add(to.first[c], share * halves[0].lit[i] / halves[0].divisor());
-    add(to.second[c], share * halves[1].lit[i] / halves[1].divisor());
-    add(to.variance[c], share * share * variance(all.lit_square[i] / n, all.lit_sample[i] / n));
-    add(to.albedo[c], share * std::max(all.albedo[i] / all.divisor(), 0.01 * seen));
-    add(to.normal[c], share * all.normal[i] / n), add(to.place[c], share * all.place[i] / n);
+    add(to.first[c], (halves[0].lit[i] - halves[0].beyond[i]) / halves[0].divisor());
+    add(to.second[c], (halves[1].lit[i] - halves[1].beyond[i]) / halves[1].divisor());
+    add(to.variance[c], variance(all.lit_square[i] / n, all.lit_sample[i] / n));
+    add(to.albedo[c], std::max(all.albedo[i] / all.divisor(), 0.01 * seen));
+    add(to.normal[c], all.normal[i] / n), add(to.place[c], all.place[i] / n);
   }
 }
 
@@ -113,9 +112,12 @@ class Traced final : public Renderer {
   Status render(const Frame& frame, LinearPicture& out) override { return give(frame, out); }
   Status render(const Evaluation& evaluation, LinearPicture& out) override { return give(evaluation, out); }
   Status render_blurred(Evaluation& evaluation, Time t, const Blur& how, LinearPicture& out) override {
-    const auto draw_part = [&](const Columns& columns, LinearPicture& one) { return give(columns, one); };
-    Status drawn = betwixt::render_blurred(evaluation, t, how, width_, height_, draw_part, out);
-    if (drawn && denoised_) out = light_;  // the sum of all parts
+    const std::optional<Exposure> exposure = exposure_of(evaluation, t, how, width_, height_);
+    if (!exposure) evaluation.to(t);
+    if (!exposure || !linear_) return give(evaluation, out);
+    Status drawn = guarded([&] { return draw_anew(*exposure); });
+    whole_ = false;  // what comes next is another picture
+    if (drawn) out = light_;
     return drawn;
   }
 
@@ -140,32 +142,47 @@ class Traced final : public Renderer {
   }
 
   Status draw(const Columns& columns) {
-    const InStage draw(Stage::draw);
-    try {
+    return guarded([&]() -> Status {
       if (!previous_.differs(columns) && whole_) return Nothing{};
       whole_ = false;
-      Status made = draw_anew(columns);
+      Status made = draw_anew(previous_.exposure());
       whole_ = static_cast<bool>(made);
       return made;
+    });
+  }
+  template <class Draw>
+  static Status guarded(const Draw& draw) {
+    const InStage drawing(Stage::draw);
+    try {
+      return draw();
     } catch (const std::bad_alloc&) {
       return fail(ErrorCode::machine, "there is not enough memory for this picture");
     }
   }
 
-  Status draw_anew(const Columns& columns) {
-    bool good = false, always = true;
-    View view = make_view(columns.camera, width_, height_, good);
-    if (!good) view = make_view({}, width_, height_, always);  // a view of nothing
+  // Returns the view of each camera, or none if the numbers of one are not valid.
+  std::vector<View> views_of(const std::vector<Camera>& cameras) const {
+    std::vector<View> views;
+    for (const Camera& c : cameras) {
+      bool good = false;
+      views.push_back(make_view(c, width_, height_, good));
+      if (!good) return {};
+    }
+    return views;
+  }
+
+  Status draw_anew(const Exposure& exposure) {
+    std::vector<View> views = views_of(exposure.cameras);
+    if (views.empty()) return draw_anew(nothing_of(exposure));
     {
       const InStage gather(Stage::gather);
       const FlushDenormals now;
-      if (Status s = world_.set(columns, good ? columns.looks.size() : 0, view); !s) return s;
+      if (Status s = world_.set(exposure.things, views.front()); !s) return s;
     }
-    begin(columns, view);
-    const PathTracer path_tracer(world_, view, previous_.scenery());
+    begin(views.front());
+    const ExposedTracer tracer(world_, exposure, views);
     SamplePlan plan = plan_;
     plan.halved = denoised_ || plan.samples == 0;
-    plan.part = static_cast<std::uint32_t>(columns.part), plan.parts = static_cast<std::uint32_t>(columns.parts);
     constexpr int side = TileOfPixels::side;
     const auto across = static_cast<std::size_t>((width_ + side - 1) / side);
     const std::size_t tiles = across * static_cast<std::size_t>((height_ + side - 1) / side);
@@ -176,26 +193,29 @@ class Traced final : public Renderer {
           TileOfPixels tile;
           const std::size_t at = k * step % tiles;
           tile.left = side * static_cast<int>(at % across), tile.top = side * static_cast<int>(at / across);
-          sample_tile(path_tracer, filter_, width_, height_, plan, tile);
-          store(tile, 1.0 / columns.parts);
-          tell(columns, k + 1, tiles);
+          sample_tile(tracer, filter_, width_, height_, plan, tile);
+          store(tile);
+          tell(k + 1, tiles);
         });
-    if (denoised_ && columns.part == columns.parts - 1) finish();
-    if (columns.part == columns.parts - 1) WorkProgress::report(1, 1);
+    if (denoised_) finish();
+    WorkProgress::report(1, 1);
     return Nothing{};
   }
 
-  // Reports how many tiles are done. Denoising takes about as long as two samples.
-  void tell(const Columns& columns, std::size_t done, std::size_t tiles) const {
-    const auto part = static_cast<std::size_t>(columns.part), parts = static_cast<std::size_t>(columns.parts);
-    constexpr std::size_t denoising = 2, usual = 64;
-    const std::size_t samples = plan_.samples == 0 ? usual : plan_.samples, rest = denoised_ ? denoising : 0;
-    WorkProgress::report((part * tiles + done) * samples, parts * tiles * (samples + rest));
+  // The surroundings alone, seen by a camera that is valid.
+  static Exposure nothing_of(const Exposure& e) {
+    return {{}, {Camera()}, {e.lights.front()}, e.background, e.surroundings};
   }
 
-  // Empties the picture, unless it is averaged with those before.
-  void begin(const Columns& columns, const View& view) {
-    if (denoised_ && columns.part > 0) return;
+  // Reports how many tiles are done. Denoising takes about as long as two samples.
+  void tell(std::size_t done, std::size_t tiles) const {
+    constexpr std::size_t denoising = 2, usual = 64;
+    const std::size_t samples = plan_.samples == 0 ? usual : plan_.samples, rest = denoised_ ? denoising : 0;
+    WorkProgress::report(done * samples, tiles * (samples + rest));
+  }
+
+  // Empties the picture.
+  void begin(const View& view) {
     light_.width = width_, light_.height = height_;
     light_.rgba.assign(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);
     if (!denoised_) return;
@@ -203,12 +223,12 @@ class Traced final : public Renderer {
     noisy_->pixel = 2 / (view.sx * width_), noisy_->orthographic = view.orthographic;
   }
 
-  void store(const TileOfPixels& tile, double part) {
+  void store(const TileOfPixels& tile) {
     for (int y = 0; y < tile.rows; ++y)
       for (int x = 0; x < tile.columns; ++x) {
         const auto& halves = tile.halves[static_cast<std::size_t>(y * TileOfPixels::side + x)];
         if (denoised_)
-          add_pixel(halves, part, tile.left + x, tile.top + y);
+          put_noisy(halves, tile.left + x, tile.top + y);
         else
           put_pixel(halves, pixel(tile.left + x, tile.top + y));
       }
@@ -228,16 +248,15 @@ class Traced final : public Renderer {
     out[3] = static_cast<float>(opacity(all));
   }
 
-  // `part`: of the pictures that are averaged.
-  void add_pixel(const std::array<PixelSums, 2>& halves, double part, int x, int y) {
+  void put_noisy(const std::array<PixelSums, 2>& halves, int x, int y) {
     PixelSums all = halves[0];
     all += halves[1];
     const bool noisy = all.seen > 0;
-    if (noisy) add_noisy(halves, part, x, y, *noisy_);
-    const Vec3 light = part / all.divisor() * (noisy ? all.plain : all.plain + all.lit);
+    if (noisy) add_noisy(halves, x, y, *noisy_);
+    const Vec3 light = 1 / all.divisor() * (noisy ? all.plain + all.beyond : all.plain + all.lit);
     float* const out = pixel(x, y);
-    for (int i = 0; i < 3; ++i) out[i] += static_cast<float>(light[i]);
-    out[3] += static_cast<float>(part * opacity(all));
+    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(light[i]);
+    out[3] = static_cast<float>(opacity(all));
   }
 
   // Takes the noise out of the light of surfaces, and adds it to the rest.
@@ -261,7 +280,7 @@ class Traced final : public Renderer {
   PreviousPicture previous_;
   LinearPicture light_;
   std::optional<NoisyPicture> noisy_;  // while a picture is drawn that is denoised
-  bool whole_ = false;                 // the last picture is complete
+  bool whole_ = false;                 // the picture of the last moment is complete
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 namespace betwixt::traced {
 
 PixelSums& PixelSums::operator+=(const PixelSums& o) {
-  for (const auto sum : {&PixelSums::lit, &PixelSums::plain, &PixelSums::albedo, &PixelSums::lit_square,
-                         &PixelSums::lit_sample, &PixelSums::normal, &PixelSums::place})
+  for (const auto sum : {&PixelSums::lit, &PixelSums::plain, &PixelSums::beyond, &PixelSums::albedo,
+                         &PixelSums::lit_square, &PixelSums::lit_sample, &PixelSums::normal, &PixelSums::place})
     this->*sum = this->*sum + o.*sum;
   for (const auto sum :
        {&PixelSums::clear, &PixelSums::weight, &PixelSums::seen, &PixelSums::seen_square, &PixelSums::far,
@@ -21,7 +21,8 @@ void add_surfaces(const CameraSample& seen, double sign, PixelSums& sums) {
   const Vec3 light = seen.lit + seen.plain;
   const double whole = sign * (0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z);
   sums.whole += whole, sums.whole_square += whole * whole;
-  sums.lit_sample = sums.lit_sample + seen.lit, sums.lit_square = sums.lit_square + seen.lit * seen.lit;
+  const Vec3 lit = seen.lit - seen.beyond;
+  sums.lit_sample = sums.lit_sample + lit, sums.lit_square = sums.lit_square + lit * lit;
   sums.albedo = sums.albedo + sign * seen.albedo;
   sums.normal = sums.normal + seen.normal, sums.place = sums.place + seen.place;
   if (!(seen.seen > 0)) return;
@@ -56,9 +57,16 @@ class PixelCells {
   std::array<double, 16> shares_{}, signs_{}, counts_{};  // signs_: the sum of the signs of the samples' weights
 };
 
+// Returns which ray of a pixel is taken: its place, its time, and its point of the lens.
+std::array<double, 5> ray_numbers(PixelSampler sampler, bool blurs) {
+  if (blurs) return sampler.next_5d();
+  const auto [x, y] = sampler.next_2d();
+  return {x, y, 0, 0, 0};
+}
+
 }  // namespace
 
-void sample_pixel(const PathTracer& path_tracer, const FilterSampler& filter, const PixelPlace& place,
+void sample_pixel(const ExposedTracer& tracer, const FilterSampler& filter, const PixelPlace& place,
                   std::span<const SampleBlock> blocks, bool unclamped, std::array<PixelSums, 2>& halves) {
   PixelCells cells(blocks.size() == 1 ? blocks[0].count : blocks[0].count + blocks[1].count);
   std::array<PixelSums, 2> added;
@@ -69,15 +77,16 @@ void sample_pixel(const PathTracer& path_tracer, const FilterSampler& filter, co
     for (std::uint32_t s = 0; s < block.count; ++s) {
       PixelSampler sampler(place.number, block.first + s, block.all, block.block);
       sampler.next_2d();
-      const auto [right, down] =
-          PixelSampler(place.number, block.first + s, block.all).of_segment(block.segment).next_2d();
+      const auto [right, down, time, lens_x, lens_y] =
+          ray_numbers(PixelSampler(place.number, block.first + s, block.all).of_segment(block.segment), tracer.blurs());
       const auto [in_x, sign_x] = filter.at(right);
       const auto [in_y, sign_y] = filter.at(down);
       const double sign = sign_x * sign_y;
-      const CameraSample seen =
-          path_tracer.sample((place.x + in_x) / place.width, (place.y + in_y) / place.height, sampler);
+      const CameraSample seen = tracer.sample(
+          {(place.x + in_x) / place.width, (place.y + in_y) / place.height, time, lens_x, lens_y}, sampler);
       cells.add(right, down, sign, seen);
       sums.lit = sums.lit + sign * seen.lit, sums.plain = sums.plain + sign * seen.plain;
+      sums.beyond = sums.beyond + sign * seen.beyond;
       sums.clear += sign * seen.clear, sums.weight += sign;
       add_surfaces(seen, sign, sums);
     }
@@ -87,7 +96,10 @@ void sample_pixel(const PathTracer& path_tracer, const FilterSampler& filter, co
   } else if (!unclamped) {
     const Vec3 whole = cells.sum(false), rolled = cells.sum(true);
     for (int i = 0; i < 3; ++i)
-      for (PixelSums& sums : added) sums.lit[i] *= whole[i] > 0 ? std::clamp(rolled[i] / whole[i], 0.0, 2.0) : 1;
+      for (PixelSums& sums : added) {
+        const double share = whole[i] > 0 ? std::clamp(rolled[i] / whole[i], 0.0, 2.0) : 1;
+        sums.lit[i] *= share, sums.beyond[i] *= share;
+      }
   }
   for (std::size_t half = 0; half < blocks.size(); ++half) halves[half] += added[half];
 }

@@ -6,17 +6,18 @@
 
 #include <span>
 
+#include "render/exposed_tracer.h"
 #include "render/filter_sampler.h"
-#include "render/path_tracer.h"
 
 namespace betwixt::traced {
 
 // Sums over samples. `weight` is the sum of the signs of their weights; the light is divided by it.
 struct PixelSums {
   Vec3 lit, plain, albedo;
+  Vec3 beyond;  // what of `lit` is the sky behind everything
   double clear = 0, weight = 0;
   Vec3 lit_square;     // of single samples, as are the rest
-  Vec3 lit_sample;     // before bright light rolls off
+  Vec3 lit_sample;     // before bright light rolls off; both without the sky
   Vec3 normal, place;  // each times its part
   double seen = 0, seen_square = 0;
   double far = 0, far_square = 0;      // the distance of the surfaces, times their part
@@ -41,7 +42,7 @@ struct PixelPlace {
 
 // Adds the samples of one block to the first half, or of two, one to each half. Rolls off bright light unless
 // `unclamped`: by as much in both halves, since fewer samples would roll off more.
-void sample_pixel(const PathTracer&, const FilterSampler&, const PixelPlace&, std::span<const SampleBlock>,
+void sample_pixel(const ExposedTracer&, const FilterSampler&, const PixelPlace&, std::span<const SampleBlock>,
                   bool unclamped, std::array<PixelSums, 2>& halves);
 
 }  // namespace betwixt::traced

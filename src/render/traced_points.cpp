@@ -115,7 +115,7 @@ void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) con
   const Finish& f = *b.finish;
   s.finish = &f, s.roughness = f.roughness, s.metalness = f.metalness, s.emission = f.emission;
   const bool meshed = b.solid->mesh != nullptr;
-  const Picture* base = b.texture.get();
+  const Picture* base = b.texture;
   if (base == nullptr && meshed) base = b.solid->parts[b.solid->part_of[m.triangle]].texture.get();
   if (f.pattern == Pattern::none && !f.has_pictures() && base == nullptr) return;
   Vec3 in_mesh = unit(m.across), across = in_mesh, uv;
@@ -127,7 +127,7 @@ void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) con
     const std::array<double, 3> share{1 - m.u - m.v, m.u, m.v};
     in_mesh = {};
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = wide(mesh.positions[corner[k]]), in_mesh = in_mesh + share[k] * corners[k];
+      corners[k] = b.position(corner[k]), in_mesh = in_mesh + share[k] * corners[k];
       if (uvs) places[k] = {mesh.uvs[corner[k]][0], mesh.uvs[corner[k]][1], 0}, uv = uv + share[k] * places[k];
     }
     across = unit(m.across);
@@ -174,9 +174,7 @@ void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) con
 
 // Puts the colour of a gradient in place of the object's or the stroke's.
 void World::add_gradient(const TracedObject& b, const MeshPart& part, Vec3 in_mesh, SurfacePoint& s) {
-  const TracedObject::Graded* const graded = part.stroke && b.stroke ? b.stroke.get()
-                                             : part.tinted           ? b.fill.get()
-                                                                     : nullptr;
+  const Graded* const graded = part.stroke && b.stroke ? b.stroke : part.tinted ? b.fill : nullptr;
   if (graded == nullptr) return;
   const auto along = [&](const std::array<double, 4>& row) {
     return row[0] * in_mesh.x + row[1] * in_mesh.y + row[2] * in_mesh.z + row[3];
@@ -196,13 +194,13 @@ SurfacePoint World::triangle_point(const TracedObject& b, const Hit& m, bool bac
   const bool normals = mesh.normals.size() == mesh.positions.size();
   Vec3 at, normal, u;
   for (std::size_t k = 0; k < 3; ++k) {
-    at = at + share[k] * wide(mesh.positions[corner[k]]);
-    normal = normal + share[k] * (normals ? wide(mesh.normals[corner[k]]) : m.across);
+    at = at + share[k] * b.position(corner[k]);
+    normal = normal + share[k] * (normals ? b.normal(corner[k]) : m.across);
   }
   Vec3 smooth = at;
   for (std::size_t k = 0; k < 3 && normals && !back; ++k) {
-    const Vec3 n = wide(mesh.normals[corner[k]]);
-    smooth = smooth + share[k] * std::max(dot(wide(mesh.positions[corner[k]]) - at, n), 0.0) * n;
+    const Vec3 n = b.normal(corner[k]);
+    smooth = smooth + share[k] * std::max(dot(b.position(corner[k]) - at, n), 0.0) * n;
   }
   const MeshPart& part = solid.parts[solid.part_of[m.triangle]];
   SurfacePoint s;
@@ -211,7 +209,7 @@ SurfacePoint World::triangle_point(const TracedObject& b, const Hit& m, bool bac
   s.color = (part.tinted ? b.color : Vec3{1, 1, 1}) * wide(part.color);
   s.opacity = b.opacity;
   add_gradient(b, part, at, s);
-  const Picture* const picture = b.texture != nullptr ? b.texture.get() : part.texture.get();
+  const Picture* const picture = b.texture != nullptr ? b.texture : part.texture.get();
   if (picture == nullptr || b.finish) return s;  // add_finish() lays it as the finish says
   if (mesh.uvs.size() == mesh.positions.size())
     for (std::size_t k = 0; k < 3; ++k) u = u + share[k] * Vec3{mesh.uvs[corner[k]][0], mesh.uvs[corner[k]][1], 0};
@@ -221,11 +219,16 @@ SurfacePoint World::triangle_point(const TracedObject& b, const Hit& m, bool bac
 }
 
 SurfacePoint World::surface_point(const Ray& r, const Hit& m) const {
-  const TracedObject& b = objects_[m.object];
+  const ObjectStates& o = objects_[m.object];
+  return surface_point(o.all.size() == 1 ? o.all.front() : o.at(r.time), r, m);
+}
+
+SurfacePoint World::surface_point(const TracedObject& b, const Ray& r, const Hit& m) const {
   const auto turned = [&](Vec3 v) {
     return unit(v.x * b.normal_matrix[0] + v.y * b.normal_matrix[1] + v.z * b.normal_matrix[2]);
   };
   SurfacePoint s;
+  s.time = r.time;
   if (b.hairline) {
     s.at = s.start = r.from + m.distance * r.along;
     s.beyond = s.at + coplanar_tolerance * (largest(s.at) + m.distance) * r.along;
@@ -237,7 +240,7 @@ SurfacePoint World::surface_point(const Ray& r, const Hit& m) const {
   const bool back = dot(face, r.along) > 0;
   if (b.solid->mesh != nullptr) {
     s = triangle_point(b, m, back);
-    s.normal = turned(s.normal);
+    s.normal = turned(s.normal), s.time = r.time;
   } else {
     s.at = s.start = transform_point(b.place, unit(m.across));
     s.normal = face, s.color = b.color, s.opacity = b.opacity;

@@ -61,7 +61,7 @@ bool on_edge(const std::array<PixelSums, 2>& halves) {
 
 class Sampling {
  public:
-  Sampling(const PathTracer& tracer, const FilterSampler& filter, int width, int height, const SamplePlan& plan,
+  Sampling(const ExposedTracer& tracer, const FilterSampler& filter, int width, int height, const SamplePlan& plan,
            TileOfPixels& tile)
       : tracer_(tracer), filter_(filter), width_(width), height_(height), plan_(plan), tile_(tile) {}
 
@@ -81,11 +81,11 @@ class Sampling {
                  tile_.halves[static_cast<std::size_t>(y * TileOfPixels::side + x)]);
   }
 
-  // `samples` of each pixel, of each of the pictures that are averaged.
+  // `samples` of each pixel.
   void sample_all(std::uint32_t samples) const {
-    const std::uint32_t part = plan_.part, parts = plan_.parts, first = (samples + 1) / 2, second = samples / 2;
-    const SampleBlock whole[] = {{0, part * samples, samples, parts * samples}};
-    const SampleBlock two[] = {{0, part * first, first, parts * first}, {1, part * second, second, parts * second, 1}};
+    const std::uint32_t first = (samples + 1) / 2, second = samples / 2;
+    const SampleBlock whole[] = {{0, 0, samples, samples}};
+    const SampleBlock two[] = {{0, 0, first, first}, {1, 0, second, second, 1}};
     for_pixels([&](int x, int y, std::size_t) { plan_.halved ? sample(x, y, two) : sample(x, y, whole); });
   }
 
@@ -124,7 +124,7 @@ class Sampling {
   }
 
  private:
-  const PathTracer& tracer_;
+  const ExposedTracer& tracer_;
   const FilterSampler& filter_;
   const int width_, height_;
   const SamplePlan& plan_;
@@ -133,18 +133,15 @@ class Sampling {
 
 }  // namespace
 
-void sample_tile(const PathTracer& tracer, const FilterSampler& filter, int width, int height, const SamplePlan& plan,
-                 TileOfPixels& tile) {
-  // Pictures that are averaged share the samples of one; with fewer than these, highlights would roll off too soon.
-  constexpr std::uint32_t fewest = 4, usual = 64;
-  const bool adaptive = plan.samples == 0 && plan.parts == 1;
+void sample_tile(const ExposedTracer& tracer, const FilterSampler& filter, int width, int height,
+                 const SamplePlan& plan, TileOfPixels& tile) {
+  const bool adaptive = plan.samples == 0;
   tile.columns = std::min(TileOfPixels::side, width - tile.left);
   tile.rows = std::min(TileOfPixels::side, height - tile.top);
   for (auto& halves : tile.halves) halves = {};
-  const std::uint32_t whole = plan.samples == 0 ? usual : plan.samples;
   const Sampling sampling(tracer, filter, width, height, plan, tile);
-  sampling.sample_all(adaptive ? NoiseBound::fewest : std::max(whole / plan.parts, std::min(whole, fewest)));
-  if (plan.halved && plan.parts == 1 && !adaptive) sampling.refine_edges();
+  sampling.sample_all(adaptive ? NoiseBound::fewest : plan.samples);
+  if (plan.halved && !adaptive) sampling.refine_edges();
   for (std::uint32_t round = 1; adaptive && sampling.refine(round);) ++round;
 }
 

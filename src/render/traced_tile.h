@@ -18,9 +18,8 @@ struct NoiseBound {
 };
 
 struct SamplePlan {
-  std::uint32_t samples = 64;         // a pixel; 0: adaptive
-  bool halved = false;                // whether there are two independent halves
-  std::uint32_t part = 0, parts = 1;  // of pictures that are averaged
+  std::uint32_t samples = 64;  // a pixel; 0: adaptive
+  bool halved = false;         // whether there are two independent halves
   bool unclamped = false;
 };
 
@@ -32,6 +31,6 @@ struct TileOfPixels {
 };
 
 // Samples the tile whose corner is given.
-void sample_tile(const PathTracer&, const FilterSampler&, int width, int height, const SamplePlan&, TileOfPixels&);
+void sample_tile(const ExposedTracer&, const FilterSampler&, int width, int height, const SamplePlan&, TileOfPixels&);
 
 }  // namespace betwixt::traced

@@ -2,40 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/traced_world.h"
 
-#include "render/forms.h"
+#include "render/embree_buffers.h"
 
 namespace betwixt::traced {
 namespace {
 
-constexpr double far_away = 1e15;      // metres; squares of f32 stay finite
 constexpr std::uint64_t kept_for = 2;  // pictures
 constexpr std::uint64_t hairlines_first = std::uint64_t{1} << 63;
-constexpr double hairline_reach = 0.7;  // half the width in pixels
-
-// The inverse transpose up to its length: the cross products of the columns.
-std::array<Vec3, 3> normal_matrix_of(const Mat4& m) {
-  const Vec3 x = column(m, 0), y = column(m, 1), z = column(m, 2);
-  return {cross(y, z), cross(z, x), cross(x, y)};
-}
-
-// Rays go through the inverse, so a flat object gets an invisible thickness. Returns nullopt for a line.
-std::optional<Mat4> with_inverse(const Mat4& m) {
-  if (inverse(m)) return m;
-  // All cross products are along the one direction in which it has no extent.
-  const std::array<Vec3, 3> all = normal_matrix_of(m);
-  const Vec3 most = *std::max_element(all.begin(), all.end(), [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); });
-  const double size = std::max({length(column(m, 0)), length(column(m, 1)), length(column(m, 2))});
-  const Vec3 lost = normalize(most, {0, 0, 0});
-  const Vec3 pressed = normalize({dot(all[0], lost), dot(all[1], lost), dot(all[2], lost)}, {0, 0, 0});
-  Mat4 thick = m;
-  for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < 3; ++i) thick(i, c) += 1e-5 * size * lost[i] * pressed[c];
-  return inverse(thick) ? std::optional(thick) : std::nullopt;
-}
-
-bool indices_fit(const std::vector<std::uint32_t>& indices, std::size_t count) {
-  return std::all_of(indices.begin(), indices.end(), [count](std::uint32_t i) { return i < count; });
-}
 
 std::vector<MeshPart> usable_parts(const Mesh& mesh) {
   const auto all = static_cast<std::uint32_t>(mesh.triangles.size());
@@ -55,7 +28,7 @@ RTCRayHit ray_query(const Ray& r, unsigned mask, double from, double to) {
   q.ray.org_z = static_cast<float>(r.from.z), q.ray.tnear = static_cast<float>(from);
   q.ray.dir_x = static_cast<float>(r.along.x), q.ray.dir_y = static_cast<float>(r.along.y);
   q.ray.dir_z = static_cast<float>(r.along.z), q.ray.tfar = static_cast<float>(to);
-  q.ray.mask = mask;
+  q.ray.mask = mask, q.ray.time = static_cast<float>(r.time);
   q.hit.geomID = q.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   return q;
 }
@@ -83,15 +56,6 @@ void keep_highest(const RTCFilterFunctionNArguments* a) {
   const std::uint64_t rank = search.world->rank(m);
   if (rank >= search.below || (search.found && rank <= search.rank)) return;
   search.found = m, search.rank = rank;
-}
-
-void set_flags(RTCScene scene) {
-  rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
-}
-
-template <class T>
-T* new_buffer(RTCGeometry g, RTCBufferType type, RTCFormat format, std::size_t count) {
-  return static_cast<T*>(rtcSetNewGeometryBuffer(g, type, 0, format, sizeof(T), count));
 }
 
 }  // namespace
@@ -131,149 +95,64 @@ bool World::has_holes(const std::shared_ptr<const Picture>& picture) {
   return use.has_holes;
 }
 
+void World::list_triangles(MeshScene& s) {
+  if (s.mesh == nullptr || !s.corners.empty()) return;
+  for (std::uint32_t p = 0; p < s.parts.size(); ++p) {
+    const auto first = s.mesh->triangles.begin() + s.parts[p].first;
+    const std::uint32_t whole = s.parts[p].count / 3;
+    s.corners.insert(s.corners.end(), first, first + 3 * static_cast<std::ptrdiff_t>(whole));
+    s.part_of.insert(s.part_of.end(), whole, p);
+  }
+}
+
+// The triangles of a mesh whose corners move from state to state.
+GeometryHandle World::triangles(std::span<const MeshScene* const> states) const {
+  GeometryHandle g(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  const MeshScene& first = *states.front();
+  rtcSetGeometryTimeStepCount(g.get(), static_cast<unsigned>(states.size()));
+  for (unsigned k = 0; k < states.size(); ++k) {
+    const auto& positions = states[k]->mesh->positions;
+    auto* vertices =
+        new_buffer<std::array<float, 3>>(g.get(), RTC_BUFFER_TYPE_VERTEX, k, RTC_FORMAT_FLOAT3, positions.size());
+    if (vertices != nullptr) std::copy(positions.begin(), positions.end(), vertices);
+  }
+  auto* corners = new_buffer<std::array<std::uint32_t, 3>>(g.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                           first.part_of.size());
+  if (corners != nullptr) std::copy(first.corners.begin(), first.corners.end(), corners->data());
+  return g;
+}
+
+SceneHandle World::scene_of(const GeometryHandle& g) const {
+  rtcCommitGeometry(g.get());
+  SceneHandle scene(rtcNewScene(device_.get()));
+  set_flags(scene.get());
+  rtcAttachGeometry(scene.get(), g.get());
+  rtcCommitScene(scene.get());
+  return scene;
+}
+
 void World::need_scene(MeshScene& s) const {
   if (s.scene != nullptr) return;
-  RTCDevice device = device_.get();
-  GeometryHandle g;
-  if (s.mesh == nullptr) {
-    g.reset(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT));
-    auto* ball = new_buffer<std::array<float, 4>>(g.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 1);
-    if (ball != nullptr) *ball = {0, 0, 0, 1};
-  } else {
-    for (std::uint32_t p = 0; p < s.parts.size(); ++p) {
-      const auto first = s.mesh->triangles.begin() + s.parts[p].first;
-      const std::uint32_t whole = s.parts[p].count / 3;
-      s.corners.insert(s.corners.end(), first, first + 3 * static_cast<std::ptrdiff_t>(whole));
-      s.part_of.insert(s.part_of.end(), whole, p);
-    }
-    g.reset(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-    const auto& positions = s.mesh->positions;
-    using Three = std::array<float, 3>;
-    auto* vertices = new_buffer<Three>(g.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions.size());
-    if (vertices != nullptr) std::copy(positions.begin(), positions.end(), vertices);
-    auto* corners =
-        new_buffer<std::array<std::uint32_t, 3>>(g.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, s.part_of.size());
-    if (corners != nullptr) std::copy(s.corners.begin(), s.corners.end(), corners->data());
+  if (s.mesh != nullptr) {
+    const MeshScene* const only = &s;
+    s.scene = scene_of(triangles({&only, 1}));
+    return;
   }
-  rtcCommitGeometry(g.get());
-  s.scene.reset(rtcNewScene(device));
-  set_flags(s.scene.get());
-  rtcAttachGeometry(s.scene.get(), g.get());
-  rtcCommitScene(s.scene.get());
+  const GeometryHandle g(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT));
+  auto* ball = new_buffer<std::array<float, 4>>(g.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 1);
+  if (ball != nullptr) *ball = {0, 0, 0, 1};
+  s.scene = scene_of(g);
 }
 
-std::optional<World::TracedObject> World::object_of(const Columns& c, std::uint32_t i, const View& view,
-                                                    unsigned& mask) {
-  const Evaluation::Look& l = c.looks[i];
-  if (!l.visible || l.shape == Evaluation::Look::none || !finite(c.worlds[i]) || !finite(l.color) ||
-      !std::isfinite(l.transparency) || !std::isfinite(l.shininess) || !std::isfinite(l.blend) || l.transparency >= 1)
-    return {};
-  const Shape& shape = *c.shape(l.shape);
-  const Shape* const toward = l.toward != Evaluation::Look::none && l.blend != 0 ? c.shape(l.toward).get() : nullptr;
-  const auto realised = [&](const Detail& d) {
-    return toward != nullptr ? realise_blend(shape, *toward, l.blend, d) : realise(shape, d);
-  };
-  TracedObject b;
-  if (l.texture != Evaluation::Look::none) b.texture = c.texture(l.texture);
-  Mat4 world = c.worlds[i];
-  for (int k = 0; k < 3; ++k) world(k, 3) -= view.eye[k];
-  const bool ball =
-      shape.kind == Kind::sphere && toward == nullptr && b.texture == nullptr && l.gradients == Evaluation::Look::none;
-  const bool detailed = has_details(shape, toward);
-  Geometry g = ball ? Geometry{nullptr, scaling({shape.radius, shape.radius, shape.radius})}
-                    : realised(detailed ? Detail{24, true} : Detail{});
-  std::shared_ptr<MeshScene> object = mesh_scene(g.mesh);
-  const Bounds bounds = bounds_of(object->box, world * g.local);
-  const double radius = bounds.radius(), away = length(bounds.center);
-  if (!(radius > 0 && radius < far_away && away < far_away) || (!ball && g.mesh->positions.empty())) return {};
-  if (detailed && !ball) {
-    const double scale = view.sx * view.width * radius;
-    g = realised(Detail::for_pixels(view.orthographic ? scale : scale / std::max(away - 0.5 * radius, 0.1 * radius)));
-    object = mesh_scene(g.mesh);
-  }
-  const std::optional<Mat4> place = with_inverse(world * g.local);
-  b.hairline = !ball && object->parts.empty();
-  if (!place && !b.hairline) return {};
-  b.place = b.hairline ? world * g.local : *place;
-  b.normal_matrix = normal_matrix_of(b.place);
-  const double longest = std::max({length(b.normal_matrix[0]), length(b.normal_matrix[1]), length(b.normal_matrix[2])});
-  for (Vec3& v : b.normal_matrix) v = (determinant(b.place) < 0 ? -1 : 1) / longest * v;
-  b.color = {std::clamp(l.color.x, 0.0, 1e4), std::clamp(l.color.y, 0.0, 1e4), std::clamp(l.color.z, 0.0, 1e4)};
-  b.opacity = 1 - std::clamp(l.transparency, 0.0, 1.0), b.shine = std::clamp(l.shininess, 0.0, 1.0);
-  if (l.finish != Evaluation::Look::none) b.finish = c.finish(l.finish), finishes_ = true;
-  b.to_object = g.local;
-  bool see_through = false;
-  if (l.gradients != Evaluation::Look::none) {
-    const Gradients& all = *c.gradients(l.gradients);
-    const Box box = gradient_box(shape, toward, l.blend);
-    for (const auto& [from, to] : {std::pair(&all.fill, &b.fill), std::pair(&all.stroke, &b.stroke)})
-      if (from->kind != GradientKind::none)
-        *to = std::make_shared<const TracedObject::Graded>(
-            TracedObject::Graded{GradientColors(*from), placed_gradient(*from, box, g.local)});
-    see_through = all.see_through();
-  }
-  b.material = l.material, b.line = row_of(shape.kind).line;
-  b.blur = 0.1 * coplanar_tolerance * (away + radius);
-  const bool holes = b.texture != nullptr ? has_holes(b.texture) : object->has_holes;
-  mask = camera_rays;
-  if (l.casts && !b.hairline) mask |= ambient_rays;
-  if (l.casts && !b.hairline && b.material != Material::glow && b.opacity > 0.5)
-    mask |= b.opacity < 1 || holes || see_through || (b.finish && b.finish->transmission > 0) ? translucent_shadow_rays
-                                                                                              : shadow_rays;
-  if (!b.hairline) need_scene(*object);
-  b.solid = std::move(object);
-  return b;
-}
-
-GeometryHandle World::instance(const TracedObject& b) const {
-  GeometryHandle g(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-  rtcSetGeometryInstancedScene(g.get(), b.solid->scene.get());
-  std::array<float, 12> columns;
-  for (int i = 0; i < 12; ++i) columns[static_cast<std::size_t>(i)] = static_cast<float>(b.place(i % 3, i / 3));
-  rtcSetGeometryTransform(g.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
-  return g;
-}
-
-// Ribbons that face the eye, as wide everywhere as a line in the picture.
-GeometryHandle World::hairlines(const TracedObject& b, const View& view) const {
-  const Mesh& mesh = *b.solid->mesh;
-  if (mesh.edges.size() < 2 || !indices_fit(mesh.edges, mesh.positions.size())) return {};
-  const std::size_t ends = mesh.edges.size() / 2 * 2;
-  GeometryHandle g(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_FLAT_LINEAR_CURVE));
-  auto* vertices = new_buffer<std::array<float, 4>>(g.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, ends);
-  auto* starts = new_buffer<std::uint32_t>(g.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, ends / 2);
-  if (vertices == nullptr || starts == nullptr) return {};
-  const double pixel = 2 / (view.sx * view.width);  // at depth 1, or anywhere if orthographic
-  for (std::size_t k = 0; k < ends; ++k) {
-    const Vec3 p = transform_point(b.place, wide(mesh.positions[mesh.edges[k]]));
-    const double reach = hairline_reach * pixel * (view.orthographic ? 1 : std::abs(view.depth(p)));
-    vertices[k] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
-                   static_cast<float>(reach)};
-    if (k % 2 == 0) starts[k / 2] = static_cast<std::uint32_t>(k);
-  }
-  return g;
-}
-
-Status World::set(const Columns& c, std::size_t count, const View& view) {
+Status World::set(const std::vector<Course>& things, const View& view) {
   ++picture_;
-  objects_.clear();
-  objects_.resize(count);
+  objects_.clear(), kept_.clear();
+  objects_.resize(things.size());
   thin_ = finishes_ = false;
   pixel_ = 2 / (view.sx * view.width), pixel_grows_ = !view.orthographic;
   all_.reset(rtcNewScene(device_.get()));
   set_flags(all_.get());
-  for (std::uint32_t i = 0; i < objects_.size(); ++i) {
-    unsigned mask = 0;
-    std::optional<TracedObject> object = object_of(c, i, view, mask);
-    if (!object) continue;
-    const GeometryHandle g = object->hairline ? hairlines(*object, view) : instance(*object);
-    if (g == nullptr) continue;
-    objects_[i] = *std::move(object);
-    thin_ |= (mask & translucent_shadow_rays) != 0;
-    rtcSetGeometryMask(g.get(), mask);
-    rtcCommitGeometry(g.get());
-    rtcAttachGeometryByID(all_.get(), g.get(), i);
-  }
+  for (std::uint32_t i = 0; i < things.size(); ++i) add(things[i], i, view);
   rtcCommitScene(all_.get());
   std::erase_if(mesh_scenes_, [&](const auto& s) { return s.second->used + kept_for <= picture_; });
   std::erase_if(textures_, [&](const auto& s) { return s.second.used + kept_for <= picture_; });
@@ -297,8 +176,9 @@ std::optional<Hit> World::nearest(const Ray& r, unsigned mask) const {
 }
 
 std::uint64_t World::rank(const Hit& m) const {
-  const TracedObject& b = objects_[m.object];
-  return std::uint64_t{m.object} << 32 | (b.line ? 0 : m.triangle) | (b.hairline ? hairlines_first : 0);
+  const ObjectStates& o = objects_[m.object];
+  const TracedObject& b = o.all.front();
+  return std::uint64_t{o.order} << 32 | (b.line ? 0 : m.triangle) | (b.hairline ? hairlines_first : 0);
 }
 
 std::optional<Hit> World::highest(const Ray& r, double plane, std::uint64_t below) const {
@@ -342,7 +222,8 @@ double World::transmittance(const Ray& r, double distance) const {
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) break;
     const Hit m = hit_of(q.hit, q.ray.tfar);
     // An object that fades out and lets half of the light through casts no shadow.
-    const TracedObject& b = objects_[m.object];
+    const ObjectStates& o = objects_[m.object];
+    const TracedObject& b = o.all[TimeStep(r.time, o.all.size()).nearest()];
     // Light that glass bends is not followed to the lights; most of it comes through straight.
     const double clear = b.finish ? 0.9 * b.finish->transmission : 0;
     const double solidity = std::clamp(2 * surface_point(r, m).opacity - 1, 0.0, 1.0) * (1 - clear);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The objects of a picture in eye space, for Embree. A mesh is one scene, made once; every object with it is an
-// instance.
+// instance. What moves while the shutter is open has several states, and rays have times.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -11,11 +11,12 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "exchange/geometry.h"
-#include "render/columns.h"
+#include "render/exposure.h"
 #include "render/gradients.h"
 #include "render/view.h"
 
@@ -40,6 +41,20 @@ enum RayMask : unsigned {
 
 struct Ray {
   Vec3 from, along;  // unit length
+  double time;       // from 0, when the shutter opens, to 1, when it closes; a float
+};
+
+// Where a time is between states that are evenly spread over the exposure, the first one at 0, the last one at 1.
+struct TimeStep {
+  TimeStep(double time, std::size_t states) {
+    if (states < 2) return;
+    const double at = time * static_cast<double>(states - 1);
+    first = std::min(static_cast<std::size_t>(at), states - 2);
+    share = at - static_cast<double>(first);
+  }
+  std::size_t nearest() const { return share < 0.5 ? first : first + 1; }
+  std::size_t first = 0;
+  double share = 0;  // of the way to the next state
 };
 
 // The intersection of a ray with an object.
@@ -67,6 +82,7 @@ struct SurfacePoint {
   bool solid = false;     // whether it encloses a body
   bool inside = false;    // whether the ray came from within it
   bool hairline = false;  // shows its own colour, fog or not
+  double time = 0;        // that of the ray
 };
 
 // Surfaces that are closer to each other than this part of the distance are in one plane; f32 is off by as much.
@@ -84,8 +100,8 @@ Vec3 picture_color(const Picture&, double u, double v);
 class World {
  public:
   static Result<World> create();
-  // Takes over the first `count` objects: either all or none of them. Errors: machine.
-  Status set(const Columns&, std::size_t count, const View&);
+  // Takes over the things of an exposure. `view`: that of the first camera. Errors: machine.
+  Status set(const std::vector<Course>&, const View&);
 
   std::optional<Hit> nearest(const Ray&, unsigned mask) const;
   // Returns what the eye sees behind `last`, or first. Of surfaces in one plane the one drawn last comes first, as if
@@ -116,32 +132,63 @@ class World {
     bool has_holes = false;
     std::uint64_t used = 0;
   };
+  struct Graded {
+    GradientColors colors;
+    PlacedGradient placed;
+  };
+  // A state of an object. Whatever it points to is kept while the picture is drawn.
   struct TracedObject {
-    std::shared_ptr<const MeshScene> solid;  // null if it is not there
-    Mat4 place;                              // mesh space to eye space
-    std::array<Vec3, 3> normal_matrix;       // the same for normals, column by column
+    const MeshScene* solid = nullptr;
+    Mat4 place;                         // mesh space to eye space
+    std::array<Vec3, 3> normal_matrix;  // the same for normals, column by column
     Vec3 color;
     double opacity = 1, shine = 0;
     Material material = Material::plastic;
-    std::shared_ptr<const Picture> texture;
-    std::shared_ptr<const Finish> finish;
-    struct Graded {
-      GradientColors colors;
-      PlacedGradient placed;
-    };
-    std::shared_ptr<const Graded> fill, stroke;  // its gradients; null if it has none
-    Mat4 to_object;                              // mesh space to object space
-    double blur = 0;                             // the uncertainty of its position in f32, metres
+    const Picture* texture = nullptr;
+    const Finish* finish = nullptr;
+    const Graded *fill = nullptr, *stroke = nullptr;  // its gradients; null if it has none
+    Mat4 to_object;                                   // mesh space to object space
+    double blur = 0;                                  // the uncertainty of its position in f32, metres
     bool line = false, hairline = false;
+    unsigned mask = 0;  // of the rays that meet it
+    // Between two states, if the corners of its triangles move: the mesh of the next one, and how near that is.
+    const MeshScene *last = nullptr, *next = nullptr;
+    double share = 0;
+
+    Vec3 position(std::uint32_t corner) const { return between(&Mesh::positions, corner); }
+    Vec3 normal(std::uint32_t corner) const { return between(&Mesh::normals, corner); }
+
+   private:
+    Vec3 between(std::vector<std::array<float, 3>> Mesh::*all, std::uint32_t corner) const {
+      if (next == nullptr) return wide((*solid->mesh.*all)[corner]);
+      return (1 - share) * wide((*last->mesh.*all)[corner]) + share * wide((*next->mesh.*all)[corner]);
+    }
+  };
+  // One state, or several from the opening of the shutter to its closing.
+  struct ObjectStates {
+    std::vector<TracedObject> all;
+    std::uint32_t order = 0;  // of creation
+    TracedObject at(double time) const;
   };
 
   explicit World(DeviceHandle device) : device_(std::move(device)) {}
   std::shared_ptr<MeshScene> mesh_scene(const std::shared_ptr<const Mesh>&);
   bool has_holes(const std::shared_ptr<const Picture>&);
+  static void list_triangles(MeshScene&);
   void need_scene(MeshScene&) const;
-  std::optional<TracedObject> object_of(const Columns&, std::uint32_t, const View&, unsigned& mask);
-  GeometryHandle instance(const TracedObject&) const;
-  GeometryHandle hairlines(const TracedObject&, const View&) const;
+  GeometryHandle triangles(std::span<const MeshScene* const> states) const;
+  // How large an object is in the picture, in pixels; 0 if it is not there.
+  double pixels_of(const Content&, const View&);
+  std::optional<TracedObject> object_of(const Content&, const View&, double pixels);
+  void add_gradients(const Content&, const Mat4& local, TracedObject&);
+  void add(const Course&, std::uint32_t place, const View&);
+  // Adds an object with these states from one time of the exposure to another.
+  void attach(std::vector<TracedObject>, std::uint32_t order, unsigned id, float from, float to, const View&);
+  static bool mixable(const std::vector<TracedObject>&);
+  SceneHandle scene_of(const GeometryHandle&) const;
+  GeometryHandle instance(std::span<const TracedObject>) const;
+  GeometryHandle hairlines(std::span<const TracedObject>, const View&) const;
+  SurfacePoint surface_point(const TracedObject&, const Ray&, const Hit&) const;
   SurfacePoint triangle_point(const TracedObject&, const Hit&, bool back) const;
   void add_finish(const TracedObject&, const Hit&, SurfacePoint&) const;
   static void add_gradient(const TracedObject&, const MeshPart&, Vec3 in_mesh, SurfacePoint&);
@@ -151,9 +198,10 @@ class World {
   SceneHandle all_;
   std::unordered_map<const Mesh*, std::shared_ptr<MeshScene>> mesh_scenes_;
   std::unordered_map<const Picture*, TextureUse> textures_;
-  std::vector<TracedObject> objects_;  // a place for each drawable
-  bool finishes_ = false;              // whether some have finishes
-  double pixel_ = 0;                   // the width of a pixel, metres a metre away, or metres
+  std::vector<ObjectStates> objects_;              // a place for each drawable, and more for what changes in steps
+  std::vector<std::shared_ptr<const void>> kept_;  // what states point to
+  bool finishes_ = false;                          // whether some have finishes
+  double pixel_ = 0;                               // the width of a pixel, metres a metre away, or metres
   bool pixel_grows_ = true;
   bool thin_ = false;  // whether some of them let light through
   std::uint64_t picture_ = 0;
