@@ -33,26 +33,36 @@ double exactness(const TileOfPixels& t, const std::array<Estimate, pixels>& esti
   return random > 0 ? std::min(found / random, 1.0) : 1;
 }
 
+// Calls `item` for the number of a pixel and those of its neighbours within the tile.
+template <class Item>
+void near_pixels(const TileOfPixels& t, int x, int y, const Item& item) {
+  constexpr int reach = 2;
+  for (int j = std::max(y - reach, 0); j <= std::min(y + reach, t.rows - 1); ++j)
+    for (int i = std::max(x - reach, 0); i <= std::min(x + reach, t.columns - 1); ++i)
+      item(static_cast<std::size_t>(j * TileOfPixels::side + i));
+}
+
 // The mean over a pixel and its neighbours within the tile. A pixel by itself must not decide whether it gets more
 // samples: few samples may miss what is rare, and a picture whose pixels stop when they are dark is too dark.
 Estimate estimate_near(const TileOfPixels& t, const std::array<Estimate, pixels>& estimates, int x, int y) {
-  constexpr int reach = 2;
   Estimate sum;
   double count = 0;
-  for (int j = std::max(y - reach, 0); j <= std::min(y + reach, t.rows - 1); ++j)
-    for (int i = std::max(x - reach, 0); i <= std::min(x + reach, t.columns - 1); ++i) {
-      const Estimate& one = estimates[static_cast<std::size_t>(j * TileOfPixels::side + i)];
-      sum.variance += one.variance, sum.brightness += one.brightness, count += 1;
-    }
+  near_pixels(t, x, y, [&](std::size_t k) {
+    sum.variance += estimates[k].variance, sum.brightness += estimates[k].brightness, count += 1;
+  });
   return {sum.brightness / count, sum.variance / count};
 }
 
-// Returns whether a pixel shows more than one surface, or a surface and the background.
-bool on_edge(const std::array<PixelSums, 2>& halves) {
+// Returns whether a pixel shows more than one surface, or a surface and the background. `unlit`: whether surfaces that
+// need no light count too.
+bool on_edge(const std::array<PixelSums, 2>& halves, bool unlit) {
   constexpr double part = 0.01, bent = 0.05, far = 0.02;  // variances; `far`: relative to the distance
   PixelSums all = halves[0];
   all += halves[1];
-  if (!(all.seen > 0)) return false;
+  if (!(all.seen > 0)) {
+    const double whole = all.whole / all.samples;
+    return unlit && all.whole_square / all.samples - whole * whole > part * NoiseBound::dark;
+  }
   const double seen = all.seen / all.samples, away = all.far / all.seen;
   const Vec3 normal = 1 / all.seen * all.normal;
   return all.seen_square / all.samples - seen * seen > part || dot(normal, normal) < 1 - bent ||
@@ -100,13 +110,24 @@ class Sampling {
   // whoever samples bright pixels again, but not dark ones, makes the picture darker.
   void refine_edges() const {
     for_pixels([&](int x, int y, std::size_t i) {
-      if (!on_edge(tile_.halves[i])) return;
+      if (!on_edge(tile_.halves[i], false)) return;
       for (const std::uint32_t round : {1U, 2U}) double_samples(x, y, round);
     });
   }
 
-  // Doubles the samples of pixels that are too noisy; returns whether there are any.
-  bool refine(std::uint32_t round) const {
+  // What moves or is out of focus has wide edges. There, pixels get up to four times as many samples if they are too
+  // noisy.
+  void refine_blur() const {
+    std::array<bool, pixels> edges{}, near{};
+    for_pixels([&](int, int, std::size_t i) { edges[i] = on_edge(tile_.halves[i], true); });
+    for_pixels([&](int x, int y, std::size_t i) {
+      near_pixels(tile_, x, y, [&](std::size_t k) { near[i] = near[i] || edges[k]; });
+    });
+    for (std::uint32_t round = 1; round <= 2 && refine(round, 4 * plan_.samples, near);) ++round;
+  }
+
+  // Doubles the samples of pixels that are too noisy, up to `most`; returns whether there are any.
+  bool refine(std::uint32_t round, std::uint32_t most, const std::array<bool, pixels>& among) const {
     std::array<Estimate, pixels> estimates;
     for_pixels([&](int, int, std::size_t i) { estimates[i] = random_estimate(tile_.halves[i]); });
     const double exact = exactness(tile_, estimates);
@@ -116,11 +137,16 @@ class Sampling {
       const auto count = static_cast<std::uint32_t>(halves[0].samples);
       const Estimate near = estimate_near(tile_, estimates, x, y);
       const double bound = NoiseBound::relative * std::max(near.brightness, NoiseBound::dark);
-      if (2 * count >= NoiseBound::most || exact * near.variance <= bound * bound) return;
+      if (!among[i] || 2 * count >= most || exact * near.variance <= bound * bound) return;
       any = true;
       double_samples(x, y, round);
     });
     return any;
+  }
+  bool refine(std::uint32_t round) const {
+    std::array<bool, pixels> all;
+    all.fill(true);
+    return refine(round, NoiseBound::most, all);
   }
 
  private:
@@ -141,7 +167,7 @@ void sample_tile(const ExposedTracer& tracer, const FilterSampler& filter, int w
   for (auto& halves : tile.halves) halves = {};
   const Sampling sampling(tracer, filter, width, height, plan, tile);
   sampling.sample_all(adaptive ? NoiseBound::fewest : plan.samples);
-  if (plan.halved && !adaptive) sampling.refine_edges();
+  if (plan.halved && !adaptive) tracer.blurs() ? sampling.refine_blur() : sampling.refine_edges();
   for (std::uint32_t round = 1; adaptive && sampling.refine(round);) ++round;
 }
 
