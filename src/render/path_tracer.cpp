@@ -79,13 +79,13 @@ void PathTracer::add_background(double down, Vec3 along, double left, CameraSamp
     result.clear = left;
   } else if (sky_ && sky_.seen_behind()) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
-    result.beyond = left * sky_.seen(d);
-    result.lit = result.lit + result.beyond;
+    const Vec3 sky = left * sky_.seen(d);
+    result.lit = result.lit + sky, result.albedo = result.albedo + sky;
     result.share = std::min(result.share + left, 1.0);
   } else if (around_.sky) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
-    result.beyond = left * sky_radiance(d.y, smoothstep(0, 1, -4 * d.y));
-    result.lit = result.lit + result.beyond;
+    const Vec3 sky = left * sky_radiance(d.y, smoothstep(0, 1, -4 * d.y));
+    result.lit = result.lit + sky, result.albedo = result.albedo + sky;
     result.share = std::min(result.share + left, 1.0);
   } else {
     result.plain = result.plain + left * mix(top_, bottom_, bends_ ? smoothstep(0, 1, down) : down);

@@ -16,10 +16,10 @@ namespace betwixt::traced {
 // highlights roll off. `clear`: how much of it is transparent.
 struct CameraSample {
   Vec3 lit, plain;
-  Vec3 beyond;  // what of `lit` is the sky behind everything
   double share = 0, clear = 0;
   // What the denoiser knows of the lit surfaces: the light that they reflect of white light, their normal and place in
-  // eye space, each times their part of the sample (`seen`).
+  // eye space, each times their part of the sample (`seen`). A sky counts as if it reflected all that it sends: a pixel
+  // of a bright sky with a bit of a dark surface would be off scale.
   Vec3 albedo, normal, place;
   double seen = 0;
 };

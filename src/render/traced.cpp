@@ -87,8 +87,8 @@ void add_noisy(const std::array<PixelSums, 2>& halves, int x, int y, NoisyPictur
   add(to.spread, variance(all.far_square / all.seen, all.far / all.seen));
   for (int i = 0; i < 3; ++i) {
     const auto c = static_cast<std::size_t>(i);
-    add(to.first[c], (halves[0].lit[i] - halves[0].beyond[i]) / halves[0].divisor());
-    add(to.second[c], (halves[1].lit[i] - halves[1].beyond[i]) / halves[1].divisor());
+    add(to.first[c], halves[0].lit[i] / halves[0].divisor());
+    add(to.second[c], halves[1].lit[i] / halves[1].divisor());
     add(to.variance[c], variance(all.lit_square[i] / n, all.lit_sample[i] / n));
     add(to.albedo[c], std::max(all.albedo[i] / all.divisor(), 0.01 * seen));
     add(to.normal[c], all.normal[i] / n), add(to.place[c], all.place[i] / n);
@@ -253,7 +253,7 @@ class Traced final : public Renderer {
     all += halves[1];
     const bool noisy = all.seen > 0;
     if (noisy) add_noisy(halves, x, y, *noisy_);
-    const Vec3 light = 1 / all.divisor() * (noisy ? all.plain + all.beyond : all.plain + all.lit);
+    const Vec3 light = 1 / all.divisor() * (noisy ? all.plain : all.plain + all.lit);
     float* const out = pixel(x, y);
     for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(light[i]);
     out[3] = static_cast<float>(opacity(all));

@@ -5,8 +5,8 @@
 namespace betwixt::traced {
 
 PixelSums& PixelSums::operator+=(const PixelSums& o) {
-  for (const auto sum : {&PixelSums::lit, &PixelSums::plain, &PixelSums::beyond, &PixelSums::albedo,
-                         &PixelSums::lit_square, &PixelSums::lit_sample, &PixelSums::normal, &PixelSums::place})
+  for (const auto sum : {&PixelSums::lit, &PixelSums::plain, &PixelSums::albedo, &PixelSums::lit_square,
+                         &PixelSums::lit_sample, &PixelSums::normal, &PixelSums::place})
     this->*sum = this->*sum + o.*sum;
   for (const auto sum :
        {&PixelSums::clear, &PixelSums::weight, &PixelSums::seen, &PixelSums::seen_square, &PixelSums::far,
@@ -21,8 +21,7 @@ void add_surfaces(const CameraSample& seen, double sign, PixelSums& sums) {
   const Vec3 light = seen.lit + seen.plain;
   const double whole = sign * (0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z);
   sums.whole += whole, sums.whole_square += whole * whole;
-  const Vec3 lit = seen.lit - seen.beyond;
-  sums.lit_sample = sums.lit_sample + lit, sums.lit_square = sums.lit_square + lit * lit;
+  sums.lit_sample = sums.lit_sample + seen.lit, sums.lit_square = sums.lit_square + seen.lit * seen.lit;
   sums.albedo = sums.albedo + sign * seen.albedo;
   sums.normal = sums.normal + seen.normal, sums.place = sums.place + seen.place;
   if (!(seen.seen > 0)) return;
@@ -86,7 +85,6 @@ void sample_pixel(const ExposedTracer& tracer, const FilterSampler& filter, cons
           {(place.x + in_x) / place.width, (place.y + in_y) / place.height, time, lens_x, lens_y}, sampler);
       cells.add(right, down, sign, seen);
       sums.lit = sums.lit + sign * seen.lit, sums.plain = sums.plain + sign * seen.plain;
-      sums.beyond = sums.beyond + sign * seen.beyond;
       sums.clear += sign * seen.clear, sums.weight += sign;
       add_surfaces(seen, sign, sums);
     }
@@ -96,10 +94,7 @@ void sample_pixel(const ExposedTracer& tracer, const FilterSampler& filter, cons
   } else if (!unclamped) {
     const Vec3 whole = cells.sum(false), rolled = cells.sum(true);
     for (int i = 0; i < 3; ++i)
-      for (PixelSums& sums : added) {
-        const double share = whole[i] > 0 ? std::clamp(rolled[i] / whole[i], 0.0, 2.0) : 1;
-        sums.lit[i] *= share, sums.beyond[i] *= share;
-      }
+      for (PixelSums& sums : added) sums.lit[i] *= whole[i] > 0 ? std::clamp(rolled[i] / whole[i], 0.0, 2.0) : 1;
   }
   for (std::size_t half = 0; half < blocks.size(); ++half) halves[half] += added[half];
 }

@@ -14,10 +14,9 @@ namespace betwixt::traced {
 // Sums over samples. `weight` is the sum of the signs of their weights; the light is divided by it.
 struct PixelSums {
   Vec3 lit, plain, albedo;
-  Vec3 beyond;  // what of `lit` is the sky behind everything
   double clear = 0, weight = 0;
   Vec3 lit_square;     // of single samples, as are the rest
-  Vec3 lit_sample;     // before bright light rolls off; both without the sky
+  Vec3 lit_sample;     // before bright light rolls off
   Vec3 normal, place;  // each times its part
   double seen = 0, seen_square = 0;
   double far = 0, far_square = 0;      // the distance of the surfaces, times their part

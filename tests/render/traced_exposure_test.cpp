@@ -114,6 +114,54 @@ TEST(TracedExposure, ABarThatTurnsIsFansOfArcs) {
   }
 }
 
+// The corners of its triangles move, by themselves.
+TEST(TracedExposure, WhatGrowsIsALine) {
+  for (const char* kind : {"rectangle size=(4 20)", "rectangle corner=0.5 size=(4 20)"}) {
+    TracedTake film(
+        drawn_film(fmt::format("create wall {} color=white\nwall.size\n  1f (4 20) linear\n  2f (12 20)\n", kind)), 64);
+    const LinearPicture p = film.at("1f");
+    for (int x = 48; x < 96; ++x) {
+      double column = 0;
+      for (int y = 0; y < 54; ++y) column += lightness(p, x, y) / 54;
+      EXPECT_NEAR(column, share_swept(20 + 48 - x, 40 + 48 - x), 0.02) << kind << " " << x;
+    }
+  }
+}
+
+// Whatever the camera does, what moves with it stands still: as sharp as without a shutter. Everything else does not.
+TEST(TracedExposure, WhatMovesWithTheCameraIsSharp) {
+  TracedTake film(
+      "rate 24\nrange 1f 24f\nbackground black\ncreate eye camera position=(0 0 10) rotation=euler(0 0 0)\n"
+      "set eye.shutter 180deg\ncreate eye/near rectangle size=(1 1) position=(0 0 -5) color=white material=glow\n"
+      "eye.rotation.y\n  1f 0deg linear\n  2f 120deg\neye.position.x\n  1f 0 linear\n  2f 3\n"
+      "create far sphere radius=0.5 position=(-2 2.3 0) color=white material=glow\n",
+      64);
+  const LinearPicture p = film.at("1f"), sharp = film.sharp("1f");
+  double most = 0, other = 0;
+  for (int y = 16; y < 54; ++y)
+    for (int x = 0; x < 96; ++x) most = std::max(most, std::abs(lightness(p, x, y) - lightness(sharp, x, y)));
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 96; ++x) other = std::max(other, std::abs(lightness(p, x, y) - lightness(sharp, x, y)));
+  EXPECT_EQ(lightness(sharp, 48, 27), 1);
+  EXPECT_LT(most, 0.15);  // edges lie otherwise in their pixels
+  EXPECT_GT(other, 0.3);
+}
+
+// Rods that swing before a bright sky, of few samples with the denoiser: no pixel is far from that of many samples.
+TEST(TracedExposure, EdgesBeforeASkyHaveNoDots) {
+  const std::string script =
+      "rate 24\nrange 1f 24f\nsky day hour=15\nground #a9b89a\n"
+      "create a{1..5} cylinder radius=0.06 height=1.4 position=(i*0.8-2.4 0.9 0) color=tomato\n"
+      "a{1..5}.rotation.z\n  1f i*13deg linear\n  25f i*13deg+90deg\n"
+      "create eye camera position=(0 0.9 6) look-at=(0 0.9 0) lens=60mm\nset eye.shutter 360deg\n";
+  TracedTake few(script, 16, 160, 90, true), many(script, 256, 160, 90);
+  Picture p, exact;
+  to_shown(few.at("6f"), p), to_shown(many.at("6f"), exact);
+  int most = 0;
+  for (std::size_t i = 0; i < p.rgba.size(); ++i) most = std::max(most, std::abs(p.rgba[i] - exact.rgba[i]));
+  EXPECT_LT(most, 28);
+}
+
 // A colour that changes evenly is seen as its mean, and so is what fades.
 TEST(TracedExposure, ColorsAndOpacitiesAreMeans) {
   TracedTake film(drawn_film("create a rectangle size=(4 4) position=(-2.4 0 0) color=black\na.color\n"
