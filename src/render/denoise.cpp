@@ -214,6 +214,52 @@ Plane summed(const NoisyPicture& p, unsigned threads, const Plane& of, int reach
   return both;
 }
 
+// Single pixels with very much light would appear in the means of all pixels around them, as squares: their own
+// variance is an excuse for any difference. So what is above so many times the mean of its neighbours is left out of
+// the means: the more, the brighter it is. Returns the part of it that both halves show: a highlight, in its own place.
+Planes take_out_sparks(NoisyPicture& p, unsigned threads) {
+  constexpr float most = 16;
+  constexpr int rounds = 4;  // the neighbours of a spark are sparks too, perhaps
+  const auto light = [](const Planes& half, int x, int y) {
+    return half[0].row(y)[x] + half[1].row(y)[x] + half[2].row(y)[x];
+  };
+  Planes rest = NoisyPicture::three(p.width, p.height), first = p.first, second = p.second;
+  Plane all(p.width, p.height), count(p.width, p.height);
+  for_rows(p, threads, [&](int y) {
+    for (int x = 0; x < p.width; ++x) count.row(y)[x] = p.seen.row(y)[x] > 0 ? 1.0F : 0.0F;
+  });
+  count = summed(p, threads, count, radius);
+  for (int round = 0; round < rounds; ++round) {
+    for_rows(p, threads, [&](int y) {
+      for (int x = 0; x < p.width; ++x)
+        all.row(y)[x] = std::max(0.5F * (light(p.first, x, y) + light(p.second, x, y)), 0.0F);
+    });
+    const Plane sums = summed(p, threads, all, radius);
+    for_rows(p, threads, [&](int y) {
+      for (int x = 0; x < p.width; ++x) {
+        const float others = count.row(y)[x] - 1;
+        if (!(others > 0) || !(p.seen.row(y)[x] > 0)) continue;
+        const float mean = std::max(sums.row(y)[x] - all.row(y)[x], 0.0F) / others, limit = most * mean;
+        for (Planes* half : {&p.first, &p.second})
+          if (const float is = light(*half, x, y); is > limit)
+            for (Plane& plane : *half) plane.row(y)[x] *= std::max(limit / is * limit, mean) / is;
+      }
+    });
+  }
+  for_rows(p, threads, [&](int y) {
+    for (std::size_t c = 0; c < 3; ++c)
+      for (int x = 0; x < p.width; ++x) {
+        const float a = first[c].row(y)[x] - p.first[c].row(y)[x], b = second[c].row(y)[x] - p.second[c].row(y)[x];
+        if (!(a > 0 || b > 0)) continue;
+        rest[c].row(y)[x] = std::min(0.5F * (a + b), 2 * std::max(std::min(a, b), 0.0F));
+        // The noise becomes less as the light does.
+        const float left = (p.first[c].row(y)[x] + p.second[c].row(y)[x]) / (first[c].row(y)[x] + second[c].row(y)[x]);
+        p.variance[c].row(y)[x] *= std::min(left * left, 1.0F);
+      }
+  });
+  return rest;
+}
+
 // Samples are spread better than by chance, so their mean is more exact than their differences suggest: how much
 // more, the difference between the halves of neighbours says.
 void calibrate(NoisyPicture& p, unsigned threads) {
@@ -251,6 +297,7 @@ void join_halves(const NoisyPicture& p, unsigned threads, Planes& one, const Pla
 
 void denoise(NoisyPicture& p, unsigned threads) {
   for_rows(p, threads, [&](int y) { prepare(p, y); });
+  const Planes sparks = take_out_sparks(p, threads);
   calibrate(p, threads);
   // A half has half of the samples.
   Planes doubled = p.variance;
@@ -272,7 +319,8 @@ void denoise(NoisyPicture& p, unsigned threads) {
   run(p, threads, {&one, &doubled, 1, easy, &one, &p.second});
   for (std::size_t c = 0; c < 3; ++c)
     for_rows(p, threads, [&](int y) {
-      for (int x = 0; x < p.width; ++x) p.first[c].row(y)[x] = p.second[c].row(y)[x] * p.albedo[c].row(y)[x];
+      for (int x = 0; x < p.width; ++x)
+        p.first[c].row(y)[x] = (p.second[c].row(y)[x] + sparks[c].row(y)[x]) * p.albedo[c].row(y)[x];
     });
 }
 

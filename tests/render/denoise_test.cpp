@@ -123,6 +123,27 @@ TEST(Denoise, SharpHighlightsStay) {
   EXPECT_NEAR(p.first[1].row(8)[8], 0.5, 0.05);
 }
 
+// One sample in very many found a small light. Its pixel may be wrong, but none of those around it.
+TEST(Denoise, SparksDoNotSpread) {
+  const auto flat = [](int, int) { return Made{0.7, 0.5}; };
+  NoisyPicture p = noisy(0.1, flat);
+  const auto spark = [&](int x, int y, float first, float second) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      p.first[c].row(y)[x] = first, p.second[c].row(y)[x] = second;
+      p.variance[c].row(y)[x] = 0.25F * (first + second) * (first + second);  // one of all samples
+    }
+  };
+  spark(15, 15, 800, 0.35F), spark(40, 20, 0.35F, 90), spark(43, 22, 200, 0.35F);
+  spark(20, 35, 300, 200), spark(21, 35, 200, 300);  // a highlight: both halves have it
+  denoise(p, 2);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (y == 35 && (x == 20 || x == 21))
+        EXPECT_NEAR(p.first[1].row(y)[x], 250, 10) << x;
+      else
+        EXPECT_NEAR(p.first[1].row(y)[x], 0.35, 0.05) << x << " " << y;
+}
+
 TEST(Denoise, PixelsWithoutSurfacesAreNotMixedIn) {
   const auto flat = [](int, int) { return Made{0.7, 0.5}; };
   NoisyPicture p = noisy(0.1, flat);
