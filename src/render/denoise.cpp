@@ -214,51 +214,85 @@ Plane summed(const NoisyPicture& p, unsigned threads, const Plane& of, int reach
   return both;
 }
 
-// Single pixels with very much light would appear in the means of all pixels around them, as squares: their own
-// variance is an excuse for any difference. So what is above so many times the mean of its neighbours is left out of
-// the means: the more, the brighter it is. Returns the part of it that both halves show: a highlight, in its own place.
-Planes take_out_sparks(NoisyPicture& p, unsigned threads) {
-  constexpr float most = 16;
-  constexpr int rounds = 4;  // the neighbours of a spark are sparks too, perhaps
-  const auto light = [](const Planes& half, int x, int y) {
-    return half[0].row(y)[x] + half[1].row(y)[x] + half[2].row(y)[x];
-  };
-  Planes rest = NoisyPicture::three(p.width, p.height), first = p.first, second = p.second;
-  Plane all(p.width, p.height), count(p.width, p.height);
-  for_rows(p, threads, [&](int y) {
-    for (int x = 0; x < p.width; ++x) count.row(y)[x] = p.seen.row(y)[x] > 0 ? 1.0F : 0.0F;
-  });
-  count = summed(p, threads, count, radius);
-  for (int round = 0; round < rounds; ++round) {
-    for_rows(p, threads, [&](int y) {
-      for (int x = 0; x < p.width; ++x)
-        all.row(y)[x] = std::max(0.5F * (light(p.first, x, y) + light(p.second, x, y)), 0.0F);
+float sum_at(const Planes& planes, int x, int y) {
+  return planes[0].row(y)[x] + planes[1].row(y)[x] + planes[2].row(y)[x];
+}
+
+// Finds single pixels with very much light: they would appear in the means of all pixels around them, as squares, since
+// their own variance is an excuse for any difference.
+class Sparks {
+ public:
+  Sparks(NoisyPicture& p, unsigned threads)
+      : p_(p),
+        threads_(threads),
+        first_(p.first),
+        second_(p.second),
+        light_(p.width, p.height),
+        noise_(p.width, p.height),
+        count_(p.width, p.height) {}
+
+  // What is above so many times the mean of its neighbours is left out: the more, the brighter it is. Returns the part
+  // of it that both halves show: a highlight, in its own place.
+  Planes take_out() {
+    constexpr int rounds = 4;  // the neighbours of a spark are sparks too, perhaps
+    for_rows(p_, threads_, [&](int y) {
+      for (int x = 0; x < p_.width; ++x) count_.row(y)[x] = p_.seen.row(y)[x] > 0 ? 1.0F : 0.0F;
     });
-    const Plane sums = summed(p, threads, all, radius);
-    for_rows(p, threads, [&](int y) {
-      for (int x = 0; x < p.width; ++x) {
-        const float others = count.row(y)[x] - 1;
-        if (!(others > 0) || !(p.seen.row(y)[x] > 0)) continue;
-        const float mean = std::max(sums.row(y)[x] - all.row(y)[x], 0.0F) / others, limit = most * mean;
-        for (Planes* half : {&p.first, &p.second})
-          if (const float is = light(*half, x, y); is > limit)
-            for (Plane& plane : *half) plane.row(y)[x] *= std::max(limit / is * limit, mean) / is;
+    count_ = summed(p_, threads_, count_, radius);
+    for (int round = 0; round < rounds; ++round) lessen();
+    return rest();
+  }
+
+ private:
+  float left(int x, int y) const {
+    const float before = sum_at(first_, x, y) + sum_at(second_, x, y);
+    return before > 0 ? std::clamp((sum_at(p_.first, x, y) + sum_at(p_.second, x, y)) / before, 0.0F, 1.0F) : 1;
+  }
+  void lessen() {
+    for_rows(p_, threads_, [&](int y) {
+      for (int x = 0; x < p_.width; ++x) {
+        light_.row(y)[x] = std::max(0.5F * (sum_at(p_.first, x, y) + sum_at(p_.second, x, y)), 0.0F);
+        noise_.row(y)[x] = sum_at(p_.variance, x, y) * left(x, y) * left(x, y);
+      }
+    });
+    const Plane light = summed(p_, threads_, light_, radius), noise = summed(p_, threads_, noise_, radius);
+    for_rows(p_, threads_, [&](int y) {
+      for (int x = 0; x < p_.width; ++x) {
+        const float others = count_.row(y)[x] - 1;
+        if (!(others > 0) || !(p_.seen.row(y)[x] > 0)) continue;
+        lessen(x, y, std::max(light.row(y)[x] - light_.row(y)[x], 0.0F) / others,
+               std::max(noise.row(y)[x] - noise_.row(y)[x], 0.0F) / others);
       }
     });
   }
-  for_rows(p, threads, [&](int y) {
-    for (std::size_t c = 0; c < 3; ++c)
-      for (int x = 0; x < p.width; ++x) {
-        const float a = first[c].row(y)[x] - p.first[c].row(y)[x], b = second[c].row(y)[x] - p.second[c].row(y)[x];
-        if (!(a > 0 || b > 0)) continue;
-        rest[c].row(y)[x] = std::min(0.5F * (a + b), 2 * std::max(std::min(a, b), 0.0F));
-        // The noise becomes less as the light does.
-        const float left = (p.first[c].row(y)[x] + p.second[c].row(y)[x]) / (first[c].row(y)[x] + second[c].row(y)[x]);
-        p.variance[c].row(y)[x] *= std::min(left * left, 1.0F);
-      }
-  });
-  return rest;
-}
+  // `mean`, `noise`: the light and the variance of the neighbours. Among pixels of little noise few are alike, so that
+  // a noisy one has more weight.
+  void lessen(int x, int y, float mean, float noise) {
+    constexpr float most = 16, most_noisy = 2;
+    const float limit = mean * (noise_.row(y)[x] > most * noise ? most_noisy : most);
+    for (Planes* half : {&p_.first, &p_.second})
+      if (const float is = sum_at(*half, x, y); is > limit)
+        for (Plane& plane : *half) plane.row(y)[x] *= std::max(limit / is * limit, mean) / is;
+  }
+  Planes rest() {
+    Planes rest = NoisyPicture::three(p_.width, p_.height);
+    for_rows(p_, threads_, [&](int y) {
+      for (int x = 0; x < p_.width; ++x)
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float a = first_[c].row(y)[x] - p_.first[c].row(y)[x],
+                      b = second_[c].row(y)[x] - p_.second[c].row(y)[x];
+          rest[c].row(y)[x] = std::clamp(0.5F * (a + b), 0.0F, 2 * std::max(std::min(a, b), 0.0F));
+          p_.variance[c].row(y)[x] *= left(x, y) * left(x, y);
+        }
+    });
+    return rest;
+  }
+
+  NoisyPicture& p_;
+  const unsigned threads_;
+  const Planes first_, second_;  // as they were
+  Plane light_, noise_, count_;
+};
 
 // Samples are spread better than by chance, so their mean is more exact than their differences suggest: how much
 // more, the difference between the halves of neighbours says.
@@ -297,7 +331,7 @@ void join_halves(const NoisyPicture& p, unsigned threads, Planes& one, const Pla
 
 void denoise(NoisyPicture& p, unsigned threads) {
   for_rows(p, threads, [&](int y) { prepare(p, y); });
-  const Planes sparks = take_out_sparks(p, threads);
+  const Planes sparks = Sparks(p, threads).take_out();
   calibrate(p, threads);
   // A half has half of the samples.
   Planes doubled = p.variance;

@@ -144,6 +144,21 @@ TEST(Denoise, SparksDoNotSpread) {
         EXPECT_NEAR(p.first[1].row(y)[x], 0.35, 0.05) << x << " " << y;
 }
 
+// Where the light has little noise and changes from pixel to pixel, few pixels are alike: a noisy one must not count
+// more.
+TEST(Denoise, NoisyPixelsDoNotSpreadOverCalmOnes) {
+  const auto slope = [](int x, int y) { return Made{0.5 + 0.03 * x + 0.02 * y}; };
+  NoisyPicture p = noisy(0.004, slope);
+  for (std::size_t c = 0; c < 3; ++c) {
+    p.first[c].row(20)[30] = 16, p.second[c].row(20)[30] = 9;
+    p.variance[c].row(20)[30] = 12;
+  }
+  denoise(p, 2);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (x != 30 || y != 20) EXPECT_NEAR(p.first[1].row(y)[x], slope(x, y).light, 0.06) << x << " " << y;
+}
+
 TEST(Denoise, PixelsWithoutSurfacesAreNotMixedIn) {
   const auto flat = [](int, int) { return Made{0.7, 0.5}; };
   NoisyPicture p = noisy(0.1, flat);
