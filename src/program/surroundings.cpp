@@ -15,8 +15,10 @@ std::optional<Vec3> light(const std::optional<Color>& c) { return c ? std::optio
 std::optional<Vec3> background_of(const Scene& s) {
   if (s.appearance.clear) return Vec3{};
   if (s.background) return to_linear(*s.background);
-  // Fog fades everything to its colour, so the background has it too.
-  if (s.appearance.fog && !s.appearance.sky) return to_linear(s.appearance.fog->color);
+  // Fog fades everything to its colour, so the background has it too. A sky that is seen stays.
+  const Sky::Kind sky = s.appearance.environment.kind;
+  const bool seen = s.appearance.sky || (!s.appearance.flat && sky != Sky::none && sky != Sky::studio);
+  if (s.appearance.fog && !seen) return to_linear(s.appearance.fog->color);
   return s.appearance.flat ? std::optional(to_linear(dark)) : std::nullopt;
 }
 

@@ -73,22 +73,47 @@ Vec3 PathTracer::sky_radiance(double up, double below) const {
   return mix(mix(lighting_.zenith, lighting_.horizon, over * over), lighting_.below, below);
 }
 
+double PathTracer::fog_at(double distance) const {
+  if (!around_.fog) return 0;
+  return std::clamp((distance - around_.fog->from) / (around_.fog->to - around_.fog->from), 0.0, 1.0);
+}
+
+// The less, the higher one looks.
+double PathTracer::haze(Vec3 along) const {
+  if (!around_.fog || !(around_.sky || (sky_ && sky_.seen_behind()))) return 0;
+  const double low = 1 - std::clamp(along.y, 0.0, 1.0), low2 = low * low;
+  return low2 * low2 * low2 * low2;
+}
+
+Vec3 PathTracer::backdrop_at(double down) const { return mix(top_, bottom_, bends_ ? smoothstep(0, 1, down) : down); }
+
+// Where the direction is in the picture, or the nearest place of it. `down`: that of the eye's ray, for orthographic
+// pictures, in which a direction has no place.
+Vec3 PathTracer::backdrop(Vec3 along, double down) const {
+  if (view_.orthographic) return backdrop_at(down);
+  const double ahead = -dot(along, view_.backward), up = dot(along, view_.up);
+  const double at = 0.5 * (1 - view_.shift_y - view_.sy * up / std::max(ahead, 1e-6));
+  return backdrop_at(std::clamp(at, 0.0, 1.0));
+}
+
 // The background. An orthographic picture shows the sky as if it were in perspective.
 void PathTracer::add_background(double down, Vec3 along, double left, CameraSample& result) const {
+  const auto add_sky = [&](Vec3 light, Vec3 d) {
+    const double fogged = haze(d), clear = left * (1 - fogged);
+    result.lit = result.lit + clear * light, result.albedo = result.albedo + clear * light;
+    result.share = std::min(result.share + clear, 1.0);
+    if (fogged > 0) result.plain = result.plain + left * fogged * around_.fog->color;
+  };
   if (around_.clear) {
     result.clear = left;
   } else if (sky_ && sky_.seen_behind()) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
-    const Vec3 sky = left * sky_.seen(d);
-    result.lit = result.lit + sky, result.albedo = result.albedo + sky;
-    result.share = std::min(result.share + left, 1.0);
+    add_sky(sky_.seen(d), d);
   } else if (around_.sky) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
-    const Vec3 sky = left * sky_radiance(d.y, smoothstep(0, 1, -4 * d.y));
-    result.lit = result.lit + sky, result.albedo = result.albedo + sky;
-    result.share = std::min(result.share + left, 1.0);
+    add_sky(sky_radiance(d.y, smoothstep(0, 1, -4 * d.y)), d);
   } else {
-    result.plain = result.plain + left * mix(top_, bottom_, bends_ ? smoothstep(0, 1, down) : down);
+    result.plain = result.plain + left * backdrop_at(down);
   }
 }
 
@@ -211,8 +236,12 @@ Vec3 PathTracer::indirect_light(const Surface& s, int depth, PixelSampler& sampl
          (s.metal ? metal_reflection(light, s.fresnel) : s.fresnel * light);
 }
 
+Vec3 PathTracer::seen_radiance(const Surface& s, double distance, double down, PixelSampler& sampler) const {
+  if (physical_) return physical_->radiance(s.point, s.toward, distance, down, sampler);
+  return reflected_radiance(s, 0, sampler);
+}
+
 Vec3 PathTracer::reflected_radiance(const Surface& s, int depth, PixelSampler& sampler) const {
-  if (physical_) return physical_->radiance(s.point, s.toward, sampler);
   return direct_light(s, sampler) + indirect_light(s, depth, sampler);
 }
 
@@ -235,13 +264,11 @@ CameraSample PathTracer::sample(const Ray& r, double down, PixelSampler& sampler
   CameraSample result;
   double left = 1;
   const auto add = [&](const Surface& s, double distance, double cover) {
-    const double foggy =
-        around_.fog ? std::clamp((distance - around_.fog->from) / (around_.fog->to - around_.fog->from), 0.0, 1.0) : 0;
-    const double fogged = s.point.hairline ? 0 : foggy, clear = left * cover * (1 - fogged);
+    const double fogged = s.point.hairline ? 0 : fog_at(distance), clear = left * cover * (1 - fogged);
     if (s.unlit) {
       result.plain = result.plain + clear * s.coverage * s.point.color;
     } else {
-      result.lit = result.lit + clear * reflected_radiance(s, 0, sampler);
+      result.lit = result.lit + clear * seen_radiance(s, distance, down, sampler);
       result.share =
           std::min(result.share + cover * (1 - fogged), 1.0);  // highlights on glass count like those on walls
       const double seen = clear * s.coverage;

@@ -36,6 +36,12 @@ class PathTracer {
   double floor_distance(const Ray&) const;  // infinity if the ray misses it
   SurfacePoint floor_point(const Ray&, double distance) const;
   bool meets_floor(const Ray& r) const { return floor_distance(r) < INFINITY; }
+  double fog_at(double distance) const;  // from the eye: how much of what is there the fog hides
+  double haze(Vec3 along) const;         // the same for the sky
+  // The background of one colour or two, which what one sees through glass has as well, if it hides the sky.
+  bool has_backdrop() const { return !around_.clear && !around_.sky && !(sky_ && sky_.seen_behind()); }
+  Vec3 backdrop(Vec3 along, double down) const;
+  Vec3 fog_color() const { return around_.fog->color; }
 
  private:
   // The kind of the ray that reaches a surface: from the eye, reflected, or for the ambient light of another surface.
@@ -45,10 +51,13 @@ class PathTracer {
   void add_background(double down, Vec3 along, double left, CameraSample&) const;
   Vec3 environment_radiance(Vec3 along, RayKind) const;
   Vec3 sky_radiance(double up, double below) const;
+  Vec3 backdrop_at(double down) const;
   double visibility(const SurfacePoint&, const Lighting::One&, PixelSampler&) const;
   Vec3 direct_light(const Surface&, PixelSampler&) const;
   Vec3 indirect_light(const Surface&, int depth, PixelSampler&) const;
   Vec3 reflected_radiance(const Surface&, int depth, PixelSampler&) const;
+  // The same as the eye sees it from a distance, at a place from 0 at the picture's top to 1.
+  Vec3 seen_radiance(const Surface&, double distance, double down, PixelSampler&) const;
   // Returns the light that arrives against the ray, from the first opaque object.
   Vec3 incoming_radiance(Ray, RayKind, int depth, PixelSampler&) const;
   Surface surface_at(const SurfacePoint&, Vec3 toward, RayKind) const;

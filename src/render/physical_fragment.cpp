@@ -22,11 +22,18 @@ vec2 reflected_shares(float nv, float rough) {
   return vec2(-1.04, 1.04) * a + r.zw;
 }
 
+// How much fog there is before the sky: the less, the higher one looks.
+float haze(float up) {
+  float low = 1.0 - clamp(up, 0.0, 1.0), low2 = low * low;
+  return sky_turn.w * low2 * low2 * low2 * low2;
+}
+
 // What a surface of this roughness mirrors from a direction: see SkyLight::roughness_of.
 vec3 mirrored_from(vec3 d, float rough) {
   float level = blurs * rough * (2.0 - rough);
   vec3 c = sky_turn.z * textureLod(around, in_sky(d), level).rgb;
-  return blurs > 0.0 && level > blurs - 1.0 ? mix(c, irradiance_at(d), min(level - blurs + 1.0, 1.0)) : c;
+  c = blurs > 0.0 && level > blurs - 1.0 ? mix(c, irradiance_at(d), min(level - blurs + 1.0, 1.0)) : c;
+  return mix(c, fog_color, haze(d.y) * (1.0 - rough));
 }
 // What a rough surface mirrors is nearer to its normal, since light from below the horizon does not count.
 float fourth_power(float rough) { return rough * rough * rough * rough; }
@@ -105,7 +112,7 @@ void main() {
 #if defined(GROUND)
   vec2 p = 2.0 * at - 1.0;
   vec3 through_picture = normalize(ray + p.x * ray_x + p.y * ray_y);
-  vec3 back = mix(mix(top, bottom, mix(at.y, smoothstep(0.0, 1.0, at.y), shape.x)), rolled(sky_turn.z * texture(seen, seen_at(in_sky(through_picture))).rgb), shape.y);
+  vec3 back = mix(mix(top, bottom, mix(at.y, smoothstep(0.0, 1.0, at.y), shape.x)), mix(rolled(sky_turn.z * texture(seen, seen_at(in_sky(through_picture))).rgb), fog_color, haze(through_picture.y)), shape.y);
   vec3 along = mix(ray, through_picture, toward_eye.w), from = p.x * from_x + p.y * from_y;
   float drop = min(along.y, -1e-6), go = (floor_height - from.y) / drop;
   vec3 spot = from + max(go, 0.0) * along, n = vec3(0.0, 1.0, 0.0);

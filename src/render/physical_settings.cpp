@@ -53,7 +53,7 @@ void PhysicalSurfaces::set_frame(Look& look) {
     for (int k = 0; k < 3; ++k) sums[i][static_cast<std::size_t>(k)] = static_cast<float>(irradiance_[i][k]);
   glUniform3fv(at("irradiance"), 9, sums.front().data());
   glUniform4f(at("sky_turn"), static_cast<float>(sky_.cosine()), static_cast<float>(sky_.sine()),
-              static_cast<float>(sky_ ? sky_.share() : 1), 0);
+              static_cast<float>(sky_ ? sky_.share() : 1), frame.around.fog && sky_.seen_behind() ? 1 : 0);
   glUniform1f(at("blurs"), sky_ ? SkyLight::levels : 0);
   const Surroundings::Fog fog = frame.around.fog.value_or(Surroundings::Fog{});
   glUniform3fv(at("fog_color"), 1, four(fog.color, 0).data());

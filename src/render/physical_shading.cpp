@@ -32,7 +32,7 @@ uniform vec4 light_color[16];
 uniform vec4 light_aim[16];     // where a lamp shines to; the cosine of half its cone, -2 without
 uniform vec4 light_across[16];  // the direction of its width; half of that
 uniform vec4 light_form[16];    // half its height; 0 a point, 1 a disc, 2 a rectangle; 1 / the cone's edge
-uniform vec4 sky_turn;          // cosine and sine of its turn; factor of its light
+uniform vec4 sky_turn;          // cosine and sine of its turn; factor of its light; 1: there is fog before it
 uniform vec3 irradiance[9];
 uniform samplerCube around;     // blurred for each roughness
 uniform float blurs;            // the number of its levels, or 0 if it is not blurred

@@ -131,14 +131,19 @@ Vec3 PhysicalTracer::of_lamps(const Ray& r, double distance, double density) con
   return sum;
 }
 
-Vec3 PhysicalTracer::radiance(SurfacePoint p, Vec3 toward, PixelSampler& sampler) const {
+Vec3 PhysicalTracer::radiance(SurfacePoint p, Vec3 toward, double away, double down, PixelSampler& sampler) const {
   Vec3 sum, carried{1, 1, 1};
   double least_roughness = 0;
+  bool mirrored = true, straight = true;  // the path so far: sharply, so that fog is seen; only through glass
   const auto add = [&](Vec3 light, int depth) {
     Vec3 part = carried * light;
     if (const double most = largest(part); depth > 0 && most > brightest_indirect)
       part = brightest_indirect / most * part;
     sum = sum + part;
+  };
+  const auto add_fog = [&](double share, int depth) {
+    add(share * tracer_.fog_color(), depth);
+    carried = (1 - share) * carried;
   };
   for (int depth = 0; depth < most_bounces; ++depth) {
     if (p.material == Material::glow) {
@@ -161,19 +166,31 @@ Vec3 PhysicalTracer::radiance(SurfacePoint p, Vec3 toward, PixelSampler& sampler
     const double into = dot(along, p.face);
     if (!next.through && into < 0) along = along - 2 * into * p.face;
     Ray r{next.through ? p.beyond : p.start, along, p.time};
-    if (next.density > 0 && next.density < 20) least_roughness = std::max(least_roughness, 0.2);
+    const bool rough = next.density > 0 && next.density < 20;
+    mirrored = mirrored && !rough, straight = straight && next.through;
+    const bool backdrop = straight && tracer_.has_backdrop();
+    if (rough) least_roughness = std::max(least_roughness, 0.2);
     double density = next.density;
     // Straight through what is transparent, to the next surface.
     std::optional<SurfacePoint> met;
     for (int layer = 0; layer < 64; ++layer) {
       const std::optional<Hit> hit = world_.nearest(r, camera_rays);
       const double floor = tracer_.floor_distance(r), distance = std::min(hit ? hit->distance : INFINITY, floor);
-      if (const Vec3 lamps = of_lamps(r, distance, density); largest(lamps) > 0) add(lamps, depth);
+      if (distance == INFINITY && backdrop) {
+        add(tracer_.backdrop(r.along, down), depth);
+        break;
+      }
+      if (const Vec3 lamps = backdrop ? Vec3{} : of_lamps(r, distance, density); largest(lamps) > 0) add(lamps, depth);
       if (distance == INFINITY) {
+        if (const double hazy = mirrored ? tracer_.haze(r.along) : 0; hazy > 0) add_fog(hazy, depth);
         const double share = sky_ && density > 0 ? balance(density, sky_.density(r.along)) : 1;
         add(share * surroundings(r.along), depth);
         break;
       }
+      if (const double before = tracer_.fog_at(away), after = tracer_.fog_at(away + distance);
+          mirrored && after > before)
+        add_fog((after - before) / (1 - before), depth);
+      away += distance;
       SurfacePoint at = hit && hit->distance <= floor ? world_.surface_point(r, *hit) : tracer_.floor_point(r, floor);
       if (at.opacity >= 1 || sampler.next_1d() < at.opacity) {
         at.opacity = 1;

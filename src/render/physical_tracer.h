@@ -44,8 +44,9 @@ class Scattering {
 class PhysicalTracer {
  public:
   PhysicalTracer(const PathTracer& tracer, const World&, const Lighting&, const SkyAround&);
-  // Returns the light that the surface sends towards the eye.
-  Vec3 radiance(SurfacePoint, Vec3 toward, PixelSampler&) const;
+  // Returns the light that the surface sends towards the eye. `away`: the distance from it; `down`: the place in the
+  // picture, from 0 at its top to 1.
+  Vec3 radiance(SurfacePoint, Vec3 toward, double away, double down, PixelSampler&) const;
   // Returns the light from the sky or the dome.
   Vec3 surroundings(Vec3 along) const;
 

@@ -271,11 +271,16 @@ vec3 mirrored(vec3 from, vec3 d, float blur, bool wanted) {
 #endif
 
 #if defined(GROUND)
+// How much fog there is before the sky: the less, the higher one looks.
+float haze(float up) {
+  float low = 1.0 - clamp(up, 0.0, 1.0), low2 = low * low;
+  return fog_range.y > 0.0 ? low2 * low2 * low2 * low2 : 0.0;
+}
 // What is behind everything, where one looks along d and `down` from the picture's top.
 vec3 behind(vec3 d, float down) {
   float up = 1.0 - clamp(d.y, 0.0, 1.0), below = clamp(-4.0 * d.y, 0.0, 1.0);
   vec3 sky_color = mix(mix(top, bottom, up * up), under, below * below * (3.0 - 2.0 * below));
-  return mix(mix(top, bottom, mix(down, smoothstep(0.0, 1.0, down), shape.x)), rolled(sky_color), shape.y);
+  return mix(mix(top, bottom, mix(down, smoothstep(0.0, 1.0, down), shape.x)), mix(rolled(sky_color), fog_color, haze(d.y)), shape.y);
 }
 #endif
 

@@ -105,7 +105,12 @@ TEST(Appearance, TheOwnCameraFitsWidePictures) {
 TEST(Appearance, FogIsTheBackgroundWhereNoneIsSaid) {
   EXPECT_EQ(LoadedFilm("fog white from 1 to 2\n").frame("1f").background, (Vec3{1, 1, 1}));
   EXPECT_EQ(LoadedFilm("fog white from 1 to 2\nbackground black\n").frame("1f").background, Vec3{});
-  EXPECT_FALSE(LoadedFilm("fog white from 1 to 2\nsky on\n").frame("1f").background);
+  for (const char* sky : {"sky on", "sky day", "sky sunset", "sky overcast"})
+    EXPECT_FALSE(LoadedFilm(std::string("fog white from 1 to 2\n") + sky + "\n").frame("1f").background) << sky;
+  for (const char* unseen : {"sky studio", "sky day\nfilm flat"})
+    EXPECT_EQ(LoadedFilm(std::string("fog white from 1 to 2\n") + unseen + "\n").frame("1f").background,
+              (Vec3{1, 1, 1}))
+        << unseen;
 }
 
 // The last one that is said counts, whatever else would be behind things.

@@ -295,6 +295,55 @@ TEST(Physical, AnyFinishGivesLightThatIsANumber) {
   }
 }
 
+// Fog is before the sky too: all of it at the horizon, and (1 - y)^8 of it where one looks up by y.
+TEST(Physical, FogThinsTowardsTheZenith) {
+  const Vec3 fog{0.1, 0.2, 0.6};
+  Frame f = frame_of({finished({}, {0, 0, 0}, 1e-3)}, even_sky(0.5F));
+  f.background.reset(), f.surroundings.fog = {fog, 5, 50};
+  f.camera.fov = pi / 2;
+  for (const std::string style : {"shaded", "traced"}) {
+    const LinearPicture p = light_of(f, style, 64, style == "traced" ? 4 : 0);
+    for (const int row : {0, 8, 16, 24, 28, 31, 40}) {
+      const double up = (32 - row - 0.5) / 32, y = std::max(up / std::sqrt(1 + up * up), 0.0);
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(light_at(p, 32, row)[i], 0.5 + std::pow(1 - y, 8) * (fog[i] - 0.5), 0.02) << style << ' ' << row;
+    }
+  }
+}
+
+// What a mirror shows is as foggy as the whole way to it is long.
+TEST(Physical, FogIsOnMirroredThingsToo) {
+  Finish mirror;
+  mirror.metalness = 1, mirror.roughness = 0;
+  Item plate = item(square(), scaling({8, 8, 1}), {1, 1, 1}, Material::plastic);
+  plate.finish = std::make_shared<const Finish>(mirror);
+  const Item wall = item(square(), translation({0, 0, 10}) * scaling({90, 90, 1}), {1, 0, 0}, Material::glow);
+  Frame f = frame_of({plate, wall}, even_sky(0));
+  f.surroundings.fog = {{0, 0, 1}, 0, 20};  // the wall is 4 + 10 metres away
+  const Vec3 is = mean_of(light_of(f, "traced", 16), 6, 10);
+  EXPECT_NEAR(is.x, 0.3, 0.02);
+  EXPECT_NEAR(is.z, 0.7, 0.02);
+}
+
+// Glass that does not bend light shows the background, not the sky that lights the scene.
+TEST(Physical, GlassShowsTheBackground) {
+  Finish clear;
+  clear.transmission = 1, clear.ior = 1, clear.specular = 0, clear.roughness = 0;
+  for (const double thickness : {0.0, 1.0})
+    for (const std::string style : {"shaded", "traced"}) {
+      clear.thickness = thickness;
+      Frame f = frame_of({finished(clear, {1, 1, 1})}, even_sky(3));
+      f.background = Vec3{0.2, 0.6, 0.4};
+      const Vec3 even = mean_of(light_of(f, style), 12, 20);
+      for (int i = 0; i < 3; ++i) EXPECT_NEAR(even[i], (*f.background)[i], 0.02) << style << thickness;
+      f.surroundings.below = Vec3{1, 0, 0};
+      const Vec3 top = *f.background, graded = light_at(light_of(f, style), 16, 12);
+      const double down = 12.5 / 32;
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(graded[i], top[i] + down * ((*f.surroundings.below)[i] - top[i]), 0.03) << style << thickness;
+    }
+}
+
 // What is mirrored is where it is in the sky: six faces, six colours.
 TEST(Physical, SkiesLieAsTheirPictureSays) {
   auto picture = std::make_shared<LinearPicture>();
