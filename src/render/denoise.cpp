@@ -274,16 +274,27 @@ class Sparks {
       if (const float is = sum_at(*half, x, y); is > limit)
         for (Plane& plane : *half) plane.row(y)[x] *= std::max(limit / is * limit, mean) / is;
   }
+  // Returns how sure it is that the light of a pixel is there: not at all if four of its samples have all of it.
+  float sureness(int x, int y) const {
+    float squares = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float mean = 0.5F * (first_[c].row(y)[x] + second_[c].row(y)[x]);
+      squares += mean * mean;
+    }
+    return squares > 0 ? std::clamp(1.5F - 6 * sum_at(p_.variance, x, y) / squares, 0.0F, 1.0F) : 0;
+  }
   Planes rest() {
     Planes rest = NoisyPicture::three(p_.width, p_.height);
     for_rows(p_, threads_, [&](int y) {
-      for (int x = 0; x < p_.width; ++x)
+      for (int x = 0; x < p_.width; ++x) {
+        const float now = left(x, y), sure = sureness(x, y);
         for (std::size_t c = 0; c < 3; ++c) {
           const float a = first_[c].row(y)[x] - p_.first[c].row(y)[x],
                       b = second_[c].row(y)[x] - p_.second[c].row(y)[x];
-          rest[c].row(y)[x] = std::clamp(0.5F * (a + b), 0.0F, 2 * std::max(std::min(a, b), 0.0F));
-          p_.variance[c].row(y)[x] *= left(x, y) * left(x, y);
+          rest[c].row(y)[x] = sure * std::clamp(0.5F * (a + b), 0.0F, 2 * std::max(std::min(a, b), 0.0F));
+          p_.variance[c].row(y)[x] *= now * now;
         }
+      }
     });
     return rest;
   }

@@ -134,7 +134,10 @@ TEST(Denoise, SparksDoNotSpread) {
     }
   };
   spark(15, 15, 800, 0.35F), spark(40, 20, 0.35F, 90), spark(43, 22, 200, 0.35F);
-  spark(20, 35, 300, 200), spark(21, 35, 200, 300);  // a highlight: both halves have it
+  spark(20, 35, 300, 200), spark(21, 35, 200, 300);  // a highlight: both halves have it, in many samples
+  for (const int x : {20, 21})
+    for (auto& plane : p.variance) plane.row(35)[x] = 2500;
+  spark(50, 35, 90, 120);  // both halves have it, but in one sample each
   denoise(p, 2);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
