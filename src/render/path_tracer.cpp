@@ -58,6 +58,7 @@ PathTracer::PathTracer(const World& world, const View& view, const Scenery& scen
       view_(view),
       around_(scenery.surroundings),
       sky_(scenery, view, world.has_finishes()),
+      disc_(sky_.disc()),
       lighting_(lighting_of(scenery.lights, view, {}, around_, sky_.sun())),
       top_(scenery.background.value_or(Lighting::above)),
       bottom_(scenery.background ? around_.below.value_or(top_) : Lighting::beneath),
@@ -108,7 +109,7 @@ void PathTracer::add_background(double down, Vec3 along, double left, CameraSamp
     result.clear = left;
   } else if (sky_ && sky_.seen_behind()) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
-    add_sky(sky_.seen(d), d);
+    add_sky(sky_.seen(d) + sky_.disc_seen(disc_, d), d);
   } else if (around_.sky) {
     const Vec3 d = view_.orthographic ? unit((0.5 - down) * view_.up - view_.backward) : along;
     add_sky(sky_radiance(d.y, smoothstep(0, 1, -4 * d.y)), d);

@@ -67,6 +67,7 @@ class PathTracer {
   const View& view_;
   const Surroundings& around_;
   const SkyAround sky_;
+  const SkyAround::Disc disc_;
   const Lighting lighting_;
   std::optional<PhysicalTracer> physical_;  // for surfaces with finishes, and under skies
   Vec3 top_, bottom_;                       // the background

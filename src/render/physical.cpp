@@ -270,6 +270,9 @@ void PhysicalSurfaces::draw_setting(const Surfaces::FrameSettings& frame, const 
   put_setting(look->program, frame);
   const auto put = [&](const char* name, Vec3 value) { glUniform3fv(place(*look, name), 1, four(value, 0).data()); };
   put("top", gradient.top), put("bottom", gradient.bottom);
+  const SkyAround::Disc disc = sky_ ? sky_.disc() : SkyAround::Disc{};
+  glUniform4fv(place(*look, "disc"), 1, four(disc.toward, disc.size).data());
+  put("disc_color", disc.color);
   glUniform2f(place(*look, "shape"), gradient.bends ? 1 : 0, sky_seen ? 1 : 0);
   fill_behind();
   encodes_ = was, ++frame_number_;

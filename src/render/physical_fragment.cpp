@@ -72,6 +72,10 @@ vec2 seen_at(vec3 d) {
   float across = abs(d.x) + abs(d.z) < 1e-6 ? 0.0 : atan(d.z, d.x);
   return vec2(across / (4.0 * half_pi) + 0.5, 0.5 - asin(clamp(d.y, -1.0, 1.0)) / (2.0 * half_pi));
 }
+vec3 disc_seen(vec3 d) {
+  float off = length(cross(d, disc.xyz)) / max(disc.w, 1e-6), ahead = dot(d, disc.xyz) > 0.0 ? 1.0 : 0.0;
+  return ahead * (1.0 - smoothstep(0.94, 1.06, off)) * smoothstep(-0.004, 0.004, d.y) * disc_color;
+}
 #else
 #if defined(PICTURES)
 vec2 laid(vec2 p) {
@@ -112,7 +116,7 @@ void main() {
 #if defined(GROUND)
   vec2 p = 2.0 * at - 1.0;
   vec3 through_picture = normalize(ray + p.x * ray_x + p.y * ray_y);
-  vec3 back = mix(mix(top, bottom, mix(at.y, smoothstep(0.0, 1.0, at.y), shape.x)), mix(rolled(sky_turn.z * texture(seen, seen_at(in_sky(through_picture))).rgb), fog_color, haze(through_picture.y)), shape.y);
+  vec3 back = mix(mix(top, bottom, mix(at.y, smoothstep(0.0, 1.0, at.y), shape.x)), mix(rolled(sky_turn.z * texture(seen, seen_at(in_sky(through_picture))).rgb + disc_seen(through_picture)), fog_color, haze(through_picture.y)), shape.y);
   vec3 along = mix(ray, through_picture, toward_eye.w), from = p.x * from_x + p.y * from_y;
   float drop = min(along.y, -1e-6), go = (floor_height - from.y) / drop;
   vec3 spot = from + max(go, 0.0) * along, n = vec3(0.0, 1.0, 0.0);

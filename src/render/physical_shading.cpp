@@ -14,6 +14,8 @@ uniform vec3 top, bottom;  // of the background
 uniform vec2 shape;        // 1: the background bends; 1: the sky is seen
 uniform float empty;
 uniform sampler2D seen;    // the sky as it is seen (equirectangular)
+uniform vec4 disc;         // towards the sun; the radius of its disc one metre away
+uniform vec3 disc_color;
 #else
 in vec3 at, facing, local, local_facing;
 #if defined(PICTURES)

@@ -86,12 +86,14 @@ SkyModel::Day SkyModel::day_at(double hour) {
   Day s;
   s.sun = normalize(Vec3{across, up * lift, up * flat * 0.6}, {0, 1, 0});
   const double high = s.sun.y;
-  const double day = smoothstep(-0.15, 0.35, high);     // how much of the full light there is
+  const double day = smoothstep(-0.2, 0.27, high);      // how much of the full light there is
   const double low = 1 - smoothstep(0.02, 0.42, high);  // how red the light is
-  s.zenith = mix({0.012, 0.018, 0.045}, mix({0.135, 0.245, 0.52}, {0.10, 0.135, 0.30}, low), day);
-  s.horizon = mix({0.03, 0.035, 0.06}, mix({0.62, 0.73, 0.86}, {0.80, 0.47, 0.27}, low), day);
-  s.glow = day * mix({0.45, 0.42, 0.36}, {1.5, 0.62, 0.16}, low);
-  s.light = smoothstep(-0.03, 0.10, high) * mix({1.08, 0.95, 0.76}, {0.88, 0.40, 0.14}, low);
+  // A low sun gives a surface that faces it about five times as much light as the sky gives the ground, as formulas of
+  // daylight say from 6 to 10 degrees.
+  s.zenith = mix({0.012, 0.018, 0.045}, mix({0.135, 0.245, 0.52}, {0.095, 0.14, 0.29}, low), day);
+  s.horizon = mix({0.03, 0.035, 0.06}, mix({0.62, 0.73, 0.86}, {0.58, 0.36, 0.22}, low), day);
+  s.glow = day * mix({0.45, 0.42, 0.36}, {1.4, 0.62, 0.18}, low);
+  s.light = smoothstep(-0.04, 0.19, high) * mix({1.08, 0.95, 0.76}, {2.0, 0.98, 0.38}, low);
   return s;
 }
 
@@ -106,7 +108,7 @@ Vec3 SkyModel::day_radiance(const Day& s, Vec3 d) {
 }
 
 SkyModel::SkyModel(const Sky& sky) : sky_(sky) {
-  constexpr double at_sunset = 17.72;
+  constexpr double at_sunset = 17.5;  // six and a half degrees
   if (sky.kind == Sky::day || sky.kind == Sky::sunset) day_ = day_at(sky.kind == Sky::sunset ? at_sunset : sky.hour);
 }
 

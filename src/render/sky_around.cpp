@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/sky_around.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "render/blends.h"
 
 namespace betwixt {
 
@@ -34,6 +37,20 @@ std::optional<SkySun> SkyAround::sun() const {
   sun.toward = to_world(sun.toward), sun.color = strength_ * sun.color;
   if (own_) sun.size = 0;  // soft shadows take a multiple of the time, so a script asks for them with `sky studio`
   return sun;
+}
+
+SkyAround::Disc SkyAround::disc() const {
+  constexpr double bright = 40;  // to a surface that faces it
+  const std::optional<SkySun> it = seen_behind_ ? sun() : std::nullopt;
+  if (!it || !(it->size > 0)) return {};
+  return {it->toward, bright * share_ / std::max(strength_, 1e-12) * it->color, it->size};
+}
+
+// With a soft border, and not below the horizon.
+Vec3 SkyAround::disc_seen(const Disc& disc, Vec3 along) const {
+  if (!(disc.size > 0) || !(dot(along, disc.toward) > 0)) return {};
+  const double off = length(cross(along, disc.toward)) / disc.size;
+  return (1 - smoothstep(0.94, 1.06, off)) * smoothstep(-0.004, 0.004, along.y) * disc.color;
 }
 
 SkyLight::Direction SkyAround::sample(double which, double across, double down) const {

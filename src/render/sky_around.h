@@ -25,6 +25,14 @@ class SkyAround {
   double share() const { return share_; }  // factor of its light, with the exposure
   std::optional<SkySun> sun() const;       // without the exposure
 
+  // The sun's disc as the eye sees it: much darker than it is, which would dazzle, and blind in pictures with bloom.
+  struct Disc {
+    Vec3 toward, color;
+    double size = 0;  // the radius one metre away; 0: there is none
+  };
+  Disc disc() const;
+  Vec3 disc_seen(const Disc&, Vec3 along) const;
+
   // Directions in the world.
   Vec3 seen(Vec3 along) const { return share_ * light_->seen(to_sky(along)); }
   SkyLight::Direction sample(double which, double across, double down) const;

@@ -8,69 +8,14 @@
 #include <random>
 
 #include "render/patterns.h"
-#include "render/scenes.h"
+#include "render/physical_scenes.h"
 #include "render/sky_light.h"
 #include "scene/materials.h"
 
 namespace betwixt {
 namespace {
 
-using namespace scenes;
-
-std::shared_ptr<const LinearPicture> even_light(float light) {
-  auto picture = std::make_shared<LinearPicture>();
-  picture->width = 8, picture->height = 4;
-  picture->rgba.assign(static_cast<std::size_t>(4 * 8 * 4), light);
-  return picture;
-}
-
-Sky even_sky(float light) {
-  Sky sky;
-  sky.kind = Sky::picture, sky.light = even_light(light);
-  return sky;
-}
-
-Frame frame_of(std::vector<Item> items, const Sky& sky) {
-  Frame f;
-  f.items = std::move(items);
-  f.camera.world = translation({0, 0, 4}), f.camera.fov = 0.6;
-  f.background = Vec3{};
-  f.surroundings.environment = sky;
-  return f;
-}
-
-LinearPicture light_of(const Frame& frame, const std::string& style, int size = 32, int samples = 0) {
-  RenderOptions options{.width = size,
-                        .height = size,
-                        .samples = samples > 0         ? samples
-                                   : style == "traced" ? 64
-                                                       : 4,
-                        .style = style};
-  options.linear = options.unclamped = true;
-  LinearPicture out;
-  const auto renderer = make_renderer(options);
-  EXPECT_TRUE(renderer);
-  if (renderer) EXPECT_TRUE((*renderer)->render(frame, out));
-  return out;
-}
-
-Vec3 light_at(const LinearPicture& p, int x, int y) {
-  const float* const c =
-      &p.rgba.at(4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(p.width) + static_cast<std::size_t>(x)));
-  return {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
-}
-Vec3 mean_of(const LinearPicture& p, int from, int to) {
-  Vec3 sum;
-  for (int y = from; y < to; ++y)
-    for (int x = from; x < to; ++x) sum = sum + light_at(p, x, y);
-  return 1.0 / ((to - from) * (to - from)) * sum;
-}
-
-Item finished(const Finish& finish, Vec3 color, double radius = 1) {
-  Item i = item(sphere(radius), {}, color, Material::plastic);
-  i.finish = std::make_shared<const Finish>(finish);
-  return i;
-}
+using namespace physical_scenes;
 
 // A white wall before the camera, 16 pixels a metre in a picture of 64 by 64, without light.
 Frame dull_wall() {
@@ -92,7 +37,7 @@ TEST(Physical, WhiteBodiesAreNotSeenInEvenLight) {
         Finish f;
         f.metalness = metalness, f.roughness = roughness;
         const LinearPicture p =
-            light_of(frame_of({finished(f, {1, 1, 1})}, even_sky(0.5F)), style, 32, style == "traced" ? 256 : 0);
+            styled_light(frame_of({finished(f, {1, 1, 1})}, even_sky(0.5F)), style, 32, style == "traced" ? 256 : 0);
         const Vec3 is = mean_of(p, 12, 20);
         for (int i = 0; i < 3; ++i)
           EXPECT_NEAR(is[i], 0.5, style == "traced" ? 0.01 : 0.005) << style << ' ' << metalness << ' ' << roughness;
@@ -120,7 +65,7 @@ TEST(Physical, NormalsOfPicturesLeanAsTheySay) {
     dull.roughness = 1, dull.specular = 0, dull.normals = leaning;
     Item wall = item(square(), scaling({width, 8, 1}), {1, 1, 1}, Material::plastic);
     wall.finish = std::make_shared<const Finish>(dull);
-    return mean_of(light_of(frame_of({wall}, half_sky(upper)), style, 32, style == "traced" ? 64 : 4), 12, 20).x;
+    return mean_of(styled_light(frame_of({wall}, half_sky(upper)), style, 32, style == "traced" ? 64 : 4), 12, 20).x;
   };
   for (const std::string style : {"shaded", "traced"}) {
     // Some of the light that a leaning normal faces comes from behind the wall: traced, it does not arrive.
@@ -138,8 +83,8 @@ TEST(Physical, DullBodiesShowTheirColor) {
   f.roughness = 1, f.specular = 0;
   for (const std::string style : {"shaded", "traced"}) {
     const Vec3 is = mean_of(
-        light_of(frame_of({finished(f, {0.8, 0.4, 0.1})}, even_sky(0.5F)), style, 32, style == "traced" ? 256 : 0), 14,
-        18);
+        styled_light(frame_of({finished(f, {0.8, 0.4, 0.1})}, even_sky(0.5F)), style, 32, style == "traced" ? 256 : 0),
+        14, 18);
     EXPECT_NEAR(is.x, 0.4, 0.006) << style;
     EXPECT_NEAR(is.y, 0.2, 0.004) << style;
     EXPECT_NEAR(is.z, 0.05, 0.002) << style;
@@ -171,7 +116,7 @@ TEST(Physical, AreasLightAsTheirShareOfTheSkyIs) {
       f.lights = {l};
       const double radiance = 0.8 * pi * 2 * 2 / width;  // as bright as a sun at a quarter of the range
       const double expected = radiance * share_of_rectangle(width / 2, 0.5, 2);
-      const Vec3 is = mean_of(light_of(f, style, 16, style == "traced" ? 256 : 0), 4, 12);
+      const Vec3 is = mean_of(styled_light(f, style, 16, style == "traced" ? 256 : 0), 4, 12);
       EXPECT_NEAR(is.x / expected, 1, style == "traced" ? 0.02 : 0.06) << style << ' ' << width;
     }
 }
@@ -183,7 +128,7 @@ TEST(Physical, ConesEndWhereTheyShould) {
     l.position = {0, 0, 2}, l.direction = {0, 0, -1}, l.cone = 2 * std::atan(0.5), l.cone_edge = 0,
     l.casting = Casting::off;
     f.lights = {l};
-    const LinearPicture p = light_of(f, style, 64);
+    const LinearPicture p = styled_light(f, style, 64);
     EXPECT_GT(light_at(p, 32, 32).x, 0.5) << style;
     EXPECT_GT(light_at(p, 32 + 14, 32).x, 0.3) << style;  // the cone's circle has a radius of 1 m: 16 pixels
     EXPECT_LT(light_at(p, 32 + 18, 32).x, 0.01) << style;
@@ -204,7 +149,7 @@ TEST(Physical, AConeProjectsItsPictureUpright) {
     l.position = {0, 0, 2}, l.direction = {0, 0, -1}, l.across = {1, 0, 0};
     l.cone = 2 * std::atan(0.5), l.cone_edge = 0, l.casting = Casting::off, l.picture = slide;
     f.lights = {l};
-    const LinearPicture p = light_of(f, style, 64);
+    const LinearPicture p = styled_light(f, style, 64);
     const Vec3 upper_left = light_at(p, 26, 26), lower_right = light_at(p, 38, 38), lower_left = light_at(p, 26, 38);
     EXPECT_GT(upper_left.x, 0.3) << style;
     EXPECT_GT(upper_left.z, 0.3) << style;
@@ -225,7 +170,7 @@ TEST(Physical, MetalIsNotBlackBesideALamp) {
     lamp.position = {4, 8, 6}, lamp.range = 40;
     frame.background = std::nullopt;
     frame.lights = {lamp};
-    const LinearPicture p = light_of(frame, traced ? "traced" : "shaded", 64);
+    const LinearPicture p = styled_light(frame, traced ? "traced" : "shaded", 64);
     double dark = 0, all = 0;
     for (int y = 14; y < 50; ++y)
       for (int x = 14; x < 50; ++x) {
@@ -253,7 +198,7 @@ TEST(Physical, PatternsAreTheSameInBothLanguages) {
     wall.finish = std::make_shared<const Finish>(f);
     Frame frame = frame_of({wall}, even_sky(1));
     frame.camera.orthographic = true, frame.camera.height = 0.4;
-    const LinearPicture a = light_of(frame, "shaded", 24, 16), b = light_of(frame, "traced", 24, 64);
+    const LinearPicture a = styled_light(frame, "shaded", 24, 16), b = styled_light(frame, "traced", 24, 64);
     double off = 0, sum = 0;
     for (int y = 0; y < 24; ++y)
       for (int x = 0; x < 24; ++x)
@@ -289,40 +234,10 @@ TEST(Physical, AnyFinishGivesLightThatIsANumber) {
     l.cone = random() % 2 ? 3.2 * share() : 0;
     frame.lights = {l};
     for (const std::string style : {"shaded", "traced"}) {
-      const LinearPicture p = light_of(frame, style, 16, style == "traced" ? 4 : 4);
+      const LinearPicture p = styled_light(frame, style, 16, style == "traced" ? 4 : 4);
       for (const float c : p.rgba) ASSERT_TRUE(std::isfinite(c) && c >= 0) << style << ' ' << k;
     }
   }
-}
-
-// Fog is before the sky too: all of it at the horizon, and (1 - y)^8 of it where one looks up by y.
-TEST(Physical, FogThinsTowardsTheZenith) {
-  const Vec3 fog{0.1, 0.2, 0.6};
-  Frame f = frame_of({finished({}, {0, 0, 0}, 1e-3)}, even_sky(0.5F));
-  f.background.reset(), f.surroundings.fog = {fog, 5, 50};
-  f.camera.fov = pi / 2;
-  for (const std::string style : {"shaded", "traced"}) {
-    const LinearPicture p = light_of(f, style, 64, style == "traced" ? 4 : 0);
-    for (const int row : {0, 8, 16, 24, 28, 31, 40}) {
-      const double up = (32 - row - 0.5) / 32, y = std::max(up / std::sqrt(1 + up * up), 0.0);
-      for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(light_at(p, 32, row)[i], 0.5 + std::pow(1 - y, 8) * (fog[i] - 0.5), 0.02) << style << ' ' << row;
-    }
-  }
-}
-
-// What a mirror shows is as foggy as the whole way to it is long.
-TEST(Physical, FogIsOnMirroredThingsToo) {
-  Finish mirror;
-  mirror.metalness = 1, mirror.roughness = 0;
-  Item plate = item(square(), scaling({8, 8, 1}), {1, 1, 1}, Material::plastic);
-  plate.finish = std::make_shared<const Finish>(mirror);
-  const Item wall = item(square(), translation({0, 0, 10}) * scaling({90, 90, 1}), {1, 0, 0}, Material::glow);
-  Frame f = frame_of({plate, wall}, even_sky(0));
-  f.surroundings.fog = {{0, 0, 1}, 0, 20};  // the wall is 4 + 10 metres away
-  const Vec3 is = mean_of(light_of(f, "traced", 16), 6, 10);
-  EXPECT_NEAR(is.x, 0.3, 0.02);
-  EXPECT_NEAR(is.z, 0.7, 0.02);
 }
 
 // Glass that does not bend light shows the background, not the sky that lights the scene.
@@ -334,37 +249,14 @@ TEST(Physical, GlassShowsTheBackground) {
       clear.thickness = thickness;
       Frame f = frame_of({finished(clear, {1, 1, 1})}, even_sky(3));
       f.background = Vec3{0.2, 0.6, 0.4};
-      const Vec3 even = mean_of(light_of(f, style), 12, 20);
+      const Vec3 even = mean_of(styled_light(f, style), 12, 20);
       for (int i = 0; i < 3; ++i) EXPECT_NEAR(even[i], (*f.background)[i], 0.02) << style << thickness;
       f.surroundings.below = Vec3{1, 0, 0};
-      const Vec3 top = *f.background, graded = light_at(light_of(f, style), 16, 12);
+      const Vec3 top = *f.background, graded = light_at(styled_light(f, style), 16, 12);
       const double down = 12.5 / 32;
       for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(graded[i], top[i] + down * ((*f.surroundings.below)[i] - top[i]), 0.03) << style << thickness;
     }
-}
-
-// What is mirrored is where it is in the sky: six faces, six colours.
-TEST(Physical, SkiesLieAsTheirPictureSays) {
-  auto picture = std::make_shared<LinearPicture>();
-  picture->width = 64, picture->height = 32;
-  picture->rgba.resize(static_cast<std::size_t>(4 * 64 * 32), 0);
-  for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 64; ++x) {
-      float* const c = &picture->rgba[static_cast<std::size_t>(4 * (y * 64 + x))];
-      c[0] = y < 16 ? 1.0F : 0.0F;             // above
-      c[1] = x >= 16 && x < 48 ? 1.0F : 0.0F;  // towards +x, the middle of the picture
-      c[2] = x < 32 ? 1.0F : 0.0F;             // towards -z
-    }
-  Sky sky;
-  sky.kind = Sky::picture, sky.light = picture;
-  const auto is = [&](Vec3 d) { return SkyModel(sky).radiance(normalize(d)); };
-  EXPECT_NEAR(is({0, 1, 0.01}).x, 1, 1e-6);
-  EXPECT_NEAR(is({0, -1, 0.01}).x, 0, 1e-6);
-  EXPECT_NEAR(is({1, 0.3, 0.2}).y, 1, 1e-6);
-  EXPECT_NEAR(is({-1, 0.3, 0.2}).y, 0, 1e-6);
-  EXPECT_NEAR(is({0.2, 0.3, -1}).z, 1, 1e-6);
-  EXPECT_NEAR(is({0.2, 0.3, 1}).z, 0, 1e-6);
 }
 
 TEST(SkyLight, GivesWhatASumOverAllDirectionsGives) {
