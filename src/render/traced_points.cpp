@@ -79,8 +79,8 @@ Laid laid(const Finish& f, bool projected, Vec3 uv, Vec3 on, Vec3 across) {
       {x / sum, y / sum, z / sum}};
 }
 
-// A normal in object space on the bumps of a pattern.
-Vec3 bumped(const Finish& f, Vec3 color, Vec3 on, Vec3 n, double width, double height) {
+// The slope of a pattern's bumps along a surface with the normal n, in object space.
+Vec3 slope_of_bumps(const Finish& f, Vec3 color, Vec3 on, Vec3 n, double width, double height) {
   const double step = std::max(0.5 * width, 1e-4);
   const Vec3 x = unit(cross(std::abs(n.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, n)), y = cross(n, x);
   const double bumps = f.pattern_bumps * f.normal_strength / std::max(std::abs(f.tile_x), 1e-6);
@@ -91,7 +91,19 @@ Vec3 bumped(const Finish& f, Vec3 color, Vec3 on, Vec3 n, double width, double h
   const auto slope = [&](Vec3 d) {
     return (pattern_at(f, color, in_pattern(on + step * d), n, width).height - height) / step;
   };
-  return unit(n - bumps * (slope(x) * x + slope(y) * y));
+  return bumps * (slope(x) * x + slope(y) * y);
+}
+
+// The transpose of a matrix without its movement, times v.
+Vec3 transposed_times(const Mat4& m, Vec3 v) {
+  return {dot(column(m, 0), v), dot(column(m, 1), v), dot(column(m, 2), v)};
+}
+
+// A normal of the mesh in object space.
+Vec3 normal_in_object(const Mat4& to_object, Vec3 n) {
+  const Vec3 x = column(to_object, 0), y = column(to_object, 1), z = column(to_object, 2);
+  const double turns = determinant(to_object) < 0 ? -1 : 1;
+  return unit(turns * (n.x * cross(y, z) + n.y * cross(z, x) + n.z * cross(x, y)));
 }
 
 // Turns a normal toward the face until what it mirrors is not behind the surface.
@@ -118,7 +130,7 @@ void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) con
   const Picture* base = b.texture;
   if (base == nullptr && meshed) base = b.solid->parts[b.solid->part_of[m.triangle]].texture.get();
   if (f.pattern == Pattern::none && !f.has_pictures() && base == nullptr) return;
-  Vec3 in_mesh = unit(m.across), across = in_mesh, uv;
+  Vec3 in_mesh = unit(m.across), uv;
   std::array<Vec3, 3> corners, places;
   const bool uvs = meshed && b.solid->mesh->uvs.size() == b.solid->mesh->positions.size();
   if (meshed) {
@@ -130,9 +142,8 @@ void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) con
       corners[k] = b.position(corner[k]), in_mesh = in_mesh + share[k] * corners[k];
       if (uvs) places[k] = {mesh.uvs[corner[k]][0], mesh.uvs[corner[k]][1], 0}, uv = uv + share[k] * places[k];
     }
-    across = unit(m.across);
   }
-  const Vec3 on = transform_point(b.to_object, in_mesh);
+  const Vec3 on = transform_point(b.to_object, in_mesh), across = normal_in_object(b.to_object, unit(m.across));
   const bool projected =
       f.projection == PictureProjection::box || (f.projection == PictureProjection::automatic && !uvs);
   const Laid at = laid(f, projected, uv, on, across);
@@ -165,9 +176,10 @@ void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) con
   here.roughness = s.roughness, here.metalness = s.metalness;
   const PatternPoint has = pattern_at(here, s.color, in_pattern, across, width);
   if (f.pattern_bumps > 0) {
-    const Vec3 bent = bumped(here, s.color, on, across, width, has.height) - across;
-    const Vec3 turned = bent.x * b.normal_matrix[0] + bent.y * b.normal_matrix[1] + bent.z * b.normal_matrix[2];
-    s.normal = unit(s.normal + (s.inside ? -1.0 : 1.0) * turned);
+    // Slopes become those of the scene by the inverse transpose, as it is: its length counts.
+    const Vec3 slope = slope_of_bumps(here, s.color, on, across, width, has.height);
+    const Vec3 there = transposed_times(inverse(b.place).value_or(Mat4{}), transposed_times(b.to_object, slope));
+    s.normal = unit(s.normal - (s.inside ? -1.0 : 1.0) * (there - dot(there, s.normal) * s.normal));
   }
   s.color = has.color, s.roughness = has.roughness, s.metalness = has.metalness;
 }

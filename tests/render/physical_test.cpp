@@ -208,6 +208,36 @@ TEST(Physical, PatternsAreTheSameInBothLanguages) {
   }
 }
 
+// Bumps are as deep in both styles, whatever the size of the object is.
+TEST(Physical, BumpsOfLargeThinBoxesAreAsDeepInBothStyles) {
+  for (const std::string word : {"bricks", "fabric"}) {
+    const auto row =
+        std::find_if(materials().begin(), materials().end(), [&](const auto& r) { return r.word == word; });
+    Finish f = row->finish;
+    f.second = row->color, f.sheen = {};
+    auto box = std::make_shared<Shape>();
+    box->kind = Kind::box, box->size = {16, 7, 0.4};
+    Item wall = item(box, {}, row->color, Material::plastic);
+    wall.finish = std::make_shared<const Finish>(f);
+    Frame frame = frame_of({wall}, even_sky(0.02F));
+    frame.camera.orthographic = true, frame.camera.height = word == "bricks" ? 0.6 : 0.1;
+    Light sun;
+    sun.sun = true, sun.direction = normalize(Vec3{1, -1, -1}), sun.casting = Casting::off;
+    frame.lights = {sun};
+    const auto contrast = [&](const std::string& style) {
+      const LinearPicture p = styled_light(frame, style, 48, style == "traced" ? 64 : 16);
+      double sum = 0, squares = 0;
+      for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 48; ++x) sum += light_at(p, x, y).x, squares += std::pow(light_at(p, x, y).x, 2);
+      const double mean = sum / (48 * 48);
+      return std::sqrt(squares / (48 * 48) - mean * mean) / mean;
+    };
+    const double shaded = contrast("shaded");
+    EXPECT_GT(shaded, 0.1) << word;
+    EXPECT_NEAR(contrast("traced") / shaded, 1, 0.2) << word;
+  }
+}
+
 TEST(Physical, AnyFinishGivesLightThatIsANumber) {
   std::mt19937 random(7);
   const auto share = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
