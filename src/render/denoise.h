@@ -7,7 +7,8 @@
 // normals and places say that they are on one surface. In the first pass each half of the samples is averaged with
 // the weights that the other half suggests (Rousselle, Manzi, Zwicker: Robust Denoising using Feature and Color
 // Information, 2013), so noise does not choose its own weights; the second pass averages the results of the first.
-// Light that is far above that of all pixels nearby stays out of the means; if both halves show it, it is added at last.
+// Light that is far above that of all pixels nearby stays out of the means; if both halves show it, it is added at
+// last.
 #pragma once
 
 #include "render/noisy_picture.h"
