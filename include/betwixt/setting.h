@@ -51,7 +51,11 @@ struct Grade {
   // After the view, or instead of it if it takes light.
   std::shared_ptr<const ColorTable> table;
   double table_share = 1;  // how much of its picture is shown, and of that before it
-  friend bool operator==(const Grade&, const Grade&) = default;
+  friend bool operator==(const Grade& a, const Grade& b) {
+    const bool same_table = a.table == b.table || (a.table && b.table && *a.table == *b.table);
+    return same_table && a.view == b.view && a.white_balance == b.white_balance && a.bloom == b.bloom &&
+           a.vignette == b.vignette && a.grain == b.grain && a.table_share == b.table_share;
+  }
 };
 // In the order of Grade::View.
 inline constexpr std::array<std::string_view, 4> view_names{"neutral", "plain", "filmic", "agx"};

@@ -414,6 +414,7 @@ class Film:
         subframes: int | None = None,
         denoise: bool = True,
         bits: int = 8,
+        colors: str = "srgb",
         jobs: int = 0,
         overwrite: bool = True,
         missing: bool = False,

@@ -88,6 +88,15 @@ class BytePixels {
   std::array<float, 256> light_of_;
 };
 
+// Pictures of light have half floats, so that those that store them have the very same light.
+float as_half(float x) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &x, 4);
+  bits = (bits + 0xfff + (bits >> 13 & 1)) & ~0x1fffU;
+  std::memcpy(&x, &bits, 4);
+  return x;
+}
+
 class FloatPixels {
  public:
   explicit FloatPixels(LinearPicture& p) : width(p.width), height(p.height), rgba_(p.rgba) {}
@@ -102,8 +111,8 @@ class FloatPixels {
     return c;
   }
   void set(std::size_t i, const PixelLight& c) {
-    std::copy(c.begin(), c.end(), &rgba_[4 * i]);
-    rgba_[4 * i + 3] = std::min(c[3], 1.0F);
+    for (std::size_t k = 0; k < 3; ++k) rgba_[4 * i + k] = as_half(c[k]);
+    rgba_[4 * i + 3] = as_half(std::min(c[3], 1.0F));
   }
   void find_marks(std::size_t y, std::uint8_t* out) const {
     const float* const row = &rgba_[4 * y * static_cast<std::size_t>(width)];
