@@ -90,6 +90,8 @@ class BytePixels {
 
 // Pictures of light have half floats, so that those that store them have the very same light.
 float as_half(float x) {
+  constexpr float normal = 6.103515625e-5F, step = 5.9604644775390625e-8F;  // the least normal one, and what is below
+  if (x < normal) return step * static_cast<float>(static_cast<int>(x / step + 0.5F));
   std::uint32_t bits = 0;
   std::memcpy(&bits, &x, 4);
   bits = (bits + 0xfff + (bits >> 13 & 1)) & ~0x1fffU;
