@@ -281,8 +281,13 @@ class Tidier {
     // rows at the same time the last one is used.
     const auto unit = [](const Line& row) { return row.tokens[0].text.back(); };
     const bool dated = std::none_of(rows_.begin(), rows_.end(), [](const Line& r) { return r.dateless; });
-    if (dated && (rates_known_ ||
-                  std::all_of(rows_.begin(), rows_.end(), [&](const Line& r) { return unit(r) == unit(rows_[0]); })))
+    // A change that lasts (`for 24f`) begins with the value that the rows before it have given.
+    const bool lasting = std::any_of(rows_.begin(), rows_.end(), [](const Line& r) {
+      return std::any_of(r.tokens.begin(), r.tokens.end(), [](const Written& t) { return t.text == "for"; });
+    });
+    if (dated && !lasting && (rates_known_ || std::all_of(rows_.begin(), rows_.end(), [&](const Line& r) {
+                                return unit(r) == unit(rows_[0]);
+                              })))
       std::stable_sort(rows_.begin(), rows_.end(), [](const Line& a, const Line& b) { return a.time < b.time; });
     std::size_t time_width = 0, value_width = 0;
     std::vector<std::array<std::string, 3>> cells;

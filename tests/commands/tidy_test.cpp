@@ -65,6 +65,13 @@ TEST(Tidy, RowsAtTimesWithNamesStayInTheirOrder) {
   EXPECT_EQ(read(tidied).document, read(text).document);
 }
 
+// A change that lasts begins with the value that the rows before it have given.
+TEST(Tidy, RowsThatLastStayInTheirOrder) {
+  const std::string text =
+      "create t text tex=\"x\"\nt.tex\n  25f \"y\" for 36f\n  813f \"z\" for 24f\n  187f \"w\" for 24f\n";
+  EXPECT_EQ(read(tidy(text)).document, read(text).document);
+}
+
 TEST(Tidy, EveryExampleMeansTheSame) {
   int films = 0;
   for (const auto& file : std::filesystem::directory_iterator(SOURCE_DIR "/examples")) {
