@@ -36,6 +36,17 @@ bool option_key(Cursor& c, std::string_view& key) {
   return ++c.at, true;
 }
 
+// Takes what a file has, if it was read and the film has room for it.
+template <class Content>
+bool kept(Command& k, const Result<Content>& read, std::string_view about, Content& out) {
+  if (!read) return k.cursor.fail(read.error(), about);
+  ContentBytes bytes;
+  bytes.add(*read);
+  if (!has_room(k, bytes, about)) return false;
+  out = *read;
+  return true;
+}
+
 // Reads a picture of the whole sky. Makes `path` relative to the first script's folder.
 bool read_sky(Command& k, std::string& path, std::string_view about, std::shared_ptr<const LinearPicture>& light) {
   std::filesystem::path where;
@@ -45,12 +56,7 @@ bool read_sky(Command& k, std::string& path, std::string_view about, std::shared
     if (!picture) return picture.error();
     return std::make_shared<const LinearPicture>(*std::move(picture));
   });
-  if (!read) return k.cursor.fail(read.error(), about);
-  ContentBytes bytes;
-  bytes.add(*read);
-  if (!has_room(k, bytes, about)) return false;
-  light = *read;
-  return true;
+  return kept(k, read, about, light);
 }
 
 bool sky_option(Command& k, std::string_view key, Sky& sky) {
@@ -150,12 +156,7 @@ bool read_colors(Command& k, FileView& v, std::string_view about, std::shared_pt
   const MayRead may_read = [&](const std::string& p) { return k.script.may_read(p); };
   const auto read = KeptResults::get("colors", where.string() + "\n" + text_of_query(query),
                                      [&] { return load_colors(where.string(), query, may_read); });
-  if (!read) return k.cursor.fail(read.error(), about);
-  ContentBytes bytes;
-  bytes.add(*read);
-  if (!has_room(k, bytes, about)) return false;
-  table = *read;
-  return true;
+  return kept(k, read, about, table);
 }
 
 bool view_of_file(Command& k) {

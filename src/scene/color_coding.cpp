@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "betwixt/linear_picture.h"
+#include "track/track.h"
 
 namespace betwixt {
 namespace {
@@ -42,9 +43,6 @@ constexpr Matrix3 inverse_of(const Matrix3& m) {
 constexpr const Matrix3& from_srgb(ColorCoding c) {
   return c == ColorCoding::srgb ? none : c == ColorCoding::p3 ? to_p3 : to_2020;
 }
-
-double srgb_curve(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
-double from_srgb_curve(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
 // SMPTE ST 2084. `share`: of 10,000 nits.
 constexpr double m1 = 2610.0 / 16384, m2 = 2523.0 / 32, c1 = 3424.0 / 4096, c2 = 2413.0 / 128, c3 = 2392.0 / 128;
@@ -95,7 +93,7 @@ constexpr double most_light = peak_nits / white_nits;
 
 // The signals of light, 1 being white; of Rec.2020 with highlights.
 Color3 coded(Color3 c, ColorCoding coding) {
-  static const LightCurve srgb([](double x) { return srgb_curve(std::min(x, 1.0)); });
+  static const LightCurve srgb([](double x) { return to_srgb(std::min(x, 1.0)); });
   static const LightCurve of_pq([](double x) { return pq(x * white_nits / 10000); });
   static const LightCurve of_hlg([](double x) { return hlg(std::min(x, 1.0)); });
   static const LightCurve darker([](double x) { return std::pow(x, 1 / hlg_gamma - 1); });
@@ -110,7 +108,7 @@ Color3 coded(Color3 c, ColorCoding coding) {
 Color3 decoded_light(const Color3& signals, ColorCoding coding) {
   Color3 c{};
   if (!has_highlights(coding)) {
-    for (std::size_t i = 0; i < 3; ++i) c[i] = from_srgb_curve(signals[i]);
+    for (std::size_t i = 0; i < 3; ++i) c[i] = to_linear(signals[i]);
     return c;
   }
   for (std::size_t i = 0; i < 3; ++i)

@@ -343,8 +343,9 @@ inline constexpr KindRow kind_rows[] = {
      .example = "create d diagram of=\"a -> b -> c; a -> d\" layout=tree"},
     {.kind = Kind::light,
      .name = "light",
-     .sentence = "A lamp, or the sun.",
-     .written = "range=20 intensity=1 shines=point|sun shadow=auto|on|off|soft",
+     .sentence = "A lamp, or the sun. `shape` makes a lamp an area, `cone` a spotlight.",
+     .written = "range=20 intensity=1 shines=point|sun shadow=auto|on|off|soft shape=point|disc|rectangle size=(1 1) "
+                "cone=0deg",
      .example = "create sun light shines=sun intensity=2"},
     {.kind = Kind::camera,
      .name = "camera",

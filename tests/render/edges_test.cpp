@@ -182,7 +182,7 @@ TEST(Edges, OfPicturesWithFourSamplesAreNearlyThoseOfSixteen) {
     };
     four += error(4), sixteen += error(16);
   }
-  EXPECT_LT(std::sqrt(four), 2.4 * std::sqrt(sixteen));  // without smoothing: 3.4
+  EXPECT_LT(std::sqrt(four), 2.2 * std::sqrt(sixteen));  // 1.96 times; without smoothing 2.93 times
   EXPECT_GT(std::sqrt(four), 0.5 * std::sqrt(sixteen));
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <random>
 
+#include "render/exposure_scenes.h"
 #include "render/scenes.h"
 #include "support/loaded_film.h"
 
@@ -47,20 +48,6 @@ double light(const LinearPicture& p, int x, int y, int channel = 1) {
              static_cast<std::size_t>(channel)]);
 }
 
-// A drawing of 96 by 54 pixels, ten pixels per metre, white on black.
-std::string drawing(const std::string& rest) {
-  return "rate 24\nrange 1f 24f\nsize 96x54\nfilm flat\nbackground black\n"
-         "create eye camera position=(0 0 10) look-at=(0 0 0) height=5.4\nset eye.shutter 180deg\n" +
-         rest;
-}
-
-// Returns the exposure of the pixel from 0 to 1 by an edge that moves from `from` to `to` while the shutter is open:
-// the integral over time of its covered share.
-double swept(double from, double to) {
-  const auto so_far = [](double u) { return u < 0 ? 0 : u < 1 ? u * u / 2 : u - 0.5; };
-  return (so_far(to) - so_far(from)) / (to - from);
-}
-
 // Each sample knows when it is covered to half a picture's share of the time; a pixel has four.
 TEST(Exposure, AnEdgeThatMovesIsTheClosedForm) {
   std::mt19937 random(3);
@@ -77,14 +64,14 @@ TEST(Exposure, AnEdgeThatMovesIsTheClosedForm) {
     const auto place = [&](double at) {
       return up ? fmt::format("(0 {} 0)", 2.7 - at / 10 + 10) : fmt::format("({} 0 0)", -4.8 + at / 10 - 10);
     };
-    Taken film(
-        drawing(fmt::format("create wall rectangle size=(20 20) color=white\nwall.position\n  1f {} linear\n  2f {}\n",
-                            place(start), place(start + 2 * far))));
+    Taken film(drawn_film(
+        fmt::format("create wall rectangle size=(20 20) color=white\nwall.position\n  1f {} linear\n  2f {}\n",
+                    place(start), place(start + 2 * far))));
     for (const int subframes : {64, 256}) {
       const LinearPicture picture = film.at("1f", subframes);
       for (int i = 0; i < (up ? 54 : 96); ++i) {
         const double is = up ? light(picture, 48, i) : light(picture, i, 27),
-                     wanted = swept(start - i, start + far - i);
+                     wanted = share_swept(start - i, start + far - i);
         EXPECT_NEAR(is, wanted, subframes == 64 ? 3.0 / 255 : 1.5 / 255)
             << "pixel " << i << " of an edge that goes " << far << " from " << start << (up ? " down" : "");
         if (subframes == 64 && wanted > 0 && wanted < 1) off += std::abs(is - wanted), ++pixels;
@@ -108,7 +95,7 @@ TEST(Exposure, WhatStandsStillIsOnePicture) {
 }
 
 TEST(Exposure, HasTheSameBitsWhateverWasTakenBefore) {
-  const std::string script = drawing(
+  const std::string script = drawn_film(
       "create a circle radius=0.6 color=gold\ncreate b rectangle size=(1 1) color=red\n"
       "a.position\n  1f (-4 0 0) linear\n  9f (4 2 0)\nb.rotation\n  1f euler(0 0 0) linear\n"
       "  9f euler(0 0 500deg)\n");
@@ -161,7 +148,7 @@ TEST(Exposure, NothingBlursAcrossWhatJumps) {
       "0)\n"};
   for (const std::string& jump : jumps) {
     SCOPED_TRACE(jump);
-    Taken film(drawing(moving + jump));
+    Taken film(drawn_film(moving + jump));
     const LinearPicture taken = film.at("3f"), sharp = film.sharp("3f"), later = film.sharp("3.4f");
     bool differs = false;
     for (int y = 20; y < 54; ++y)  // below what moves
@@ -180,10 +167,10 @@ TEST(Exposure, NothingBlursAcrossWhatJumps) {
 TEST(Exposure, ForWhatJumpsTheShutterClosesBefore) {
   // Its right border goes from 10 pixels to 30 while a quarter of a frame passes, then it is elsewhere.
   Taken film(
-      drawing("create wall rectangle size=(20 20) color=white\nwall.position\n  1f (-13.8 0 0) linear\n"
-              "  1.25f (-11.8 0 0) cut (40 0 0)\n"));
+      drawn_film("create wall rectangle size=(20 20) color=white\nwall.position\n  1f (-13.8 0 0) linear\n"
+                 "  1.25f (-11.8 0 0) cut (40 0 0)\n"));
   const LinearPicture picture = film.at("1f");
-  for (int i = 0; i < 96; ++i) EXPECT_NEAR(light(picture, i, 27), swept(10 - i, 30 - i), 3.0 / 255) << i;
+  for (int i = 0; i < 96; ++i) EXPECT_NEAR(light(picture, i, 27), share_swept(10 - i, 30 - i), 3.0 / 255) << i;
 }
 
 TEST(Exposure, NothingBlursAcrossCamerasAndLights) {
@@ -232,7 +219,7 @@ TEST(Exposure, WhatIsOutOfFocusIsADisc) {
 // In the style traced the summed pictures share the samples of one picture, and no two use the same samples.
 TEST(Exposure, TracedPicturesAreBlurredAlike) {
   const std::string script =
-      drawing("create a circle radius=0.6 color=gold\na.position\n  1f (-4 0 0) linear\n  5f (4 2 0)\n");
+      drawn_film("create a circle radius=0.6 color=gold\na.position\n  1f (-4 0 0) linear\n  5f (4 2 0)\n");
   Taken shaded(script), traced(script, 96, 54, 64, "traced"), again(script, 96, 54, 64, "traced");
   const LinearPicture one = shaded.at("2f", 16), other = traced.at("2f", 16);
   double mean = 0, most = 0;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/exposure_scenes.h"
 #include "render/pixel_sampler.h"
 #include "render/scenes.h"
 #include "render/traced.h"
@@ -53,19 +54,6 @@ double rms_difference(const LinearPicture& a, const LinearPicture& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::pow(static_cast<double>(a.rgba[i] - b.rgba[i]), 2);
   return std::sqrt(sum / static_cast<double>(a.rgba.size()));
-}
-
-// A drawing of 96 by 54 pixels, ten pixels per metre, white on black. The shutter is open for half a frame.
-std::string drawn_film(const std::string& rest) {
-  return "rate 24\nrange 1f 24f\nsize 96x54\nfilm flat\nbackground black\n"
-         "create eye camera position=(0 0 10) look-at=(0 0 0) height=5.4\nset eye.shutter 180deg\n" +
-         rest;
-}
-
-// The share of the exposure for which each pixel is behind an edge that moves evenly.
-double share_swept(double from, double to) {
-  const auto so_far = [](double u) { return u < 0 ? 0 : u < 1 ? u * u / 2 : u - 0.5; };
-  return (so_far(to) - so_far(from)) / (to - from);
 }
 
 TEST(TracedExposure, AnEdgeThatMovesIsALine) {
