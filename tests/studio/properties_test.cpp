@@ -7,7 +7,9 @@
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QTest>
+#include <QTimer>
 
 #include "betwixt/language.h"
 #include "scene/document.h"
@@ -97,6 +99,27 @@ class PropertiesTest : public QObject {
     s.workspace.undo();
     QCOMPARE(s.text(), "create ball sphere radius=2\n");
     QCOMPARE(s.at("radius").text(), "2");
+  }
+
+  // A file that is chosen is named from the folder of the script.
+  void the_film_takes_a_look_file() {
+    Shown s("create ball sphere\n");
+    const QDir folder = QFileInfo(QString::fromStdString(s.workspace.session().file())).absoluteDir();
+    QVERIFY(folder.mkdir("looks"));
+    QFile look(folder.filePath("looks/swap.cube"));
+    QVERIFY(look.open(QIODevice::WriteOnly));
+    look.write("LUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
+    look.close();
+    s.workspace.select({});
+    QTimer::singleShot(300, this, [&] {
+      auto* const dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr) return;
+      dialog->findChild<QLineEdit*>()->setText(look.fileName());
+      QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+    });
+    s.panel.findChild<QToolButton*>("file_view")->click();
+    QVERIFY2(s.text().contains("view \"looks/swap.cube\"\n"), qPrintable(s.text()));
+    QVERIFY(s.workspace.document().scene().appearance.grade.table);
   }
 
   // Without a selection, the panel has the settings of the film; each is a line.

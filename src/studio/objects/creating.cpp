@@ -14,6 +14,7 @@
 #include "scene/document.h"
 #include "scene/kinds.h"
 #include "scene/own_kinds.h"
+#include "studio/assets/asset_files.h"
 #include "studio/shell/text_of.h"
 #include "studio/viewport/kind_icons.h"
 #include "syntax/tokens.h"
@@ -209,7 +210,7 @@ void create_of_kind(Workspace& workspace, const CreatedKind& row, QWidget* over)
   if (row.kind == Kind::mesh || row.kind == Kind::sound || row.kind == Kind::video) {
     const QString file = QFileDialog::getOpenFileName(over, QObject::tr("The file of %1").arg(text_of(edit.names[0])));
     if (file.isEmpty()) return;
-    edit.lines.back() += " file=" + write_text(file.toStdString());
+    edit.lines.back() += " file=" + write_text(path_from_script(file, workspace.session().file()));
   }
   say_creation(workspace, std::move(edit));
 }

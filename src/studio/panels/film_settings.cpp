@@ -14,6 +14,7 @@
 #include "commands/verbs.h"
 #include "language/values.h"
 #include "scene/document.h"
+#include "studio/assets/asset_files.h"
 #include "studio/shell/control_names.h"
 #include "studio/shell/text_of.h"
 #include "studio/shell/theme.h"
@@ -178,9 +179,10 @@ void FilmSettings::choose_color(const Row& row) {
 }
 
 void FilmSettings::choose_file(const Row& row, const char* endings) {
-  const QString file = QFileDialog::getOpenFileName(this, row.called->text(), {}, QString("(%1)").arg(endings));
+  const QString name = row.called->text();
+  const QString file = QFileDialog::getOpenFileName(this, name, {}, QString("%1 (%2)").arg(name, endings));
   if (file.isEmpty()) return;
-  row.box->setEditText(text_of(write_text(file.toStdString())));
+  row.box->setEditText(text_of(write_text(path_from_script(file, workspace_.session().file()))));
   say(row);
 }
 
