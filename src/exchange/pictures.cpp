@@ -138,20 +138,25 @@ bool repeats(std::span<const std::byte> rgba, std::size_t row, std::size_t size)
 }
 
 // The chunk cICP: the numbers of primaries, curve and matrix in ITU-T H.273, and the full range.
-constexpr std::array<std::uint8_t, 4> cicp_of(ColorCoding c) {
-  constexpr std::array<std::uint8_t, 4> all[] = {
-      {1, 13, 0, 1}, {12, 13, 0, 1}, {9, 13, 0, 1}, {9, 16, 0, 1}, {9, 18, 0, 1}};
+using Cicp = std::array<std::uint8_t, 4>;
+constexpr Cicp cicp_of(ColorCoding c) {
+  constexpr Cicp all[] = {{1, 13, 0, 1}, {12, 13, 0, 1}, {9, 13, 0, 1}, {9, 16, 0, 1}, {9, 18, 0, 1}};
   return all[static_cast<std::size_t>(c)];
 }
 
-// Says how the colours are coded. Programs that do not know cICP find the primaries and about the curve.
-void say_colors(spng_ctx* png, ColorCoding colors) {
-  if (colors == ColorCoding::srgb) return void(spng_set_srgb(png, 0));
-  std::array<std::uint8_t, 4> cicp = cicp_of(colors);
+// The encoder reads the chunk when it encodes, so both live as long as it does.
+struct CicpChunk {
+  Cicp bytes{};
   spng_unknown_chunk chunk{};
-  std::memcpy(chunk.type, "cICP", 4);
-  chunk.length = cicp.size(), chunk.data = cicp.data(), chunk.location = SPNG_AFTER_IHDR;
-  spng_set_unknown_chunks(png, &chunk, 1);
+};
+
+// Says how the colours are coded. Programs that do not know cICP find the primaries and about the curve.
+void say_colors(spng_ctx* png, ColorCoding colors, CicpChunk& kept) {
+  if (colors == ColorCoding::srgb) return void(spng_set_srgb(png, 0));
+  kept.bytes = cicp_of(colors);
+  std::memcpy(kept.chunk.type, "cICP", 4);
+  kept.chunk.length = kept.bytes.size(), kept.chunk.data = kept.bytes.data(), kept.chunk.location = SPNG_AFTER_IHDR;
+  spng_set_unknown_chunks(png, &kept.chunk, 1);
   spng_chrm primaries = colors == ColorCoding::p3 ? spng_chrm{0.3127, 0.329, 0.68, 0.32, 0.265, 0.69, 0.15, 0.06}
                                                   : spng_chrm{0.3127, 0.329, 0.708, 0.292, 0.17, 0.797, 0.131, 0.046};
   spng_set_chrm(png, &primaries);
@@ -179,6 +184,7 @@ ColorCoding coding_of_png(std::span<const std::uint8_t> bytes) {
 Result<std::string> to_png(int width, int height, std::uint8_t bits, std::span<const std::byte> rgba,
                            ColorCoding colors = ColorCoding::srgb) {
   if (Status s = check_picture(width, height, 8 * rgba.size() / bits); !s) return s.error();
+  CicpChunk cicp;
   const Png png(spng_ctx_new(SPNG_CTX_ENCODER));
   if (!png) return fail(ErrorCode::machine, "out of memory");
   const std::size_t size = bits / 2;  // bytes of a pixel
@@ -192,7 +198,7 @@ Result<std::string> to_png(int width, int height, std::uint8_t bits, std::span<c
   spng_set_option(png.get(), SPNG_IMG_COMPRESSION_LEVEL, plain ? 3 : 4);
   if (plain) spng_set_option(png.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_NONE);
   spng_set_ihdr(png.get(), &head);
-  say_colors(png.get(), colors);
+  say_colors(png.get(), colors, cicp);
   const int error = spng_encode_image(png.get(), rgba.data(), rgba.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
   if (error != 0) return fail(ErrorCode::machine, fmt::format("a picture cannot be encoded: {}", spng_strerror(error)));
   int result = 0;

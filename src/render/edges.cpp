@@ -19,6 +19,8 @@ constexpr double reach = 1.5;  // how far from the middle samples count, pixels
 // What a line may change at most: four samples are off by no more.
 constexpr double most_change = 0.25;
 
+constexpr float far_away = 9;  // pixels
+
 // As in the shader that makes the marks (canvas.cpp).
 float brightness(const PixelLight& c) { return 0.35F * c[0] + 0.5F * c[1] + 0.15F * c[2] + 0.25F * c[3]; }
 float least_difference(float high) { return 0.03F * high + 0.002F; }
@@ -70,20 +72,24 @@ class BytePixels {
   // Writes 1 where a row has marks, otherwise 0.
   void find_marks(std::size_t y, std::uint8_t* out) const {
     const std::uint8_t* const row = &rgba_[4 * y * static_cast<std::size_t>(width)];
-    for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) out[x] = row[4 * x + 3] != 0 ? 1 : 0;
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) out[x] = pixel_at(row + 4 * x) > 0xffffff ? 1 : 0;
   }
   void take_marks_away() {
     for (std::size_t i = 0; i < rgba_.size(); i += 4) {
-      std::uint32_t pixel = 0;  // whole pixels are faster than bytes
-      std::memcpy(&pixel, &rgba_[i], 4);
-      pixel |= 0xff000000U;
-      std::memcpy(&rgba_[i], &pixel, 4);
+      const std::uint32_t opaque = pixel_at(&rgba_[i]) | 0xff000000U;
+      std::memcpy(&rgba_[i], &opaque, 4);
     }
   }
 
   const int width, height;
 
  private:
+  // Whole pixels are faster than bytes; the opacity is on top.
+  static std::uint32_t pixel_at(const std::uint8_t* bytes) {
+    std::uint32_t pixel = 0;
+    std::memcpy(&pixel, bytes, 4);
+    return pixel;
+  }
   std::vector<std::uint8_t>& rgba_;
   std::array<float, 256> light_of_;
 };
@@ -134,14 +140,27 @@ class FloatPixels {
   std::vector<float>& rgba_;
 };
 
+// A pixel and those around it, row by row.
+struct NinePixels {
+  std::array<int, 9> marks{};
+  std::array<PixelLight, 9> lights{};
+};
+// Returns what there is around a pixel, if it is one line, perhaps.
 template <class Pixels>
-NinePixels nine_pixels(const Pixels& p, int x, int y) {
+std::optional<NinePixels> around_edge(const Pixels& p, int x, int y) {
   NinePixels all;
-  for (int j = 0; j < 9; ++j) {
-    const int column = std::clamp(x + j % 3 - 1, 0, p.width - 1), row = std::clamp(y + j / 3 - 1, 0, p.height - 1);
-    const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(p.width) + static_cast<std::size_t>(column);
-    all.marks[static_cast<std::size_t>(j)] = p.mark(i), all.lights[static_cast<std::size_t>(j)] = p.light(i);
+  std::array<std::size_t, 9> at{};
+  int mixed = 0;
+  for (std::size_t j = 0; j < 9; ++j) {
+    const int column = std::clamp(x + static_cast<int>(j % 3) - 1, 0, p.width - 1);
+    const int row = std::clamp(y + static_cast<int>(j / 3) - 1, 0, p.height - 1);
+    at[j] = static_cast<std::size_t>(row) * static_cast<std::size_t>(p.width) + static_cast<std::size_t>(column);
+    all.marks[j] = p.mark(at[j]);
+    if (all.marks[j] >= EdgeSmoother::several) return std::nullopt;
+    mixed += is_mixed(all.marks[j]) ? 1 : 0;
   }
+  if (mixed < 2) return std::nullopt;  // the edge of a pattern, or a point
+  for (std::size_t j = 0; j < 9; ++j) all.lights[j] = p.light(at[j]);
   return all;
 }
 
@@ -221,9 +240,12 @@ EdgeSmoother::EdgeSmoother(const std::vector<float>& places) {
     }
   for (std::size_t i = 0; i < samples; ++i) {
     const double weight = std::max(1 - (at[i][0] * at[i][0] + at[i][1] * at[i][1]) / (reach * reach), 0.0);
-    near_[i] = weight > 0;
-    for (std::size_t mark = 0; mark < 16; ++mark)
-      for (std::size_t c = 0; c < 2; ++c) toward_[i / 4][mark][c] += (mark >> i % 4 & 1 ? weight : -weight) * at[i][c];
+    for (std::size_t mark = 0; mark < 16; ++mark) {
+      const bool bright = (mark >> i % 4 & 1) != 0;
+      for (std::size_t c = 0; c < 2; ++c) toward_[i / 4][mark][c] += (bright ? weight : -weight) * at[i][c];
+      if_bright_[i / 4][mark][i % 4] = bright && weight > 0 ? 0 : far_away;
+      if_dark_[i / 4][mark][i % 4] = !bright && weight > 0 ? 0 : -far_away;
+    }
   }
   // Once around a square, anticlockwise from (1 -1).
   for (std::size_t k = 0; k < directions; ++k) {
@@ -233,7 +255,8 @@ EdgeSmoother::EdgeSmoother(const std::vector<float>& places) {
     Direction& d = directions_[k];
     const double length = std::sqrt(1 + s * s);
     d.x = (x + sx * s) / length, d.y = (y + sy * s) / length;
-    for (std::size_t i = 0; i < samples; ++i) d.along[i] = static_cast<float>(d.x * at[i][0] + d.y * at[i][1]);
+    for (std::size_t i = 0; i < samples; ++i)
+      d.along[i / 4][i % 4] = static_cast<float>(d.x * at[i][0] + d.y * at[i][1]);
   }
 }
 
@@ -250,24 +273,19 @@ double EdgeSmoother::bright_share(const std::array<int, 9>& marks) const {
   const int side = x >= std::abs(y) ? 0 : y >= std::abs(x) ? 1 : -x >= std::abs(y) ? 2 : 3;
   const double s = (side == 0 ? y : side == 1 ? -x : side == 2 ? -y : x) / most;
   const int first = 32 * side + static_cast<int>(16 * (s + 1) + 0.5);
-  // The line with the widest gap between both sides is the best. Samples of the other side are put far away.
-  std::array<float, samples> if_bright{}, if_dark{};
-  for (std::size_t i = 0; i < samples; ++i) {
-    const bool bright = (marks[i / 4] >> i % 4 & 1) != 0;
-    if_bright[i] = bright && near_[i] ? 0.0F : 9.0F, if_dark[i] = bright || !near_[i] ? -9.0F : 0.0F;
-  }
-  float gap = -9, middle = 0;
+  // The line with the widest gap between both sides is the best.
+  float gap = -far_away, middle = 0;
   const Direction* best = nullptr;
   for (const int turn : {0, -3, 3, -6, 6}) {
     const Direction& d = directions_[static_cast<std::size_t>((first + turn + directions) % directions)];
-    std::array<float, 4> low{-9, -9, -9, -9}, high{9, 9, 9, 9};  // four at once
-    for (std::size_t i = 0; i < samples; i += 4)
-      for (std::size_t k = 0; k < 4; ++k) {
-        const float bright = d.along[i + k] + if_bright[i + k], dark = d.along[i + k] + if_dark[i + k];
-        high[k] = bright < high[k] ? bright : high[k], low[k] = dark > low[k] ? dark : low[k];
-      }
-    const float least = *std::min_element(high.begin(), high.end()),
-                most_low = *std::max_element(low.begin(), low.end());
+    Four low{-far_away, -far_away, -far_away, -far_away}, high = -low;
+    for (std::size_t j = 0; j < 9; ++j) {
+      const auto mark = static_cast<std::size_t>(marks[j]);
+      const Four bright = d.along[j] + if_bright_[j][mark], dark = d.along[j] + if_dark_[j][mark];
+      high = bright < high ? bright : high, low = dark > low ? dark : low;
+    }
+    const float least = std::min({high[0], high[1], high[2], high[3]}),
+                most_low = std::max({low[0], low[1], low[2], low[3]});
     if (least - most_low > gap) gap = least - most_low, middle = 0.5F * (most_low + least), best = &d;
   }
   if (best == nullptr) return plain;
@@ -278,13 +296,11 @@ double EdgeSmoother::bright_share(const std::array<int, 9>& marks) const {
 }
 
 // Returns the light of the middle pixel with a smooth edge, if there is one.
-std::optional<PixelLight> EdgeSmoother::smoothed(NinePixels a) const {
-  int mixed = 0;
-  for (const int m : a.marks) {
-    if (m >= several) return std::nullopt;
-    mixed += is_mixed(m) ? 1 : 0;
-  }
-  if (mixed < 2) return std::nullopt;  // the edge of a pattern, or a point
+template <class Pixels>
+std::optional<PixelLight> EdgeSmoother::smoothed(const Pixels& p, int x, int y) const {
+  std::optional<NinePixels> found = around_edge(p, x, y);
+  if (!found) return std::nullopt;
+  NinePixels& a = *found;
   const std::optional<EdgeSides> sides = edge_sides(a);
   if (!sides) return std::nullopt;
   const float middle = 0.5F * (brightness(sides->dark) + brightness(sides->bright));
@@ -327,7 +343,7 @@ void EdgeSmoother::finish(Pixels& p) const {
       if ((some | beyond) == 0) continue;
       for (std::size_t x = first; x < std::min(first + at_once, width); ++x)
         if (near[x] | near[x + 1] | near[x + 2])
-          if (const auto light = smoothed(nine_pixels(p, static_cast<int>(x), static_cast<int>(y))))
+          if (const auto light = smoothed(p, static_cast<int>(x), static_cast<int>(y)))
             changes.push_back({y * width + x, *light});
     }
   }

@@ -20,12 +20,6 @@
 namespace betwixt {
 
 using PixelLight = std::array<float, 4>;  // with its opacity, or 0 in opaque pictures
-// A pixel and those around it, row by row.
-struct NinePixels {
-  std::array<int, 9> marks;
-  std::array<PixelLight, 9> lights;
-};
-
 class EdgeSmoother {
  public:
   static constexpr int several = 15;
@@ -41,17 +35,21 @@ class EdgeSmoother {
 
  private:
   static constexpr int samples = 36, directions = 128;
+  // Four numbers at once: those of a pixel's samples.
+  using Four = float __attribute__((vector_size(16)));
   struct Direction {
-    double x = 0, y = 0;               // unit length
-    std::array<float, samples> along;  // how far each sample is in it
+    double x = 0, y = 0;        // unit length
+    std::array<Four, 9> along;  // how far each sample is in it
   };
-  std::optional<PixelLight> smoothed(NinePixels) const;
+  template <class Pixels>
+  std::optional<PixelLight> smoothed(const Pixels&, int x, int y) const;
   template <class Pixels>
   void finish(Pixels&) const;
 
   // For each mark of each pixel: towards where it is brighter, seen from the middle one.
   std::array<std::array<std::array<double, 2>, 16>, 9> toward_{};
-  std::array<bool, samples> near_{};  // whether a sample counts
+  // For each mark of each pixel: what puts the samples far away that are dark, or bright, or too far to count.
+  std::array<std::array<Four, 16>, 9> if_bright_{}, if_dark_{};
   std::array<Direction, directions> directions_;
 };
 
