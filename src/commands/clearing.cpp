@@ -30,10 +30,10 @@ bool needs_all_before(const Scene& s, const Target& t) {
 }
 
 // Reads the rest of `clear TARGET before`.
-bool clear_before(Command& k, Stretch& on, bool notes) {
+bool clear_before(Command& k, Stretch& on, std::optional<Cues> cues) {
   Time t;
   if (!k.cursor.time(t)) return false;
-  if (notes) return retime_notes(k, on.word, {Time{INT64_MIN}, t - Time{1}}, [](Time, auto&) {});
+  if (cues) return retime_cues(k, *cues, on.word, {Time{INT64_MIN}, t - Time{1}}, [](Time, auto&) {});
   std::size_t whole = 0;
   std::string left;
   std::erase_if(on.of.targets, [&](const Target& target) {
@@ -54,10 +54,10 @@ bool clear_before(Command& k, Stretch& on, bool notes) {
 bool clear(Command& k) {
   Cursor& c = k.cursor;
   Stretch on;
-  const bool notes = accept_notes(k, on.word);
-  if (!notes) on.word = c.next_word();
-  if (!notes && !targets(k, on.word, on.of, Meant::any)) return false;
-  if (c.accept_word("before")) return clear_before(k, on, notes);
+  const std::optional<Cues> cues = accept_cues(k, on.word);
+  if (!cues) on.word = c.next_word();
+  if (!cues && !targets(k, on.word, on.of, Meant::any)) return false;
+  if (c.accept_word("before")) return clear_before(k, on, cues);
   const char* const start = (c.space(), c.at);
   if (!c.time(on.segment.from)) return false;
   on.segment.to = on.segment.from;
@@ -67,7 +67,7 @@ bool clear(Command& k) {
     if (on.segment.to < on.segment.from)
       return c.fail(ErrorCode::range, "this segment ends before it begins", c.since(start));
   }
-  if (notes) return retime_notes(k, on.word, on.segment, [](Time, auto&) {});
+  if (cues) return retime_cues(k, *cues, on.word, on.segment, [](Time, auto&) {});
   const auto erase = [&](Track& t, Type, int, const Target&) -> Result<Changed> {
     return Changed{t.events.erase(on.segment.from, on.segment.to), 0};
   };
@@ -75,8 +75,9 @@ bool clear(Command& k) {
 }
 
 constexpr Verb clearing_rows[] = {
-    {"clear", "clear TARGET|notes A..B, clear TARGET|notes TIME or clear TARGET|notes before TIME",
-     "Removes events, or notes: those of a segment, those at one time, or, with `before`, those that no later value "
+    {"clear", "clear TARGET A..B, clear TARGET TIME or clear TARGET before TIME",
+     "Removes events, notes, steps or descriptions: those of a segment, those at one time, or, with `before`, those "
+     "that no later value "
      "needs.",
      "clear ball.position 6f..18f", Verb::layered, clear, "TARGET; before"},
 };

@@ -193,8 +193,8 @@ bool fits(Command& k, const Copying& how) {
   return true;
 }
 
-// Reads notes A..B to T [times N]
-bool copy_notes(Command& k, std::string_view word) {
+// Reads A..B to T [times N]
+bool copy_cues(Command& k, Cues cues, std::string_view word) {
   Cursor& c = k.cursor;
   Segment of;
   Time start;
@@ -203,7 +203,7 @@ bool copy_notes(Command& k, std::string_view word) {
   if (!c.accept_word("to")) return c.fail_here(ErrorCode::syntax, "'to' and a time are missing here");
   if (!c.time(start)) return false;
   if (c.accept_word("times") && !c.whole_number(1, 1'000'000, "times", times)) return false;
-  return retime_notes(k, word, of, [&](Time t, std::vector<Time>& to) {
+  return retime_cues(k, cues, word, of, [&](Time t, std::vector<Time>& to) {
     to.push_back(t);
     const double span = static_cast<double>((of.to - of.from).flicks);
     const double first = static_cast<double>(start.flicks) + static_cast<double>((t - of.from).flicks);
@@ -227,7 +227,8 @@ bool affordable(Command& k, const Copying& how) {
 
 bool copy(Command& k) {
   Copying how;
-  if (std::string_view word; accept_notes(k, word)) return copy_notes(k, word);
+  std::string_view word;
+  if (const std::optional<Cues> cues = accept_cues(k, word)) return copy_cues(k, *cues, word);
   if (!arguments(k, how)) return false;
   if (!how.from.of.spec || !how.into.spec) return true;
   if (!fits(k, how) || !finish(k.cursor)) return false;
@@ -264,8 +265,9 @@ bool copy(Command& k) {
 }
 
 constexpr Verb copying_rows[] = {
-    {"copy", "copy TARGET|notes A..B to TIME [on TARGET] [shift VALUE] [times N]",
-     "Copies a segment of a track, or notes, to another time, once or many times. `shift` adds VALUE to the first "
+    {"copy", "copy TARGET A..B to TIME [on TARGET] [shift VALUE] [times N]",
+     "Copies a segment of a track, notes, steps or descriptions to another time, once or many times. `shift` adds "
+     "VALUE to the first "
      "copy, twice VALUE to the second, and so on.",
      "copy ball.position 1f..24f to 24f shift (8 0 0) times 2", Verb::layered, copy,
      "TARGET; NUMBER; to; NUMBER; on shift times; TARGET; on shift times; TARGET; on shift times"},

@@ -4,13 +4,12 @@
 // What a film says to the people around it: where a speaker waits, and what somebody who cannot see it is told.
 #include <fmt/format.h>
 
-#include "commands/command.h"
+#include "commands/notes.h"
 #include "commands/translating.h"
 
 namespace betwixt {
 namespace {
 
-constexpr std::size_t most_cues = 100'000;
 constexpr std::size_t longest_cue = 10'000;  // bytes
 
 bool cue_text(Cursor& c, std::string& out) {
@@ -35,6 +34,7 @@ bool step(Command& k) {
   if (c.peek() == '"' && !cue_text(c, pause.text)) return false;
   if (!c.at_line_end()) {
     const std::string_view key = c.next_word();
+    if (key == "at") return no_choice(c, key, "the time stands before 'step'", "as in at 24f step \"The proof\"");
     if (key != "note")
       return no_choice(c, key, "a step may have a text and a note", "as in step \"The proof\" note=\"…\"");
     if (!c.accept('=')) return c.fail_here(ErrorCode::syntax, "'=' is missing after note");

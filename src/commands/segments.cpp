@@ -111,21 +111,21 @@ bool given_factors(Command& k, const Stretch& on, Value& out) {
   return true;
 }
 
-// Reads the segment of `notes` or of targets. Sets `notes` to tell which.
-bool on_notes_or_segment(Command& k, Stretch& on, bool& notes) {
-  notes = accept_notes(k, on.word);
-  return notes ? k.cursor.segment(on.segment.from, on.segment.to) : on_segment(k, on);
+// Reads the segment of cues or of targets. Sets `cues` to tell which.
+bool on_cues_or_segment(Command& k, Stretch& on, std::optional<Cues>& cues) {
+  cues = accept_cues(k, on.word);
+  return cues ? k.cursor.segment(on.segment.from, on.segment.to) : on_segment(k, on);
 }
 
 bool move(Command& k) {
   Cursor& c = k.cursor;
   Stretch on;
   Time by;
-  bool notes = false;
-  if (!on_notes_or_segment(k, on, notes)) return false;
+  std::optional<Cues> cues;
+  if (!on_cues_or_segment(k, on, cues)) return false;
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a length of time are missing here");
   if (!c.length(by)) return false;
-  if (notes) return retime_notes(k, on.word, on.segment, [&](Time t, auto& to) { to.push_back(t + by); });
+  if (cues) return retime_cues(k, *cues, on.word, on.segment, [&](Time t, auto& to) { to.push_back(t + by); });
   return operate_and_say(k, on, [&](Track& t, Type, int, const Target&) { return move_segment(t, on.segment, by); });
 }
 
@@ -133,8 +133,8 @@ bool stretch(Command& k) {
   Cursor& c = k.cursor;
   Stretch on;
   double factor = 1;
-  bool notes = false;
-  if (!on_notes_or_segment(k, on, notes)) return false;
+  std::optional<Cues> cues;
+  if (!on_cues_or_segment(k, on, cues)) return false;
   if (!c.accept_word("by")) return c.fail_here(ErrorCode::syntax, "'by' and a factor are missing here");
   c.space();
   const char* at = c.at;
@@ -145,8 +145,8 @@ bool stretch(Command& k) {
                       ? "the factor must be greater than 0"
                       : "the factor must be greater than 0; to play backwards, use 'reverse'",
                   c.since(at));
-  if (notes)
-    return retime_notes(k, on.word, on.segment, [&](Time t, auto& to) {
+  if (cues)
+    return retime_cues(k, *cues, on.word, on.segment, [&](Time t, auto& to) {
       to.push_back(on.segment.from + time_of(static_cast<double>((t - on.segment.from).flicks) * factor));
     });
   return operate(k, on, [&](Track& t, Type, int, const Target& of) -> Result<Changed> {
@@ -173,11 +173,11 @@ void say_bent(Command& k, const std::vector<std::string>& places, std::string_vi
 
 bool reverse(Command& k) {
   Stretch on;
-  bool notes = false;
-  if (!on_notes_or_segment(k, on, notes)) return false;
-  if (notes)
-    return retime_notes(k, on.word, on.segment,
-                        [&](Time t, auto& to) { to.push_back(on.segment.from + (on.segment.to - t)); });
+  std::optional<Cues> cues;
+  if (!on_cues_or_segment(k, on, cues)) return false;
+  if (cues)
+    return retime_cues(k, *cues, on.word, on.segment,
+                       [&](Time t, auto& to) { to.push_back(on.segment.from + (on.segment.to - t)); });
   std::vector<std::string> bent;
   const auto turn_round = [&](Track& t, Type type, int component, const Target& of) -> Result<Changed> {
     if (of.velocity && !on.of.velocity)
@@ -252,12 +252,13 @@ bool rotate(Command& k) {
 }
 
 constexpr Verb segments_rows[] = {
-    {"move", "move TARGET|notes A..B by LENGTH", "Moves the events of a segment, or notes, in time.",
+    {"move", "move TARGET A..B by LENGTH",
+     "Moves the events of a segment in time: those of tracks, notes, steps or descriptions.",
      "move ball.position 1f..24f by 12f", Verb::layered, move, "TARGET; NUMBER; by"},
-    {"stretch", "stretch TARGET|notes A..B by FACTOR", "Makes a segment longer or shorter in time.",
+    {"stretch", "stretch TARGET A..B by FACTOR", "Makes a segment longer or shorter in time.",
      "stretch ball.position 1f..24f by 2", Verb::layered, stretch, "TARGET; NUMBER; by"},
-    {"reverse", "reverse TARGET|notes A..B", "Plays a segment backwards.", "reverse ball.position 1f..24f",
-     Verb::layered, reverse},
+    {"reverse", "reverse TARGET A..B", "Plays a segment backwards.", "reverse ball.position 1f..24f", Verb::layered,
+     reverse},
     {"scale", "scale TARGET A..B (X Y Z)", "Multiplies the values of a segment.",
      "scale ball.position 1f..24f (1 -1 1)", Verb::layered, scale},
     {"translate", "translate TARGET A..B (X Y Z)", "Adds to the values of a segment.",

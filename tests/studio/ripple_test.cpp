@@ -26,6 +26,8 @@ class RippleTest : public QObject {
         for (const EventView& e : events(d, t.target))
           all[(t.target.layer ? d.name(t.target.layer) + ":" : "") + d.name(t.target)].push_back(e.time);
     for (const Note& n : d.notes(earliest_time, latest_time)) all["note " + n.text].push_back(n.time);
+    for (const Pause& p : d.pauses()) all["step " + p.text].push_back(p.time);
+    for (const Description& said : d.descriptions()) all["description " + said.text].push_back(said.time);
     return all;
   }
 
@@ -33,12 +35,14 @@ class RippleTest : public QObject {
   void later_things_come_later() {
     Film f(
         "rate 24\nrange 1f 48f\ncreate ball sphere\nball.position.x\n  1f 0\n  24f 4 linear\n  48f 8\n"
-        "ball.radius\n  30f 2\nat 24f note \"up\"\nat 12f note \"down\"\n");
+        "ball.radius\n  30f 2\nat 24f note \"up\"\nat 12f note \"down\"\n"
+        "at 24f step \"a\"\nat 30f step \"b\"\nat 24f describe \"c\"\n");
     const QString before = f.text();
     const Document& d = f.workspace.document();
-    QCOMPARE(insert_time_lines(d, f.at_time("24f"), d.rate().span(12)),
-             (Lines{"move ball.position.x 24f..48f by 12f", "move ball.radius 30f..30f by 12f",
-                    "move notes 24f..24f by 12f", "range 1f 60f"}));
+    QCOMPARE(
+        insert_time_lines(d, f.at_time("24f"), d.rate().span(12)),
+        (Lines{"move ball.position.x 24f..48f by 12f", "move ball.radius 30f..30f by 12f", "move notes 24f..24f by 12f",
+               "move steps 24f..30f by 12f", "move descriptions 24f..24f by 12f", "range 1f 60f"}));
     QVERIFY(f.workspace.say(insert_time_lines(d, f.at_time("24f"), d.rate().span(12))));
     QVERIFY2(f.text().contains("  36f 4 linear\n  60f 8\n") && f.text().contains("range 1f 60f\n"),
              qPrintable(f.text()));
@@ -47,7 +51,7 @@ class RippleTest : public QObject {
     QCOMPARE(f.text(), before);
     QVERIFY(f.workspace.say(remove_time_lines(d, f.at_time("10f"), f.at_time("31f"))));
     QCOMPARE(times(d)["ball.position.x"], (std::vector{f.at_time("1f"), f.at_time("27f")}));
-    QVERIFY(!times(d).contains("note up") && !times(d).contains("ball.radius"));
+    QVERIFY(!times(d).contains("note up") && !times(d).contains("step a") && !times(d).contains("ball.radius"));
     f.workspace.undo();
     QCOMPARE(f.text(), before);
   }

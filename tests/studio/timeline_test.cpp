@@ -304,6 +304,23 @@ section two for 48f
   QTest::mouseMove(&ruler, first);
   QTRY_VERIFY(ruler.toolTip().contains("A first question") && ruler.toolTip().contains("wait"));
   QVERIFY(ruler.accessibleDescription().contains("An answer"));
+  // They can be dragged, deleted and named.
+  const std::string before_edits = at.workspace.text();
+  const int frames = static_cast<int>(std::lround(ruler.x_of(at.frame(13)) - ruler.x_of(at.frame(1))));
+  drag(ruler, second, second + QPoint(frames, 0));
+  QCOMPARE(ruler.steps()[1], (Pause{at.frame(61), "An answer", ""}));
+  const QPoint there = ruler.step_box(1).center().toPoint();
+  QTest::mouseClick(&ruler, Qt::LeftButton, Qt::NoModifier, there);
+  QTest::keyClick(&ruler, Qt::Key_Delete);
+  QCOMPARE(ruler.steps().size(), std::size_t{1});
+  QTest::mouseDClick(&ruler, Qt::LeftButton, Qt::NoModifier, first);
+  QLineEdit* const words = ruler.findChild<QLineEdit*>("note_words");
+  QVERIFY(words && words->text() == "A first question");
+  words->setText("Why?");
+  QTest::keyClick(words, Qt::Key_Return);
+  QCOMPARE(ruler.steps()[0], (Pause{at.frame(1), "Why?", "wait"}));
+  for (int i = 0; i < 3; ++i) at.workspace.undo();
+  QCOMPARE(at.workspace.text(), before_edits);
   // Without steps the lane is not there.
   const int before = ruler.sizeHint().height();
   QVERIFY(at.workspace.say(Session::rewrite_line(4, 4, "  # no step")));

@@ -24,13 +24,22 @@ std::vector<EventAt> events_between(const Document& d, Time from, Time to) {
   return all;
 }
 
+// Appends what `action` (`move`, `clear`) does with the notes, steps and descriptions from one time to another.
+void add_cues(const Document& d, std::string_view action, Time from, Time to, const std::string& how, Lines& out) {
+  const auto add = [&](std::string_view word, const auto& all) {
+    std::optional<Time> first, last;
+    for (const auto& cue : all)
+      if (from <= cue.time && cue.time <= to) first = first.value_or(cue.time), last = cue.time;
+    if (first)
+      out.push_back(fmt::format("{} {} {}..{}{}", action, word, format_time(*first, d), format_time(*last, d), how));
+  };
+  add("notes", d.notes(from, to)), add("steps", d.pauses()), add("descriptions", d.descriptions());
+}
+
 // Appends the lines that move everything from a time on, with the end of the film.
 void add_moves(const Document& d, Time from, Time by, Lines& to) {
   for (std::string& line : move_lines(d, events_between(d, from, latest_time), by)) to.push_back(std::move(line));
-  const auto length = fmt::format("by {}", length_words(d, by));
-  if (const auto notes = d.notes(from, latest_time); !notes.empty())
-    to.push_back(fmt::format("move notes {}..{} {}", format_time(notes.front().time, d),
-                             format_time(notes.back().time, d), length));
+  add_cues(d, "move", from, latest_time, fmt::format(" by {}", length_words(d, by)), to);
   const auto [first, last] = d.range();
   if (last >= from)
     to.push_back(fmt::format("range {} {}", format_time(first, d), format_time(std::max(first, last + by), d)));
@@ -48,9 +57,7 @@ Lines remove_time_lines(const Document& d, Time from, Time to) {
   Lines lines;
   if (!(to > from)) return lines;
   lines = clear_lines(d, events_between(d, from, to));
-  if (const auto notes = d.notes(from, to - Time{1}); !notes.empty())
-    lines.push_back(
-        fmt::format("clear notes {}..{}", format_time(notes.front().time, d), format_time(notes.back().time, d)));
+  add_cues(d, "clear", from, to - Time{1}, "", lines);
   add_moves(d, to, from - to, lines);
   return lines;
 }

@@ -192,7 +192,8 @@ void Ruler::press(QMouseEvent* e) {
   section_.reset(), clicked_.reset();
   if (const auto i = block_at(from_); i && !note_ && edge_ == Edge::none)
     section_ = sections_[*i].section, stretches_ = at_section_end(sections_[*i], from_), clicked_ = section_->begin;
-  if (const auto i = step_at(from_)) clicked_ = steps_[*i].time;
+  step_.reset();
+  if (const auto i = step_at(from_)) clicked_ = step_ = steps_[*i].time;
   if (const auto at = word_at(from_)) clicked_ = sounds_[at->bar].time_of_word(at->word);
   if (part_box().contains(from_.toPoint()) && e->modifiers() & Qt::AltModifier) note_.reset();
   update();
@@ -218,12 +219,13 @@ std::string Ruler::moving(const QMouseEvent& e) const {
     return to == sound_from_ ? "" : fmt::format("set {}.at {}", workspace_.name(*sound_), workspace_.when(to));
   }
   if (section_) return section_moving(e);
-  if (!note_) return {};
-  Time to = *note_ + (time_at(e.position().x()) - time_at(from_.x()));
+  if (!note_ && !step_) return {};
+  const Time from = note_ ? *note_ : *step_;
+  Time to = from + (time_at(e.position().x()) - time_at(from_.x()));
   if (!(e.modifiers() & Qt::ControlModifier)) to = nearest_frame(to);
-  return to == *note_ ? ""
-                      : fmt::format("move notes {} by {}", segment_words(workspace_, *note_, *note_),
-                                    length_words(workspace_, to - *note_));
+  return to == from ? ""
+                    : fmt::format("move {} {} by {}", note_ ? "notes" : "steps", segment_words(workspace_, from, from),
+                                  length_words(workspace_, to - from));
 }
 
 void Ruler::drag(QMouseEvent* e) {
@@ -246,13 +248,13 @@ void Ruler::release(QMouseEvent* e) {
   edge_ = Edge::none, edge_to_.reset(), sound_.reset();
   if (clicked_ && !moved) workspace_.pause(), workspace_.go_to(*clicked_);
   if (line.empty()) return;
-  if (workspace_.say(line)) note_.reset();
+  if (workspace_.say(line)) note_.reset(), step_.reset();
 }
 
 void Ruler::call_off() {
   section_.reset();
   workspace_.look_back();
-  note_.reset(), edge_ = Edge::none, edge_to_.reset(), sound_.reset();
+  note_.reset(), step_.reset(), edge_ = Edge::none, edge_to_.reset(), sound_.reset();
 }
 
 void Ruler::hover(QMouseEvent* e) {
@@ -274,14 +276,18 @@ void Ruler::hover(QMouseEvent* e) {
 }
 
 bool Ruler::key(int key, Qt::KeyboardModifiers modifiers, bool act) {
-  if (!note_ || (key != Qt::Key_Delete && key != Qt::Key_Backspace))
+  if ((!note_ && !step_) || (key != Qt::Key_Delete && key != Qt::Key_Backspace))
     return EventActions::of(workspace_).key(key, modifiers, act);
-  if (act) workspace_.say(fmt::format("clear notes {}", workspace_.when(*std::exchange(note_, {}))));
+  if (!act) return true;
+  workspace_.say(note_ ? fmt::format("clear notes {}", workspace_.when(*note_))
+                       : fmt::format("clear steps {}", workspace_.when(*step_)));
+  note_.reset(), step_.reset();
   return true;
 }
 
 void Ruler::mouseDoubleClickEvent(QMouseEvent* e) {
   if (e->button() != Qt::LeftButton || e->position().x() < axis_.gutter()) return;
+  if (const auto step = step_at(e->position())) return write_step(steps_[*step].time);
   const auto note = note_at(e->position());
   write_note(note ? *note : time_at(e->position(), e->modifiers()),
              note ? std::optional<std::size_t>(0) : std::nullopt);
@@ -306,6 +312,9 @@ void Ruler::contextMenuEvent(QContextMenuEvent* e) {
   if (note) row(tr("Delete note"), fmt::format("clear notes {}", workspace_.when(*note)));
   if (note) add_colors(*menu.addMenu(tr("Colour of the note")), *note);
   connect(menu.addAction(tr("Add note here…")), &QAction::triggered, this, [this, t] { write_note(t, std::nullopt); });
+  if (const auto step = step_at(e->pos()))
+    row(tr("Delete step"), fmt::format("clear steps {}", workspace_.when(steps_[*step].time)));
+  connect(menu.addAction(tr("Add step here…")), &QAction::triggered, this, [this, t] { write_step(t); });
   QMenu* cameras = menu.addMenu(tr("Look through, from %1 on").arg(QString::fromStdString(workspace_.when(t))));
   for (const ObjectId id : objects(workspace_.document()))
     if (kind(workspace_.document(), id) == Kind::camera) {

@@ -4,6 +4,7 @@
 // The ruler: the playhead, the part to play, camera cuts and notes.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "studio/timeline/sound_bars.h"
@@ -84,6 +85,10 @@ class Ruler : public TimePane {
   void add_colors(QMenu&, Time);  // for the notes at a time
   // Edits the notes at a time. Without `which` it appends one.
   void write_note(Time, std::optional<std::size_t> which);
+  void write_step(Time);  // edits the name of the step at a time, or appends one
+  // Opens a field over a place of the ruler. `done` gets what was written in it.
+  void write_words(const QRect&, const std::string& before, const QString& hint,
+                   const std::function<void(const std::string&)>& done);
   Time edge_time(const QMouseEvent&) const;
   std::string moving(const QMouseEvent&) const;  // the line for what is dragged; "" if it would not move
 
@@ -97,6 +102,7 @@ class Ruler : public TimePane {
   int section_rows_ = 0;
   bool words_shown_ = false;  // below a sound
   std::vector<Pause> steps_;
+  std::optional<Time> step_;     // the selected one
   std::optional<Time> clicked_;  // where a click goes to
   Edge edge_ = Edge::none;       // the dragged one
   std::optional<Time> edge_to_;  // where it is dragged to

@@ -64,21 +64,27 @@ void Ruler::paint_notes(QPainter& p) const {
   }
 }
 
-void Ruler::write_note(Time t, std::optional<std::size_t> which) {
+void Ruler::write_words(const QRect& box, const std::string& before, const QString& hint,
+                        const std::function<void(const std::string&)>& done) {
   delete words_;
   words_ = new QLineEdit(this);
   words_->setObjectName("note_words");
-  const auto there = workspace_.document().notes(t, t);
-  if (which) words_->setText(QString::fromStdString(there[*which].text));
-  words_->setPlaceholderText(tr("a note at %1").arg(QString::fromStdString(workspace_.when(t))));
-  const QRect box = note_box(t).toRect();
+  words_->setText(QString::fromStdString(before)), words_->setPlaceholderText(hint);
   words_->setGeometry(std::min(box.x(), std::max(0, width() - 12 * line_height())), box.y() - 2, 12 * line_height(),
                       line_height() + 4);
   words_->show(), words_->setFocus(), words_->selectAll();
-  connect(words_, &QLineEdit::editingFinished, this, [this, t, which, there] {
+  connect(words_, &QLineEdit::editingFinished, this, [this, done] {
     if (!words_) return;
     const std::string said = words_->text().toStdString();
     words_->deleteLater(), words_ = nullptr;
+    done(said);
+    setFocus();
+  });
+}
+
+void Ruler::write_note(Time t, std::optional<std::size_t> which) {
+  const auto there = workspace_.document().notes(t, t);
+  const auto done = [this, t, which, there](const std::string& said) {
     std::vector<std::string> lines;
     const auto line = [&](Note note, const std::string& text) {
       note.text = text;
@@ -91,8 +97,9 @@ void Ruler::write_note(Time t, std::optional<std::size_t> which) {
       for (std::size_t i = 0; i < there.size(); ++i) line(there[i], i == *which ? said : there[i].text);
     }
     if (!lines.empty()) workspace_.say(lines);
-    setFocus();
-  });
+  };
+  write_words(note_box(t).toRect(), which ? there[*which].text : "",
+              tr("a note at %1").arg(QString::fromStdString(workspace_.when(t))), done);
 }
 
 void Ruler::add_note() { write_note(workspace_.time(), std::nullopt); }

@@ -116,8 +116,9 @@ void Ruler::paint_steps(QPainter& p) const {
     const QRectF box = step_box(static_cast<std::size_t>(step - steps_.begin()));
     free = box.left() + 3;
     const double flag = std::min(line_height() * 0.45, box.width());
-    p.fillRect(QRectF(box.left() - 1, box.top(), 2, box.height()), c.event);
-    p.setPen(Qt::NoPen), p.setBrush(c.event);
+    const QColor color = step_ == step->time ? c.selected : c.event;
+    p.fillRect(QRectF(box.left() - 1, box.top(), 2, box.height()), color);
+    p.setPen(Qt::NoPen), p.setBrush(color);
     p.drawPolygon(
         QPolygonF({box.topLeft(), box.topLeft() + QPointF(flag, flag / 2), box.topLeft() + QPointF(0, flag)}));
     p.setBrush(Qt::NoBrush), p.setPen(c.text);
@@ -129,9 +130,25 @@ void Ruler::paint_steps(QPainter& p) const {
   }
 }
 
+void Ruler::write_step(Time t) {
+  Pause step{t, {}, {}};
+  bool there = false;
+  for (const Pause& p : steps_)
+    if (p.time == t) step = p, there = true;
+  const QRect box(static_cast<int>(x_of(t)), ruler_height() + static_cast<int>(line_height() * steps_top()), 0, 0);
+  write_words(box, step.text, tr("the name of the step at %1").arg(text_of(workspace_.when(t))),
+              [this, step, there](const std::string& said) {
+                if (there && said == step.text) return;
+                Pause now = step;
+                now.text = said;
+                workspace_.say(write_pause(now, workspace_.document().rate()));
+              });
+}
+
 QString Ruler::step_tip(const Pause& step) const {
   const QString name = step.text.empty() ? tr("a step") : tr("step: %1").arg(text_of(step.text));
-  return step.note.empty() ? name : name + "\n" + text_of(step.note);
+  const QString help = "\n" + tr("click it to go there, drag it to move it, double click it to name it");
+  return (step.note.empty() ? name : name + "\n" + text_of(step.note)) + help;
 }
 
 // Returns the line that writes the opener of the dragged section anew; "" if it says the same.
