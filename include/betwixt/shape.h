@@ -69,13 +69,18 @@ enum class Kind : std::uint8_t {
 };
 
 // The style of letters besides their font. `typed` is the number of visible letters; it counts blanks and line ends.
+// `wrap` is the width in metres at which lines break; with 0 they break at line ends only. `anchor` tells what is at
+// y = 0: the first baseline, the top of the first line's capitals, the last baseline, or the middle between those two.
 enum class Align : std::uint8_t { left, centre, right };
+enum class Anchor : std::uint8_t { baseline, top, middle, bottom };
 enum class Weight : std::uint8_t { thin, extralight, light, regular, medium, semibold, bold, extrabold, black };
 struct Letters {
   Align align = Align::centre;
   Weight weight = Weight::regular;
   bool italic = false;
   std::uint32_t typed = 20'000;
+  Anchor anchor = Anchor::baseline;
+  double wrap = 0;
   friend bool operator==(const Letters&, const Letters&) = default;
 };
 

@@ -77,10 +77,10 @@ constexpr PartRow rows[] = {
 )part",
      true},
     {"speech-bubble", "A text in a bubble, whose tip is at its place.",
-     " text=\"Hello\" width=4.4 height=1.5 paint=#f5f7fa ink=#16181d",
+     " text=\"Hello\" width=4.4 height=1.5 size=0.42 paint=#f5f7fa ink=#16181d",
      R"part(  create tip polygon points=((0 0) (0.35 0.75) (0.95 0.75)) color=paint
   create bubble rectangle size=(width height) position=(width/2-0.3 0.7+height/2 0) color=paint corner=0.3
-  create text text text=text size=0.42 align="centre" color=ink position=(width/2-0.3 0.55+height/2 0.1)
+  create text text text=text size=size wrap=width-0.6 anchor="middle" color=ink position=(width/2-0.3 0.7+height/2 0.1)
 )part"},
 };
 

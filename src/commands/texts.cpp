@@ -27,7 +27,8 @@ struct Setting {
   Letters letters;
   double size = 1;
 };
-constexpr std::array<std::string_view, 8> settled{"text", "font", "size", "align", "weight", "slant", "typed", "tex"};
+constexpr std::array<std::string_view, 10> settled{"text",  "font",  "size", "align",  "weight",
+                                                   "slant", "typed", "wrap", "anchor", "tex"};
 
 bool is_settled(const Object& o, FunctionId f) {
   return std::all_of(o.slots.begin(), o.slots.end(), [&](const Slot& slot) {
@@ -59,7 +60,7 @@ bool setting_of(Command& k, const Object& o, std::string_view about, Setting& ou
   if (shape.formula)
     return k.cursor.fail(ErrorCode::type, fmt::format("'{}' is a formula; formulas cannot be split", o.name), about,
                          "mark parts with double braces: {{a}}^2; or use 'typed' to show its signs one by one");
-  out = {*shape.text, font_of(shape), shape.letters, shape.size.y};
+  out = {*shape.text, font_of(shape), letters_of(shape), shape.size.y};
   return true;
 }
 
@@ -69,7 +70,7 @@ Object part_object(const Scene& s, const Object& whole, ObjectId id, const TextP
   o.kind = Kind::text;
   for (const Slot& slot : whole.slots)
     if (slot.function == fn::display || !spec_of(s, slot.function).place) o.slots.push_back(slot);
-  for (const char* of_the_whole : {"align", "typed"})
+  for (const char* of_the_whole : {"align", "typed", "wrap", "anchor"})
     std::erase_if(o.slots, [f = *find_built_in(Kind::text, of_the_whole)](const Slot& x) { return x.function == f; });
   o.slot(fn::text).set = Text(part.text);
   o.slot(fn::attach_position).set = size * part.at;

@@ -15,14 +15,13 @@
 namespace betwixt {
 namespace {
 
-constexpr double line_spacing = 1.2;  // em
 constexpr std::size_t most_own_faces = 64;
 
 // The open fonts of one sort. Its lock protects all of them.
 struct Faces {
   std::mutex mutex;
   std::map<Typeface, std::shared_ptr<FontFace>> faces;  // by the requested typeface; nullptr: no font is available
-  std::map<std::tuple<Typeface, Align, std::uint32_t, std::string>, Outline> outlines;
+  std::map<std::tuple<Typeface, Align, std::uint32_t, Anchor, double, std::string>, Outline> outlines;
 };
 
 // Fonts of strangers have a lock of their own: whoever uses them waits for a parser, and nobody else does.
@@ -81,15 +80,53 @@ SetLine set_line(FontFace& face, std::string_view text, std::size_t from, double
   return out;
 }
 
+// The first byte of a line, and the one behind its last.
+struct LineEnds {
+  std::size_t begin, end;
+};
+
+// Breaks a line at blanks, so that the lines are at most `wrap` wide. Breaks between letters where a word is wider.
+// Blanks at a break are in no line.
+void wrap_line(FontFace& face, std::string_view text, LineEnds whole, double wrap, std::vector<LineEnds>& out) {
+  constexpr std::size_t none = std::string_view::npos;
+  std::vector<double> advance(whole.end - whole.begin + 1);  // of each letter, by its first byte
+  if (const auto shaped = face.shape(text.substr(whole.begin, whole.end - whole.begin)))
+    for (const ShapedGlyph& g : *shaped) advance[g.begin] += g.advance;
+  std::size_t begin = whole.begin, blank = none;  // of the open line: its first byte, and its last blank
+  double width = 0, behind_blank = 0;
+  const double most = wrap * (1 + 1e-9);
+  for (std::size_t at = whole.begin; at < whole.end; ++at) {
+    const double more = advance[at - whole.begin];
+    if (text[at] == ' ') {
+      blank = at, width += more, behind_blank = 0;
+      continue;
+    }
+    while (more > 0 && width + more > most && at > begin) {
+      std::size_t end = blank == none ? at : blank;
+      const std::size_t next = blank == none ? at : blank + 1;
+      while (end > begin && text[end - 1] == ' ') --end;
+      out.push_back({begin, end});
+      begin = next, width = blank == none ? 0 : behind_blank, blank = none;
+    }
+    width += more, behind_blank += more;
+  }
+  out.push_back({begin, whole.end});
+}
+
 // Calls f(glyphs) for each line.
 template <class F>
-void each_line(FontFace& face, const std::string& all, Align align, const F& f) {
+void each_line(FontFace& face, const std::string& all, const Letters& letters, const F& f) {
   const std::string_view text = first_characters(all, most_letters);
-  double y = 0;
-  for (std::size_t begin = 0; begin <= text.size(); y -= line_spacing) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    f(set_line(face, text.substr(begin, end - begin), begin, y, align));
-    begin = end + 1;
+  std::vector<LineEnds> lines;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const LineEnds line{begin, std::min(text.find('\n', begin), text.size())};
+    letters.wrap > 0 ? wrap_line(face, text, line, letters.wrap, lines) : lines.push_back(line);
+    begin = line.end + 1;
+  }
+  double y = first_baseline(letters.anchor, static_cast<double>(lines.size()));
+  for (const LineEnds& line : lines) {
+    f(set_line(face, text.substr(line.begin, line.end - line.begin), line.begin, y, letters.align));
+    y -= line_spacing;
   }
 }
 
@@ -97,7 +134,7 @@ void each_line(FontFace& face, const std::string& all, Align align, const F& f) 
 template <class F>
 void each_typed_line(FontFace& face, const std::string& all, const Letters& letters, const F& f) {
   const std::size_t typed = first_characters(all, letters.typed).size();
-  each_line(face, all, letters.align, [&](SetLine line) {
+  each_line(face, all, letters, [&](SetLine line) {
     std::erase_if(line, [&](const SetGlyph& g) { return g.end > typed; });
     f(line);
   });
@@ -159,7 +196,7 @@ Outline text_outline(const std::string& text, const FontName& font, const Letter
   Faces& all = faces_for(font);
   const std::lock_guard lock(all.mutex);
   FontFace* face = face_for(all, font, letters);
-  const std::tuple key{typeface_of(font, letters), letters.align, letters.typed, text};
+  const std::tuple key{typeface_of(font, letters), letters.align, letters.typed, letters.anchor, letters.wrap, text};
   if (const auto i = all.outlines.find(key); i != all.outlines.end()) return i->second;
   Outline out;
   if (face) each_typed_line(*face, text, letters, [&](const SetLine& line) { add_outlines(*face, line, text, out); });
@@ -190,7 +227,7 @@ std::vector<TextPart> text_parts(const std::string& text, const FontName& font, 
   const std::lock_guard lock(all.mutex);
   std::vector<TextPart> out;
   if (FontFace* face = face_for(all, font, letters))
-    each_line(*face, text, letters.align, [&](const SetLine& line) {
+    each_line(*face, text, letters, [&](const SetLine& line) {
       const auto ends = part_ends(*face, line, into);
       std::vector<SetLine> drawn(ends.size());  // of each part, from left to right
       for (const SetGlyph& g : line)

@@ -30,6 +30,13 @@ inline Typeface typeface_of(const FontName& font, const Letters& letters) {
   return {font.name, letters.weight, letters.italic};
 }
 
+// Returns a shape's letters for the functions below, whose lengths are in em.
+inline Letters letters_of(const Shape& s) {
+  Letters letters = s.letters;
+  if (s.size.y > 0) letters.wrap /= s.size.y;
+  return letters;
+}
+
 // Returns the outline of `text` (UTF-8, lines end with \n) at 1 m an em, with the first baseline at y = 0. Uses DejaVu
 // Sans, or any other font, if the machine lacks the family. Letters are missing if an own font is damaged.
 Outline text_outline(const std::string& text, const FontName& font, const Letters& = {});

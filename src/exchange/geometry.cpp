@@ -74,7 +74,7 @@ Mesh text_mesh(const Shape& s) {
   Mesh all;
   const double size = s.size.y;
   if (!sane(s.size.y) || !(size > 0) || !sane(s.depth)) return all;
-  const SetText set = set_text(*s.text, font_of(s), s.letters);
+  const SetText set = set_text(*s.text, font_of(s), letters_of(s));
   const Typeface face = typeface_of(font_of(s), s.letters);
   std::vector<std::shared_ptr<const Mesh>> glyphs;
   for (const SetText::Glyph& g : set.glyphs) glyphs.push_back(filled.get(face, g, std::max(s.depth / size, 0.0)));
@@ -127,7 +127,7 @@ Outline outline_of(const Shape& s) {
   }
   if (!sane(s.size.y) || !(s.size.y > 0) || !sane(s.depth)) return {};
   if (s.formula) return set_formula(s);
-  Outline outline = text_outline(*s.text, font_of(s), s.letters);
+  Outline outline = text_outline(*s.text, font_of(s), letters_of(s));
   if (!s.language->empty()) take_code_apart(outline, s);
   for (auto& contour : outline.contours)
     for (auto& p : contour) p = s.size.y * p;

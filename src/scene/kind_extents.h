@@ -53,21 +53,30 @@ inline Extent whole_line(const Shape& s) { return around_points(line_of(s).point
 inline Extent of_points(const Shape& s) { return around_points(*s.points, s.width / 2); }
 inline Extent of_mesh(const Shape& s) { return s.mesh && !s.mesh->positions.empty() ? s.mesh->box() : Extent{}; }
 
-// Returns width and height of a text, with letters 0.6 em wide.
+// Returns width and height of a text, with letters 0.6 em wide. A line that wraps is taken to be three quarters full.
 inline Extent of_text(const Shape& s) {
   if (s.formula) return drawn_extent(set_formula(s).contours, s);
-  double widest = 0, letters = 0, lines = 1;
+  const double em = s.size.y, wrap = s.letters.wrap > 0 && em > 0 ? s.letters.wrap / em : 0;
+  double widest = 0, letters = 0, lines = 0;
+  const auto end_line = [&] {
+    const double width = 0.6 * letters;
+    lines += wrap > 0 && width > wrap ? std::ceil(width / (0.75 * wrap)) : 1;
+    widest = std::max(widest, wrap > 0 ? std::min(width, wrap) : width);
+    letters = 0;
+  };
   for (const char c : *s.text) {
     if (c == '\n')
-      ++lines, letters = 0;
+      end_line();
     else if (begins_character(c))
-      widest = std::max(widest, ++letters);
+      ++letters;
   }
+  end_line();
   if (widest == 0) return {};
-  const double em = s.size.y, width = 0.6 * widest * em, edge = pen_of(s).width / 2;
+  const double width = widest * em, edge = pen_of(s).width / 2;
   const double left = s.letters.align == Align::left ? 0 : s.letters.align == Align::right ? -width : -width / 2;
-  return {{left - edge, (-0.25 - 1.2 * (lines - 1)) * em - edge, -s.depth / 2},
-          {left + width + edge, 0.8 * em + edge, s.depth / 2}};
+  const double y = first_baseline(s.letters.anchor, lines);
+  return {{left - edge, (y - 0.25 - line_spacing * (lines - 1)) * em - edge, -s.depth / 2},
+          {left + width + edge, (y + 0.8) * em + edge, s.depth / 2}};
 }
 
 template <Contours (*contours)(const Shape&)>

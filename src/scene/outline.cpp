@@ -52,8 +52,12 @@ Outline set_formula(const Shape& s) {
   const double from = s.letters.align == Align::left    ? all.low.x
                       : s.letters.align == Align::right ? all.high.x
                                                         : all.middle().x;
+  const double up = s.letters.anchor == Anchor::top      ? all.high.y
+                    : s.letters.anchor == Anchor::middle ? all.middle().y
+                    : s.letters.anchor == Anchor::bottom ? all.low.y
+                                                         : 0;
   for (Contour& contour : out.contours)
-    for (Vec3& p : contour) p = s.size.y * (p - Vec3{from, 0, 0});
+    for (Vec3& p : contour) p = s.size.y * (p - Vec3{from, up, 0});
   return out;
 }
 

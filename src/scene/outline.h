@@ -26,6 +26,23 @@ struct Outline {
   std::vector<Letter> letters;  // from left to right, line by line, without blanks
 };
 
+inline constexpr double line_spacing = 1.2;     // em
+inline constexpr double capital_height = 0.73;  // em; that of DejaVu Sans, and nearly that of most fonts
+// Returns the y of the first baseline, in em.
+inline double first_baseline(Anchor anchor, double lines) {
+  const double last = line_spacing * (lines - 1);
+  switch (anchor) {
+    case Anchor::top:
+      return -capital_height;
+    case Anchor::middle:
+      return (last - capital_height) / 2;
+    case Anchor::bottom:
+      return last;
+    default:
+      return 0;
+  }
+}
+
 // Leaves out the letters of parts that the shape does not draw.
 void keep_shown_parts(Outline&, const Shape&);
 // Returns the formula of a text in its size, aligned, as far as it is typed. The shape must have a `formula`.

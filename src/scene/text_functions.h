@@ -18,6 +18,7 @@ namespace betwixt {
 
 // In the order of their enumerations.
 inline constexpr std::array<std::string_view, 3> align_names{"left", "centre", "right"};
+inline constexpr std::array<std::string_view, 4> anchor_names{"baseline", "top", "middle", "bottom"};
 inline constexpr std::array<std::string_view, 9> weight_names{
     "thin", "extralight", "light", "regular", "medium", "semibold", "bold", "extrabold", "black"};
 
@@ -75,6 +76,29 @@ inline const FunctionSpec text_functions[] = {
      .sentence = "How many letters of a text are visible, blanks counted; letters keep their places.",
      .written = "a number",
      .example = "create title text text=\"The end\"\nat 1f title.typed 0 linear\nat 24f title.typed 7"},
+    {.name = "wrap",
+     .type = Type::scalar,
+     .rest = 0.0,
+     .kinds = bit(Kind::text),
+     .unit = Unit::metres,
+     .low = 0,
+     .high = most_metres,
+     .shape = [](Shape& s, const Value& v, const Scene&) { s.letters.wrap = std::max(std::get<double>(v), 0.0); },
+     .sentence = "The width at which the lines of a text break, between words; 0: they break only where the text does.",
+     .written = "a length",
+     .example = "create says text text=\"A sentence that is too long for one line\"\nset says.wrap 6"},
+    {.name = "anchor",
+     .type = Type::text,
+     .rest = Text(std::string("baseline")),
+     .kinds = bit(Kind::text),
+     .words = "baseline|top|middle|bottom",
+     .shape = [](Shape& s, const Value& v,
+                 const Scene&) { s.letters.anchor = word_in(anchor_names, v, Anchor::baseline); },
+     .sentence =
+         "What of a text is at its place: the baseline of the first line, the top of its capitals, the baseline "
+         "of the last line, or the middle between the last two.",
+     .written = "\"baseline\", \"top\", \"middle\" or \"bottom\"",
+     .example = "create title text\nset title.anchor middle"},
     {.name = "tex",
      .type = Type::text,
      .rest = Text(),

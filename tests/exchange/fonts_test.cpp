@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 
 #include "exchange/geometry.h"
 #include "exchange/some_shapes.h"
@@ -122,6 +123,81 @@ TEST(Fonts, TypedLettersStandWhereTheyStandInTheWhole) {
     EXPECT_EQ(some.letters.size(), seen[typed]) << typed;
   }
   EXPECT_EQ(before, whole.contours.size());
+}
+
+Extent reach(const Outline& o) {
+  Extent all;
+  for (const Contour& c : o.contours)
+    for (const Vec3 p : c) all.add(p);
+  return all;
+}
+
+// A wrapped text is the same text with line ends at the places of the breaks.
+TEST(Fonts, LinesBreakBetweenWords) {
+  const auto wrapped = [](const std::string& text, double wrap, Align align = Align::centre) {
+    return text_outline(text, "DejaVu Sans", {.align = align, .wrap = wrap}).contours;
+  };
+  const auto alike = [&](const std::string& text, double wrap, const std::string& lines) {
+    for (const Align align : {Align::left, Align::centre, Align::right})
+      EXPECT_EQ(wrapped(text, wrap, align), wrapped(lines, 0, align)) << text << " at " << wrap;
+  };
+  const Extent five = reach(text_outline("HHHHH", "DejaVu Sans"));
+  const double letter = (five.high.x - five.low.x) / 5;  // hardly narrower than an H
+  alike("HH HH HH", 0, "HH HH HH");
+  alike("HH HH HH", 20 * letter, "HH HH HH");
+  alike("HH HH HH", 5.5 * letter, "HH HH\nHH");
+  alike("HH HH HH", 2.5 * letter, "HH\nHH\nHH");
+  alike("HH   HH\nH HHH H", 4.5 * letter, "HH\nHH\nH\nHHH\nH");
+  alike("HHHHHHH HH", 3.5 * letter, "HHH\nHHH\nH\nHH");
+  alike("H HHHHHHH", 3.5 * letter, "H\nHHH\nHHH\nH");
+  alike("HHHH", 0.01 * letter, "H\nH\nH\nH");
+  alike("\n\nH H", 1.5 * letter, "\n\nH\nH");
+  // Accents and letters of several bytes stay whole.
+  alike("e\u0301e\u0301e\u0301", 0.1, "e\u0301\ne\u0301\ne\u0301");
+}
+
+// No line is wider than asked, and the next word would not have fitted.
+TEST(Fonts, LinesAreAsFullAsTheyCanBe) {
+  std::mt19937 dice(5);
+  for (int round = 0; round < 60; ++round) {
+    std::string text;
+    for (unsigned words = 1 + dice() % 30; words-- > 0;) {
+      for (unsigned letters = 1 + dice() % 8; letters-- > 0;) text += static_cast<char>('a' + dice() % 26);
+      text += ' ';
+    }
+    const double wrap = 6 + dice() % 10, bearings = 0.3;
+    std::vector<std::string> lines;
+    for (const TextPart& part : text_parts(text, "DejaVu Sans", {.wrap = wrap}, SplitInto::lines))
+      lines.push_back(part.text);
+    std::string all;
+    const auto width = [](const std::string& line) {
+      const Extent e = reach(text_outline(line, "DejaVu Sans"));
+      return e.high.x - e.low.x;
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      all += lines[i] + " ";
+      EXPECT_LE(width(lines[i]), wrap) << lines[i];
+      if (i + 1 < lines.size())
+        EXPECT_GT(width(lines[i] + " " + lines[i + 1].substr(0, lines[i + 1].find(' '))), wrap - bearings) << lines[i];
+    }
+    EXPECT_EQ(all, text);
+  }
+}
+
+TEST(Fonts, TextsHaveAnAnchor) {
+  const auto rows = [](const std::string& text, Anchor anchor) {
+    const Extent e = reach(text_outline(text, "DejaVu Sans", {.anchor = anchor}));
+    return std::pair(e.low.y, e.high.y);
+  };
+  for (const std::string text : {"H", "H\nH", "H\nH\nH"}) {
+    const auto [low, high] = rows(text, Anchor::baseline);
+    EXPECT_NEAR(high, 0.729, 1e-3);  // DejaVu Sans has capitals of 1493 of 2048 units
+    EXPECT_NEAR(rows(text, Anchor::top).second, 0, 2e-3);
+    EXPECT_NEAR(rows(text, Anchor::bottom).first, 0, 2e-3);
+    const auto [under, above] = rows(text, Anchor::middle);
+    EXPECT_NEAR(under + above, 0, 2e-3);
+    EXPECT_NEAR(above - under, high - low, 1e-9);
+  }
 }
 
 double area(const Outline& o) {

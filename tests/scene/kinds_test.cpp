@@ -130,7 +130,7 @@ TEST(Functions, KindsHaveTheirs) {
       {Kind::trace, {"of", "within", "point", "from", "until", "last", "width", "dash", "trim"}}},
       flat{{Kind::disc, {"radius"}},
            {Kind::polygon, {"points", "holes"}},
-           {Kind::text, {"text", "tex", "part", "font", "size", "align", "weight", "slant", "typed"}},
+           {Kind::text, {"text", "tex", "part", "font", "size", "align", "weight", "slant", "typed", "wrap", "anchor"}},
            {Kind::rectangle, {"size", "corner"}},
            {Kind::video, {"file", "height", "corner", "at", "from", "until", "speed", "loop", "time"}},
            {Kind::ring, {"radius", "inner"}},
