@@ -31,7 +31,9 @@ enum class Pattern : std::uint8_t {
   rust,      // patches that are rough and not metallic
   flakes,    // small mirrors in lacquer
   hammered,  // round dents
-  sand       // fine bumps
+  sand,      // fine bumps
+  waves,     // water that wind moves
+  grass      // blades and tufts
 };
 
 // How pictures lie on a surface: by its texture coordinates, or projected along the three axes of the object space, one

@@ -28,8 +28,9 @@ bool size(Command& k) {
   return true;
 }
 
-// Reads a whole number of `what`, and the end of the line. `rule`: which numbers fit.
-bool whole_number(Command& k, const char* what, const char* rule, bool (*fits)(long), std::optional<int>& out) {
+// Reads a whole number of `what`, and the end of the line. `rule`: which numbers fit. `hint` is for other numbers.
+bool whole_number(Command& k, const char* what, const char* rule, bool (*fits)(long), std::optional<int>& out,
+                  const Hint& hint = {}) {
   Cursor& c = k.cursor;
   c.space();
   const char* const start = c.at;
@@ -38,7 +39,7 @@ bool whole_number(Command& k, const char* what, const char* rule, bool (*fits)(l
   const auto whole = static_cast<int>(std::clamp(n, 0.0, 1e6));
   if (whole != n || !fits(whole))
     return c.fail(ErrorCode::range, fmt::format("the number of {} must be {}, not '{}'", what, rule, c.since(start)),
-                  c.since(start));
+                  c.since(start), hint);
   if (!finish(c)) return false;
   out = whole;
   return true;
@@ -50,7 +51,8 @@ bool samples(Command& k) {
     k.scene.appearance.samples = 0;
     return true;
   }
-  return whole_number(k, "samples", "1, 4, 9, 16 or auto", samples_fit, k.scene.appearance.samples);
+  return whole_number(k, "samples", "1, 4, 9, 16 or auto", samples_fit, k.scene.appearance.samples,
+                      "traced pictures take their number from the command line: --style traced --samples 64");
 }
 
 bool pixel_filter(Command& k) {

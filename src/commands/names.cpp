@@ -148,6 +148,9 @@ bool let_value(Command& k, Let& out) {
     return c.fail(ErrorCode::range, fmt::format("a list can have at most {} values", most_in_list), c.since(start));
   }
   if (c.error) return false;
+  if (c.peek() == '[')
+    return c.fail(ErrorCode::syntax, "a list has round brackets, and blanks between its values", {c.at, 1},
+                  "as in let primes = (2 3 5 7)");
   if (!begins_list(c)) {
     if (!let_item(k, one)) return false;
     std::visit([&](auto& value) { out = std::move(value); }, one);

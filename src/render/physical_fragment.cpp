@@ -182,7 +182,7 @@ void main() {
   // Each pixel works out its own slopes: differences that four pixels share show as blocks.
   for (int i = 0; i < pattern_points; ++i) {
     vec3 there = i == 0 ? on : i == 1 ? on + on_x : on + on_y;
-    Patterned one = patterned(pattern_kind, in_pattern(there), on_facing, widest, base.rgb, second, rough, metal);
+    Patterned one = patterned(pattern_kind, in_pattern(there) + vec3(pattern_move, 0.0), on_facing, widest, base.rgb, second, rough, metal);
     heights[i] = one.height;
     if (i == 0) has = one;
   }

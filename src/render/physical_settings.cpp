@@ -135,6 +135,7 @@ void PhysicalSurfaces::set_finish(Look& look, const Batch& batch, const Thing& t
     glUniform3fv(at("second"), 1, four(f.second, 0).data());
     glUniform1f(at("bumps"), as(f.pattern_bumps));
     glUniform4f(at("pattern_tile"), as(f.tile_x), as(f.tile_y), as(cosine), as(sine));
+    glUniform2f(at("pattern_move"), as(f.move_x), as(f.move_y));
   }
   if ((features & coated) != 0) {
     glUniform2f(at("coat"), as(f.clearcoat), as(f.clearcoat_roughness));

@@ -70,6 +70,7 @@ uniform int pattern_kind, pattern_points;  // 3 points, or 1 for a pattern witho
 uniform vec3 second;
 uniform float bumps;
 uniform vec4 pattern_tile;
+uniform vec2 pattern_move;
 #endif
 #if defined(COATED)
 uniform vec2 coat;

@@ -79,17 +79,20 @@ Laid laid(const Finish& f, bool projected, Vec3 uv, Vec3 on, Vec3 across) {
       {x / sum, y / sum, z / sum}};
 }
 
+// Returns where a point of the object space lies in the pattern.
+Vec3 in_pattern(const Finish& f, Vec3 on) {
+  const auto [sine, cosine] = sine_cosine(f.turn);
+  return {(cosine * on.x - sine * on.y) * f.tile_x + f.move_x, (sine * on.x + cosine * on.y) * f.tile_y + f.move_y,
+          on.z * f.tile_x};
+}
+
 // The slope of a pattern's bumps along a surface with the normal n, in object space.
 Vec3 slope_of_bumps(const Finish& f, Vec3 color, Vec3 on, Vec3 n, double width, double height) {
   const double step = std::max(0.5 * width, 1e-4);
   const Vec3 x = unit(cross(std::abs(n.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, n)), y = cross(n, x);
   const double bumps = f.pattern_bumps * f.normal_strength / std::max(std::abs(f.tile_x), 1e-6);
-  const auto [sine, cosine] = sine_cosine(f.turn);
-  const auto in_pattern = [&](Vec3 p) {
-    return Vec3{(cosine * p.x - sine * p.y) * f.tile_x, (sine * p.x + cosine * p.y) * f.tile_y, p.z * f.tile_x};
-  };
   const auto slope = [&](Vec3 d) {
-    return (pattern_at(f, color, in_pattern(on + step * d), n, width).height - height) / step;
+    return (pattern_at(f, color, in_pattern(f, on + step * d), n, width).height - height) / step;
   };
   return bumps * (slope(x) * x + slope(y) * y);
 }
@@ -167,14 +170,11 @@ void World::add_finish(const TracedObject& b, const Hit& m, SurfacePoint& s) con
     }
   }
   if (f.pattern == Pattern::none) return;
-  const auto [sine, cosine] = sine_cosine(f.turn);
-  const Vec3 in_pattern{(cosine * on.x - sine * on.y) * f.tile_x, (sine * on.x + cosine * on.y) * f.tile_y,
-                        on.z * f.tile_x};
   const double scale = std::max(length(column(b.place, 0)) / std::max(length(column(b.to_object, 0)), 1e-12), 1e-12);
   const double width = pixel_ * (pixel_grows_ ? length(s.at) : 1) / scale * std::abs(f.tile_x);
   Finish here = f;
   here.roughness = s.roughness, here.metalness = s.metalness;
-  const PatternPoint has = pattern_at(here, s.color, in_pattern, across, width);
+  const PatternPoint has = pattern_at(here, s.color, in_pattern(f, on), across, width);
   if (f.pattern_bumps > 0) {
     // Slopes become those of the scene by the inverse transpose, as it is: its length counts.
     const Vec3 slope = slope_of_bumps(here, s.color, on, across, width, has.height);

@@ -73,6 +73,7 @@ const MaterialRow rows[] = {
     clear("glass", {0.98, 1.0, 0.99}, 0.0, 1.5, 0.5),
     clear("frosted-glass", {0.97, 1.0, 0.99}, 0.38, 1.5, 0.3),
     clear("water", {0.93, 0.98, 1.0}, 0.0, 1.33, 1.0),
+    patterned(insulator("sea", {0.010, 0.045, 0.065}, 0.04), Pattern::waves, {0.020, 0.105, 0.115}, 0.16),
     clear("ice", {0.86, 0.94, 0.98}, 0.16, 1.31, 0.6),
     clear("diamond", {1.0, 1.0, 1.0}, 0.0, 2.42, 0.5),
     clear("amber", {0.90, 0.42, 0.06}, 0.05, 1.55, 0.5),
@@ -88,6 +89,8 @@ const MaterialRow rows[] = {
     patterned(insulator("tiles", {0.80, 0.80, 0.78}, 0.12), Pattern::tiles, {0.36, 0.35, 0.33}, 0.05),
     patterned(insulator("sand", {0.62, 0.48, 0.30}, 0.95), Pattern::sand, {0.46, 0.33, 0.19}, 0.05),
     patterned(insulator("snow", {0.90, 0.92, 0.95}, 0.75), Pattern::sand, {0.82, 0.86, 0.93}, 0.03),
+    patterned(insulator("asphalt", {0.080, 0.080, 0.083}, 0.9), Pattern::sand, {0.035, 0.035, 0.037}, 0.03),
+    patterned(insulator("grass", {0.13, 0.22, 0.035}, 0.85), Pattern::grass, {0.025, 0.075, 0.012}, 0.03),
     // Wood.
     patterned(insulator("oak", {0.42, 0.25, 0.12}, 0.48), Pattern::wood, {0.26, 0.135, 0.055}, 0.012),
     patterned(insulator("walnut", {0.16, 0.080, 0.040}, 0.42), Pattern::wood, {0.075, 0.035, 0.017}, 0.012),

@@ -619,6 +619,7 @@ TEST(Errors, WordsOfWhatNeedsAFilmOfItsOwn) {
            {"let sin = 2", "'sin' already has a meaning in formulas"},
            {"let 2x = 2", "'2x' cannot be a name in formulas"},
            {"let a =", "a formula, a vector, a colour, a text or a list is missing here"},
+           {"let a = [2 3 5 7]", "a list has round brackets, and blanks between its values"},
            {"let a = ;", "there is no colour ';'"},
            {"let beat = 12f\ncreate b sphere\nset b.radius = \"beat\"", "'beat' is in frames, but code counts seconds"},
            {"create l light\nset l.shadow softt", "shadow must be auto, on, off or soft"},

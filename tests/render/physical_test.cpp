@@ -208,6 +208,27 @@ TEST(Physical, PatternsAreTheSameInBothLanguages) {
   }
 }
 
+// Squares of half a metre: moved by one of them, the two colours change places.
+TEST(Physical, PatternsCanBeMoved) {
+  for (const char* style : {"shaded", "traced"}) {
+    const auto drawn = [&](double move) {
+      Finish f;
+      f.roughness = 1, f.specular = 0, f.pattern = Pattern::checker, f.second = {0.05, 0.05, 0.05}, f.move_x = move;
+      Item wall = item(square(), scaling({2, 2, 1}), {0.8, 0.8, 0.8}, Material::plastic);
+      wall.finish = std::make_shared<const Finish>(f);
+      Frame frame = frame_of({wall}, even_sky(1));
+      frame.camera.orthographic = true, frame.camera.height = 0.8;
+      return styled_light(frame, style, 16, 16);
+    };
+    const LinearPicture a = drawn(0), b = drawn(1), c = drawn(0.5);
+    for (int y : {2, 13})
+      for (int x : {2, 13}) {
+        EXPECT_NEAR(light_at(a, x, y).x, light_at(b, x, y).x, 0.05) << style;
+        EXPECT_NEAR(light_at(a, x, y).x + light_at(c, x, y).x, 0.85, 0.1) << style;
+      }
+  }
+}
+
 // Bumps are as deep in both styles, whatever the size of the object is.
 TEST(Physical, BumpsOfLargeThinBoxesAreAsDeepInBothStyles) {
   for (const std::string word : {"bricks", "fabric"}) {
