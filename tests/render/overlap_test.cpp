@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Betwixt authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The style `shaded` where objects overlap: shadows in shadows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/physical_scenes.h"
+
+namespace betwixt {
+namespace {
+
+using namespace physical_scenes;
+
+// A floor from above, 100 pixels a metre; x of the world is right, z is down. Of two plates under a soft sun, the low
+// one shades x < 0.5, and the high one z > 0. Neither is above the part of the floor that is looked at.
+struct Plates {
+  bool low = false, high = false;
+};
+std::vector<std::vector<double>> light_under(Plates plates) {
+  Frame f;
+  f.camera.world = translation({0.5, 20, 0}) * rotation(axis_angle({1, 0, 0}, -pi / 2));
+  f.camera.orthographic = true, f.camera.height = 1;
+  f.background = Vec3{}, f.surroundings.ambient = Vec3{};
+  const Mat4 lying = rotation(axis_angle({1, 0, 0}, -pi / 2));
+  const auto put = [&](Vec3 middle, double x, double y, bool there) {
+    f.items.push_back(
+        item(square(), translation(middle) * lying * scaling({x, y, 1}), {0.5, 0.5, 0.5}, Material::matte));
+    f.items.back().casts = there;
+  };
+  put({0, 0, 0}, 60, 60, false);
+  put({-4, 0.5, 0}, 8, 16, plates.low);
+  put({-5, 4, 4}, 6, 8, plates.high);
+  Light sun;
+  sun.sun = true, sun.direction = normalize(Vec3{1, -1, 0}), sun.casting = Casting::soft;
+  f.lights = {sun};
+  const Picture p = draw(f, {100, 100, 4, "shaded"});
+  std::vector<std::vector<double>> rows(100);
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 100; ++x) rows[static_cast<std::size_t>(y)].push_back(decoded(pixel(p, x, y).g / 255.0));
+  return rows;
+}
+
+TEST(RenderOverlap, ShadowsOfOneLampAreAsDarkAsTheDarkerOfThem) {
+  const auto lit = light_under({}), low = light_under({.low = true}), high = light_under({.high = true}),
+             both = light_under({.low = true, .high = true});
+  double lighter = 0, darker = 0;
+  for (std::size_t y = 10; y < 48; ++y)  // z < 0: the high plate hides nothing of the low one from the sun
+    for (std::size_t x = 10; x < 95; ++x) {
+      // A map of both plates is coarser than one of the low plate, so edges may lie beside each other by two pixels.
+      double most = 0, least = 1;
+      for (std::size_t beside = x - 2; beside <= x + 2; ++beside) {
+        const double by_low = low[y][beside] / lit[y][beside], by_high = high[y][beside] / lit[y][beside];
+        most = std::max(most, std::min(by_low, by_high));
+        least = std::min(least, std::max(by_low + by_high - 1, 0.0));  // no part of the sun's disc is hidden twice
+      }
+      lighter = std::max(lighter, both[y][x] / lit[y][x] - most),
+      darker = std::max(darker, least - both[y][x] / lit[y][x]);
+    }
+  EXPECT_LT(lighter, 0.06);
+  EXPECT_LT(darker, 0.03);
+}
+
+}  // namespace
+}  // namespace betwixt
