@@ -229,6 +229,36 @@ TEST(Physical, PatternsCanBeMoved) {
   }
 }
 
+// From afar, joints are as wide as from nearby, and pixels differ no more than the parts of the wall that they cover.
+TEST(Physical, PatternsWithJointsShowTheirMeanFromAfar) {
+  for (const std::string word : {"bricks", "tiles", "parquet"}) {
+    const auto row =
+        std::find_if(materials().begin(), materials().end(), [&](const auto& r) { return r.word == word; });
+    ASSERT_NE(row, materials().end()) << word;
+    const auto at = [&](double x, double y, double width) {
+      return pattern_at(row->finish, row->color, {x, y, 0.3}, {0, 0, 1}, width);
+    };
+    for (const double width : {0.01, 0.03, 0.06}) {
+      double mean = 0, fine_mean = 0, off = 0, spread = 0;
+      constexpr int pixels = 24, parts = 12;
+      std::vector<double> coarse, fine;
+      for (int k = 0; k < pixels * pixels; ++k) {
+        const double x = (k % pixels) * width * 1.37, y = (k / pixels) * width * 1.37;
+        coarse.push_back(at(x, y, width).height), fine.push_back(0);
+        for (int i = 0; i < parts * parts; ++i) {
+          const double dx = (i % parts + 0.5) / parts - 0.5, dy = (i / parts + 0.5) / parts - 0.5;
+          fine.back() += at(x + dx * width, y + dy * width, width / parts).height / (parts * parts);
+        }
+        mean += coarse.back() / (pixels * pixels), fine_mean += fine.back() / (pixels * pixels);
+      }
+      for (std::size_t k = 0; k < fine.size(); ++k)
+        off += std::pow(coarse[k] - fine[k], 2), spread += std::pow(fine[k] - fine_mean, 2);
+      EXPECT_NEAR(mean, fine_mean, 0.06) << word << width;
+      EXPECT_LT(off, 0.35 * spread + 0.002 * pixels * pixels) << word << width;
+    }
+  }
+}
+
 // Bumps are as deep in both styles, whatever the size of the object is.
 TEST(Physical, BumpsOfLargeThinBoxesAreAsDeepInBothStyles) {
   for (const std::string word : {"bricks", "fabric"}) {
