@@ -184,10 +184,10 @@ void Canvas::copy_to(const gl::Target& to) const {
   bind();
 }
 
-void Canvas::copy_color_to(GLuint framebuffer) const {
+void Canvas::copy_color_to(GLuint framebuffer, bool and_depth) const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glBlitFramebuffer(0, 0, large_.width, large_.height, 0, 0, large_.width, large_.height, GL_COLOR_BUFFER_BIT,
-                    GL_NEAREST);
+  glBlitFramebuffer(0, 0, large_.width, large_.height, 0, 0, large_.width, large_.height,
+                    GL_COLOR_BUFFER_BIT | (and_depth ? GL_DEPTH_BUFFER_BIT : 0U), GL_NEAREST);
   bind();
 }
 

@@ -40,8 +40,8 @@ class Canvas {
   void bind() const;
   // Copies the drawing and its depth, one of the samples of each pixel; then makes this the target again.
   void copy_to(const gl::Target& of_same_size) const;
-  // Copies the drawing alone.
-  void copy_color_to(GLuint framebuffer_of_same_size) const;
+  // Copies the drawing, and its depth as above if it is wanted.
+  void copy_color_to(GLuint framebuffer_of_same_size, bool and_depth) const;
   bool can_write_encoded() const { return can_write_encoded_; }
   // Fills empty pixels with the gradient.
   void draw_behind(const Backdrop&) const;

@@ -74,6 +74,7 @@ PhysicalSurfaces::Look* PhysicalSurfaces::need(unsigned features) {
                                     {"depths", depths_at},
                                     {"around", around_at},
                                     {"behind_it", behind_at},
+                                    {"behind_depth", behind_depth_at},
                                     {"normals", normals_at},
                                     {"roughness_map", roughness_at},
                                     {"metalness_map", metalness_at},
@@ -190,28 +191,38 @@ void PhysicalSurfaces::draw_opaque(const Things& things, std::span<const std::ui
   draw_batches(things, batches_of(things, numbers), solid_);
 }
 
+// Makes the copy of the picture that clear objects show, or keeps it.
+void PhysicalSurfaces::need_copy(const Canvas& canvas) {
+  const int width = canvas.width() * canvas.side(), height = canvas.height() * canvas.side();
+  if (behind_.id() != 0 && behind_width_ == width && behind_height_ == height) return;
+  behind_width_ = width, behind_height_ = height, behind_levels_ = 1;
+  for (int least = std::min(width, height); least > 1; least /= 2) ++behind_levels_;
+  const auto mirror = [] {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT);
+  };
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  behind_ = gl::Texture(id);
+  gl::use_texture(behind_at, id);
+  glTexStorage2D(GL_TEXTURE_2D, behind_levels_, canvas.format(), width, height);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  mirror();
+  behind_depth_ = gl::new_texture(GL_DEPTH24_STENCIL8, width, height, GL_NEAREST);
+  mirror();
+  glGenFramebuffers(1, &id);
+  behind_frame_ = gl::Framebuffer(id);
+  glBindFramebuffer(GL_FRAMEBUFFER, id);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, behind_.id(), 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, behind_depth_.id(), 0);
+  canvas.bind();
+}
+
 void PhysicalSurfaces::draw_through(const Canvas& canvas, const Things& things,
                                     std::span<const std::uint32_t> numbers) {
   if (numbers.empty()) return;
-  const int width = canvas.width() * canvas.side(), height = canvas.height() * canvas.side();
-  if (behind_.id() == 0 || behind_width_ != width || behind_height_ != height) {
-    behind_width_ = width, behind_height_ = height, behind_levels_ = 1;
-    for (int least = std::min(width, height); least > 1; least /= 2) ++behind_levels_;
-    GLuint id = 0;
-    glGenTextures(1, &id);
-    behind_ = gl::Texture(id);
-    gl::use_texture(behind_at, id);
-    glTexStorage2D(GL_TEXTURE_2D, behind_levels_, canvas.format(), width, height);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT);
-    glGenFramebuffers(1, &id);
-    behind_frame_ = gl::Framebuffer(id);
-    glBindFramebuffer(GL_FRAMEBUFFER, id);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, behind_.id(), 0);
-    canvas.bind();
-  }
+  need_copy(canvas);
   receives_ = false, ++frame_number_;
   const Batches batches = sorted_singles(things, numbers);
   // What is nearer shows what is behind it through it, so each one sees those before it; a copy for each would cost too
@@ -219,7 +230,9 @@ void PhysicalSurfaces::draw_through(const Canvas& canvas, const Things& things,
   constexpr std::size_t most_copies = 6;
   const std::size_t step = std::max<std::size_t>((batches.order.size() + most_copies - 1) / most_copies, 1);
   for (std::size_t first = 0; first < batches.order.size(); first += step) {
-    canvas.copy_color_to(behind_frame_.id());
+    // The depth stays that of what is opaque: clear objects that are drawn already are farther away.
+    canvas.copy_color_to(behind_frame_.id(), first == 0);
+    gl::use_texture(behind_depth_at, behind_depth_.id());
     gl::use_texture(behind_at, behind_.id());
     glGenerateMipmap(GL_TEXTURE_2D);
     glEnable(GL_DEPTH_TEST);

@@ -66,6 +66,7 @@ class PhysicalSurfaces {
   void draw_batches(const Things&, const Batches&, Instances&);
   void need_sky_light();
   GLuint plain_texture(bool normals);
+  void need_copy(const Canvas&);
 
   const bool unclamped_;
   std::unordered_map<unsigned, Look> looks_;
@@ -78,7 +79,7 @@ class PhysicalSurfaces {
   gl::Texture around_, seen_, white_, flat_;
   std::shared_ptr<const SkyLight> seen_of_;
   gl::Sampler depths_;
-  gl::Texture behind_;
+  gl::Texture behind_, behind_depth_;
   gl::Framebuffer behind_frame_;
   int behind_width_ = 0, behind_height_ = 0, behind_levels_ = 1;
   Instances solid_, glass_, clear_;

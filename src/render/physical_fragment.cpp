@@ -102,6 +102,25 @@ vec3 bumped(vec3 n, vec3 x, vec3 y, vec2 rise) {
   vec3 made = abs(det) * n - sign(det) * (rise.x * r1 + rise.y * r2);
   return made * inversesqrt(max(dot(made, made), 1e-30));
 }
+#if defined(THROUGH)
+// Whether something nearer than this depth is at a place of the copied picture, or next to it.
+bool stands_before(float depth, vec2 at, vec2 beside) {
+  float least = 1.0;
+  for (int i = 0; i < 9; ++i) least = min(least, texture(behind_depth, at + beside * vec2(i % 3 - 1, i / 3 - 1)).r);
+  return least < depth - 1e-6;
+}
+// The place on the way from a pixel to where the bent ray leaves, as far along it as nothing stands before the surface.
+vec2 place_behind(vec2 straight, vec2 bent, float depth, vec2 beside) {
+  float good = 0.0, bad = 1.0;
+  int tries = stands_before(depth, bent, beside) ? 6 : 0;
+  for (int i = 0; i < tries; ++i) {
+    float between = 0.5 * (good + bad);
+    bool before = stands_before(depth, mix(straight, bent, between), beside);
+    bad = before ? between : bad, good = before ? good : between;
+  }
+  return tries == 0 ? bent : mix(straight, bent, good);
+}
+#endif
 #if defined(PATTERN)
 vec3 in_pattern(vec3 p) {
   return vec3(pattern_tile.z * p.x - pattern_tile.w * p.y, pattern_tile.w * p.x + pattern_tile.z * p.y, p.z) * vec3(pattern_tile.x, pattern_tile.y, pattern_tile.x);
@@ -316,11 +335,12 @@ void main() {
   // What is behind it, along the bent ray, or straight through a thin wall.
   vec3 inside = refract(-v, n, 1.0 / through.y);
   vec3 leaves = spot + (through.z > 0.0 ? inside * through.z : vec3(0.0));
-  vec4 on_screen = clip_again * vec4(leaves, 1.0);
-  vec2 spot_behind = on_screen.xy / on_screen.w * 0.5 + 0.5;
+  vec4 on_screen = clip_again * vec4(leaves, 1.0), before_it = clip_again * vec4(spot, 1.0);
   // As wide a part of the picture for any size and number of samples; four lookups hide the squares of coarse levels.
   float blur_by = log2(1.0 + (exp2(10.0 * rough * clamp(through.y * 2.0 - 2.0, 0.0, 1.0)) - 1.0) * through.w);
-  vec2 apart = 0.5 * min(blur_by, 1.0) * exp2(blur_by) / vec2(textureSize(behind_it, 0));
+  vec2 texel = 1.0 / vec2(textureSize(behind_it, 0)), apart = 0.5 * min(blur_by, 1.0) * exp2(blur_by) * texel;
+  vec3 here = before_it.xyz / before_it.w * 0.5 + 0.5;
+  vec2 spot_behind = place_behind(here.xy, on_screen.xy / on_screen.w * 0.5 + 0.5, here.z, max(2.0 * apart, 1.4 * texel));
   vec3 seen_through = 0.25 * (textureLod(behind_it, spot_behind + apart, blur_by).rgb + textureLod(behind_it, spot_behind - apart, blur_by).rgb +
                               textureLod(behind_it, spot_behind + vec2(apart.x, -apart.y), blur_by).rgb + textureLod(behind_it, spot_behind - vec2(apart.x, -apart.y), blur_by).rgb);
   vec3 passing = seen_through * base.rgb * left * (1.0 - metal);

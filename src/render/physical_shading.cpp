@@ -79,6 +79,7 @@ uniform vec4 sheen;
 #if defined(THROUGH)
 uniform vec4 through;  // transmission, index of refraction, thickness, width of `behind_it` over 1024
 uniform sampler2D behind_it;
+uniform highp sampler2D behind_depth;
 uniform mat4 clip_again;
 #endif
 #if defined(BALL)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The style `shaded` where objects overlap: shadows in shadows.
+// The style `shaded` where objects overlap: shadows in shadows, and glass behind what stands in front of it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,6 +61,41 @@ TEST(RenderOverlap, ShadowsOfOneLampAreAsDarkAsTheDarkerOfThem) {
     }
   EXPECT_LT(lighter, 0.06);
   EXPECT_LT(darker, 0.03);
+}
+
+// A block of glass that stands askew before nothing, and a glowing bar: red if it is in front, green if behind.
+Frame block_and_bar(bool glass, double z, Vec3 color) {
+  Finish clear;
+  clear.transmission = 1, clear.ior = 1.5, clear.roughness = 0, clear.thickness = 1;
+  auto box = std::make_shared<Shape>();
+  box->kind = Kind::box, box->size = {1.4, 1.4, 0.8};
+  Item block = item(box, rotation(axis_angle({0, 1, 0}, 0.6)), {1, 1, 1}, Material::plastic);
+  block.finish = std::make_shared<const Finish>(clear);
+  Frame f = frame_of({item(square(), translation({0, 0, z}) * scaling({0.12, 1, 1}), color)}, even_sky(0));
+  if (glass) f.items.push_back(block);
+  return f;
+}
+
+TEST(RenderOverlap, GlassDoesNotShowWhatStandsBeforeIt) {
+  for (const int samples : {1, 4}) {
+    const auto light = [&](bool glass, double z, Vec3 color) {
+      return styled_light(block_and_bar(glass, z, color), "shaded", 96, samples);
+    };
+    const LinearPicture alone = light(false, 1.2, {1, 0, 0}), with = light(true, 1.2, {1, 0, 0});
+    double most = 0;
+    for (int y = 0; y < 96; ++y)
+      for (int x = 1; x < 95; ++x)
+        if (light_at(alone, x - 1, y).x + light_at(alone, x, y).x + light_at(alone, x + 1, y).x == 0)
+          most = std::max(most, light_at(with, x, y).x);
+    EXPECT_LT(most, 0.1) << samples;
+    // What is behind is seen through it, and in another place.
+    const LinearPicture behind = light(false, -1.5, {0, 1, 0}), bent = light(true, -1.5, {0, 1, 0});
+    double moved = 0, seen = 0;
+    for (int x = 0; x < 96; ++x)
+      if (light_at(behind, x, 48).y == 0) moved += light_at(bent, x, 48).y, seen += light_at(with, x, 48).y;
+    EXPECT_GT(moved, 2) << samples;
+    EXPECT_LT(seen, 0.1) << samples;
+  }
 }
 
 }  // namespace
