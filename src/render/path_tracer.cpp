@@ -182,7 +182,7 @@ double PathTracer::visibility(const SurfacePoint& point, const Lighting::One& li
     to = to + from_frame(unit(to), cylindrical(light.size * std::sqrt(area), turn, 0));
   }
   const double distance = light.sun ? INFINITY : std::sqrt(dot(to, to)) * (1 - coplanar_tolerance);
-  return world_.transmittance({point.start, unit(to), point.time}, distance);
+  return world_.transmittance({point.start, unit(to), point.time}, distance).x;
 }
 
 Vec3 PathTracer::direct_light(const Surface& s, PixelSampler& sampler) const {

@@ -14,6 +14,14 @@ constexpr double brightest_indirect = 10;
 
 double balance(double own, double other) { return own / (own + other); }
 
+Vec3 through_panes(const SurfacePoint& p, Vec3 toward) { return Scattering(p, toward, 0).straight(); }
+// Small lights are not found by paths that glass bends: as if most of their light came through straight.
+Vec3 through_glass(const SurfacePoint& p, Vec3 toward) {
+  const Scattering s(p, toward, 0);
+  const double most = 0.9 * p.finish->transmission;
+  return s.straightens() ? s.straight() : Vec3{most, most, most};
+}
+
 }  // namespace
 
 PhysicalTracer::PhysicalTracer(const PathTracer& tracer, const World& world, const Lighting& lighting,
@@ -81,7 +89,8 @@ Vec3 PhysicalTracer::from_light(const SurfacePoint& p, const Scattering& s, std:
   const Vec3 value = strength > 0 ? strength * s.value(along) : Vec3{};
   if (!(largest(value) > 0)) return {};
   const double distance = l.sun ? INFINITY : std::sqrt(dot(to, to)) * (1 - coplanar_tolerance);
-  return (casts ? world_.transmittance({p.start, along, p.time}, distance) : 1) * (value * projected_color(l, -along));
+  const Vec3 light = value * projected_color(l, -along);
+  return casts ? world_.transmittance({p.start, along, p.time}, distance, through_glass) * light : light;
 }
 
 Vec3 PhysicalTracer::from_lights(const SurfacePoint& p, const Scattering& s, bool all, PixelSampler& sampler) const {
@@ -104,8 +113,8 @@ Vec3 PhysicalTracer::from_sky(const SurfacePoint& p, const Scattering& s, PixelS
   const Vec3 value = s.value(d.along);
   if (!(largest(value) > 0)) return {};
   if (tracer_.meets_floor({p.start, d.along, p.time})) return {};
-  const double seen = world_.transmittance({p.start, d.along, p.time}, INFINITY);
-  return seen * balance(d.density, s.density(d.along)) / (pi * d.density) * (value * sky_.seen(d.along));
+  const Vec3 seen = world_.transmittance({p.start, d.along, p.time}, INFINITY, through_panes);
+  return balance(d.density, s.density(d.along)) / (pi * d.density) * (seen * value * sky_.seen(d.along));
 }
 
 Vec3 PhysicalTracer::of_lamps(const Ray& r, double distance, double density) const {
@@ -133,7 +142,8 @@ Vec3 PhysicalTracer::of_lamps(const Ray& r, double distance, double density) con
 
 Vec3 PhysicalTracer::radiance(SurfacePoint p, Vec3 toward, double away, double down, PixelSampler& sampler) const {
   Vec3 sum, carried{1, 1, 1};
-  double least_roughness = 0;
+  double least_roughness = 0, density = 0;
+  bool scattered = false, bends = false;  // whether a surface has reflected the path, and glass has bent it since then
   bool mirrored = true, straight = true;  // the path so far: sharply, so that fog is seen; only through glass
   const auto add = [&](Vec3 light, int depth) {
     Vec3 part = carried * light;
@@ -164,13 +174,14 @@ Vec3 PhysicalTracer::radiance(SurfacePoint p, Vec3 toward, double away, double d
     }
     Vec3 along = next.along;
     const double into = dot(along, p.face);
-    if (!next.through && into < 0) along = along - 2 * into * p.face;
+    if (next.through != (into < 0)) along = along - 2 * into * p.face;
     Ray r{next.through ? p.beyond : p.start, along, p.time};
     const bool rough = next.density > 0 && next.density < 20;
     mirrored = mirrored && !rough, straight = straight && next.through;
     const bool backdrop = straight && tracer_.has_backdrop();
     if (rough) least_roughness = std::max(least_roughness, 0.2);
-    double density = next.density;
+    if (!next.straight) density = next.density, bends = next.through;
+    scattered = scattered || !next.through;
     // Straight through what is transparent, to the next surface.
     std::optional<SurfacePoint> met;
     for (int layer = 0; layer < 64; ++layer) {
@@ -180,7 +191,8 @@ Vec3 PhysicalTracer::radiance(SurfacePoint p, Vec3 toward, double away, double d
         add(tracer_.backdrop(r.along, down), depth);
         break;
       }
-      if (const Vec3 lamps = backdrop ? Vec3{} : of_lamps(r, distance, density); largest(lamps) > 0) add(lamps, depth);
+      const bool hidden = backdrop || (scattered && bends);  // or seen as if straight through the glass
+      if (const Vec3 lamps = hidden ? Vec3{} : of_lamps(r, distance, density); largest(lamps) > 0) add(lamps, depth);
       if (distance == INFINITY) {
         if (const double hazy = mirrored ? tracer_.haze(r.along) : 0; hazy > 0) add_fog(hazy, depth);
         const double share = sky_ && density > 0 ? balance(density, sky_.density(r.along)) : 1;

@@ -25,20 +25,32 @@ class Scattering {
     Vec3 along;
     Vec3 weight;  // of the light from there
     double density = 0;
-    bool through = false;  // whether it leaves on the other side
+    bool through = false;   // whether it leaves on the other side
+    bool straight = false;  // and goes on as it came
   };
   Sample sample(PixelSampler&) const;
   Vec3 albedo() const;
+  // Whether light that comes through goes on as it came, and its share.
+  bool straightens() const { return thin_ && smooth_pane_; }
+  Vec3 straight() const { return straightens() ? passing(nv_) : Vec3{}; }
   const Vec3& normal() const { return n_; }
 
  private:
-  Sample sample_through(PixelSampler&) const;
-  Vec3 n_, toward_;
+  Vec3 value_of_lobes(Vec3 along) const;
+  double density_of_lobes(Vec3 along) const;
+  double slant(double vh) const;
+  Vec3 reflectance(double vh) const;  // of a facet, by its cosine of the angle of sight
+  double reflects(double vh) const;
+  Vec3 passing(double vh) const;  // the share of light that a facet lets through
+  Sample through(Vec3 facet, double chance) const;
+  double unhindered(double nl) const;
+  Sample hindered(Vec3 facet, double chance) const;
+  Vec3 n_, smooth_, toward_;
   double nv_ = 1, alpha_ = 1, f90_ = 1, coat_ = 0, coat_alpha_ = 1, coat_left_ = 1, sheen_alpha_ = 1, transmission_ = 0;
   double ior_ = 1.5;
-  Vec3 f0_, diffuse_, once_, repeated_{1, 1, 1}, sheen_, tint_;
-  bool thin_ = false, leaves_ = false;
-  double to_diffuse_ = 0, to_mirror_ = 0, to_coat_ = 0, to_through_ = 0;  // how often each is chosen
+  Vec3 f0_, diffuse_, once_, repeated_{1, 1, 1}, sheen_, left_, tint_;
+  bool thin_ = false, leaves_ = false, bent_ = false, smooth_pane_ = false;
+  double to_facets_ = 0, to_diffuse_ = 0, to_coat_ = 0;  // how often each is chosen
 };
 
 class PhysicalTracer {

@@ -263,8 +263,10 @@ SurfacePoint World::surface_point(const TracedObject& b, const Ray& r, const Hit
   s.start = s.start + clear, s.beyond = s.at - clear;
   s.shine = b.shine, s.material = b.material;
   s.solid = b.solid->mesh == nullptr || b.solid->mesh->closed, s.inside = back;
+  const Vec3 smooth = s.normal;
   if (b.finish) add_finish(b, m, s);
   if (b.finish && b.finish->normals) s.normal = mirroring_outward(s.normal, s.face, -r.along);
+  if (!(s.normal == smooth)) s.smooth = smooth;
   return s;
 }
 

@@ -135,10 +135,11 @@ double unhidden(double nl, double nv, double a) {
   const double a2 = a * a;
   return 0.5 / std::max(nl * std::sqrt(nv * nv * (1 - a2) + a2) + nv * std::sqrt(nl * nl * (1 - a2) + a2), 1e-30);
 }
+// The share of facets that are not hidden from a direction.
+double shown(double nv, double a) { return 2 * nv / (nv + std::sqrt(nv * nv * (1 - a * a) + a * a)); }
 // The density of a reflection by one of the facets that are visible.
 double density_of(double nh, double nv, double a) {
-  const double shown = 2 * nv / (nv + std::sqrt(nv * nv * (1 - a * a) + a * a));
-  return shown * facets(nh, a) / (4 * pi * std::max(nv, 1e-9));
+  return shown(nv, a) * facets(nh, a) / (4 * pi * std::max(nv, 1e-9));
 }
 
 }  // namespace
@@ -163,13 +164,16 @@ Scattering::Scattering(const SurfacePoint& p, Vec3 toward, double least_roughnes
     again[i] = std::max(1 - single, 0.0) * facet * facet * mean / (1 - facet * (1 - mean));
     repeated_[i] = 1 + again[i] / std::max(once_[i], 1e-6);
   }
-  transmission_ = f.transmission * (1 - metal), ior_ = f.ior, thin_ = !(f.thickness > 0) || !p.solid,
+  bent_ = dot(p.smooth, p.smooth) > 0, smooth_ = p.smooth;
+  transmission_ = f.transmission * (1 - metal), ior_ = std::max(f.ior, 1.0), thin_ = !(f.thickness > 0) || !p.solid,
   leaves_ = p.inside && !thin_;
-  const Vec3 left{1 - once_.x - again.x, 1 - once_.y - again.y, 1 - once_.z - again.z};
-  diffuse_ = (1 - metal) * (1 - transmission_) * p.opacity * (left * p.color);
+  smooth_pane_ = (p.finish != nullptr ? p.roughness : plain.roughness) <= 0.03;
+  if (transmission_ > 0) repeated_ = {1, 1, 1};  // what its facets hide from each other goes on: see sample()
+  left_ = {1 - once_.x - again.x, 1 - once_.y - again.y, 1 - once_.z - again.z};
+  diffuse_ = (1 - metal) * (1 - transmission_) * p.opacity * (left_ * p.color);
   // Light goes through both sides of a body, and through a thin wall once.
   const Vec3 c{std::max(p.color.x, 0.0), std::max(p.color.y, 0.0), std::max(p.color.z, 0.0)};
-  tint_ = left * (thin_ ? c : Vec3{std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z)});
+  tint_ = thin_ ? c : Vec3{std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z)};
   coat_ = f.clearcoat, coat_alpha_ = std::max(f.clearcoat_roughness, std::max(least_roughness, 0.03));
   coat_alpha_ *= coat_alpha_;
   coat_left_ = 1 - coat_ * (0.04 + 0.96 * fifth(1 - nv_));
@@ -182,25 +186,59 @@ Scattering::Scattering(const SurfacePoint& p, Vec3 toward, double least_roughnes
   const double mirror = std::min(largest(once_) + largest(again), 1.0), diffuse = largest(diffuse_) + most_sheen;
   const double through = transmission_ * (1 - mirror), coat = coat_ > 0 ? std::max(1 - coat_left_, 0.05) : 0;
   const double sum = std::max(mirror + diffuse + through + coat, 1e-9);
-  to_mirror_ = mirror / sum, to_diffuse_ = diffuse / sum, to_through_ = through / sum, to_coat_ = coat / sum;
+  to_facets_ = (mirror + through) / sum, to_diffuse_ = diffuse / sum, to_coat_ = coat / sum;
+}
+
+// The reflectance of a facet at grazing angles has the fifth power of this. Light that leaves a body is reflected as
+// much as light that comes in along the same path, or all of it.
+double Scattering::slant(double vh) const {
+  if (!leaves_) return 1 - vh;
+  const double square = 1 - ior_ * ior_ * (1 - vh * vh);
+  return square > 0 ? 1 - std::sqrt(square) : 1;
+}
+
+Vec3 Scattering::reflectance(double vh) const {
+  const double rim = fifth(slant(vh));
+  Vec3 share;
+  for (int i = 0; i < 3; ++i) share[i] = f0_[i] + std::max(f90_ - f0_[i], 0.0) * rim;
+  return share;
+}
+
+// How often a facet reflects a path, rather than letting it through.
+double Scattering::reflects(double vh) const {
+  if (!(transmission_ > 0)) return 1;
+  const double back = largest(reflectance(vh)), through = transmission_ * std::max(1 - back, 0.0);
+  return back + through > 0 ? back / (back + through) : 1;
 }
 
 Vec3 Scattering::albedo() const {
-  Vec3 all = diffuse_ + once_ * repeated_ + transmission_ * tint_;
+  Vec3 all = diffuse_ + once_ * repeated_ + transmission_ * (left_ * tint_);
   for (int i = 0; i < 3; ++i) all[i] = std::clamp(all[i], 0.0, 1.0);
   return all;
 }
 
+// What a bent normal sends behind the surface meets the next bump, which sends it back with the surface's colour.
 Vec3 Scattering::value(Vec3 l) const {
+  if (!bent_) return value_of_lobes(l);
+  const double up = dot(smooth_, l);
+  return up > 0 ? value_of_lobes(l) + albedo() * value_of_lobes(l - 2 * up * smooth_) : Vec3{};
+}
+
+double Scattering::density(Vec3 l) const {
+  if (!bent_) return density_of_lobes(l);
+  const double up = dot(smooth_, l);
+  return up > 0 ? density_of_lobes(l) + density_of_lobes(l - 2 * up * smooth_) : 0;
+}
+
+Vec3 Scattering::value_of_lobes(Vec3 l) const {
   const double nl = dot(n_, l);
   if (!(nl > 0)) return {};
   const Vec3 h = unit(l + toward_);
-  const double nh = std::clamp(dot(n_, h), 0.0, 1.0), vh = std::clamp(dot(toward_, h), 0.0, 1.0), rim = fifth(1 - vh);
+  const double nh = std::clamp(dot(n_, h), 0.0, 1.0), vh = std::clamp(dot(toward_, h), 0.0, 1.0);
   const double shine = facets(nh, alpha_) * unhidden(nl, nv_, alpha_);
-  Vec3 sum = diffuse_;
-  for (int i = 0; i < 3; ++i) sum[i] += shine * (f0_[i] + std::max(f90_ - f0_[i], 0.0) * rim) * repeated_[i];
-  sum = coat_left_ * sum;
+  Vec3 sum = coat_left_ * (diffuse_ + shine * (reflectance(vh) * repeated_));
   if (coat_ > 0) {
+    const double rim = fifth(1 - vh);
     const double c = coat_ * facets(nh, coat_alpha_) * unhidden(nl, nv_, coat_alpha_) * (0.04 + 0.96 * rim);
     sum = sum + Vec3{c, c, c};
   }
@@ -210,39 +248,80 @@ Vec3 Scattering::value(Vec3 l) const {
   return nl * sum;
 }
 
-double Scattering::density(Vec3 l) const {
+double Scattering::density_of_lobes(Vec3 l) const {
   const double nl = dot(n_, l);
   if (!(nl > 0)) return 0;
-  const double nh = std::clamp(dot(n_, unit(l + toward_)), 0.0, 1.0);
-  return to_diffuse_ * nl / pi + to_mirror_ * density_of(nh, nv_, alpha_) +
+  const Vec3 h = unit(l + toward_);
+  const double nh = std::clamp(dot(n_, h), 0.0, 1.0), vh = std::clamp(dot(toward_, h), 0.0, 1.0);
+  return to_diffuse_ * nl / pi + to_facets_ * reflects(vh) * unhindered(nl) * density_of(nh, nv_, alpha_) +
          (to_coat_ > 0 ? to_coat_ * density_of(nh, nv_, coat_alpha_) : 0);
 }
 
-Scattering::Sample Scattering::sample_through(PixelSampler& sampler) const {
-  const Vec3 h = sample_visible_facet(n_, toward_, alpha_, sampler.next_2d());
-  Sample s{-toward_, 1 / to_through_ * (transmission_ * tint_), 0, true};
-  if (thin_) return s;
-  const double eta = leaves_ ? ior_ : 1 / ior_, c = dot(toward_, h), k = 1 - eta * eta * (1 - c * c);
-  if (k < 0) {  // all of it is reflected inside
-    s.along = mirrored_at(h, toward_), s.through = false;
+Vec3 Scattering::passing(double vh) const {
+  const Vec3 back = reflectance(vh);
+  Vec3 left;
+  for (int i = 0; i < 3; ++i) left[i] = std::max(1 - back[i], 0.0);
+  return transmission_ * coat_left_ * (left * tint_);
+}
+
+// Through a facet: bent, or in a thin wall as if mirrored and turned to the other side. What facets hide from each
+// other goes on in the same direction.
+Scattering::Sample Scattering::through(Vec3 h, double chance) const {
+  const double c = std::clamp(dot(toward_, h), 0.0, 1.0);
+  Sample s{{}, 1 / chance * passing(c), 0, true, straightens()};
+  if (s.straight) {
+    s.along = -toward_;
     return s;
   }
+  if (thin_) {
+    const Vec3 mirrored = mirrored_at(h, toward_);
+    s.along = unit(mirrored - 2 * std::abs(dot(mirrored, n_)) * n_);
+    return s;
+  }
+  const double eta = leaves_ ? ior_ : 1 / ior_, k = std::max(1 - eta * eta * (1 - c * c), 0.0);
   s.along = unit((eta * c - std::sqrt(k)) * h - eta * toward_);
+  s.along = s.along - 2 * std::max(dot(s.along, n_), 0.0) * n_;
+  return s;
+}
+
+// How much of what a facet of glass reflects in a direction is not stopped by another one.
+double Scattering::unhindered(double nl) const {
+  if (!(transmission_ > 0)) return 1;
+  return nl > 0 ? std::min(4 * nl * nv_ * unhidden(nl, nv_, alpha_) / shown(nv_, alpha_), 1.0) : 0;
+}
+
+// What another facet stops: that one lies flat, and lets the light through if it can.
+Scattering::Sample Scattering::hindered(Vec3 h, double chance) const {
+  Vec3 down = mirrored_at(h, toward_);
+  down = down - 2 * std::max(dot(down, n_), 0.0) * n_;
+  const double c = -dot(down, n_), eta = leaves_ ? ior_ : 1 / ior_, k = 1 - eta * eta * (1 - c * c);
+  Sample s{down, coat_left_ / chance * reflectance(std::clamp(dot(toward_, h), 0.0, 1.0)), 0, true};
+  if (!thin_ && k <= 0) {
+    s.along = down + 2 * c * n_, s.through = false;
+    return s;
+  }
+  s.weight = transmission_ * (s.weight * tint_);
+  if (!thin_) s.along = unit(eta * down + (eta * c - std::sqrt(k)) * n_);
   return s;
 }
 
 Scattering::Sample Scattering::sample(PixelSampler& sampler) const {
-  const double choice = sampler.next_1d();
-  if (choice < to_through_) return sample_through(sampler);
+  double choice = sampler.next_1d();
   const auto random = sampler.next_2d();
-  const double rest = choice - to_through_;
   Sample s;
-  if (rest < to_diffuse_)
-    s.along = sample_cosine_hemisphere(n_, random);
-  else {
-    const Vec3 h = sample_visible_facet(n_, toward_, rest < to_diffuse_ + to_mirror_ ? alpha_ : coat_alpha_, random);
+  if (choice < to_facets_) {
+    const Vec3 h = sample_visible_facet(n_, toward_, alpha_, random);
+    const double back = reflects(std::clamp(dot(toward_, h), 0.0, 1.0));
+    if (choice >= to_facets_ * back) return through(h, to_facets_ * (1 - back));
     s.along = mirrored_at(h, toward_);
+    if (choice >= to_facets_ * back * unhindered(dot(n_, s.along))) return hindered(h, to_facets_ * back);
+  } else if (choice -= to_facets_; choice < to_diffuse_) {
+    s.along = sample_cosine_hemisphere(n_, random);
+  } else {
+    s.along = mirrored_at(sample_visible_facet(n_, toward_, coat_alpha_, random), toward_);
   }
+  if (!(dot(n_, s.along) > 0)) return s;
+  if (const double up = bent_ ? dot(s.along, smooth_) : 0; up < 0) s.along = s.along - 2 * up * smooth_;
   s.density = density(s.along);
   if (s.density > 0) s.weight = 1 / (pi * s.density) * value(s.along);
   return s;

@@ -209,25 +209,24 @@ std::optional<Hit> World::next_layer(const Ray& r, const std::optional<Hit>& las
   return top && rank(*top) > rank(first) ? top : first;
 }
 
-double World::transmittance(const Ray& r, double distance) const {
+Vec3 World::transmittance(const Ray& r, double distance, Passing passing) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay solid = ray_query(r, shadow_rays, 0, distance).ray;
   rtcOccluded1(all_.get(), &context, &solid);
-  if (!(solid.tfar >= 0)) return 0;
-  double through = 1, from = 0;
-  for (int k = 0; thin_ && k < 64 && through > 0; ++k) {
+  if (!(solid.tfar >= 0)) return {};
+  Vec3 through{1, 1, 1};
+  double from = 0;
+  for (int k = 0; thin_ && k < 64 && largest(through) > 0; ++k) {
     RTCRayHit q = ray_query(r, translucent_shadow_rays, from, distance);
     rtcIntersect1(all_.get(), &context, &q);
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) break;
     const Hit m = hit_of(q.hit, q.ray.tfar);
     // An object that fades out and lets half of the light through casts no shadow.
-    const ObjectStates& o = objects_[m.object];
-    const TracedObject& b = o.all[TimeStep(r.time, o.all.size()).nearest()];
-    // Light that glass bends is not followed to the lights; most of it comes through straight.
-    const double clear = b.finish ? 0.9 * b.finish->transmission : 0;
-    const double solidity = std::clamp(2 * surface_point(r, m).opacity - 1, 0.0, 1.0) * (1 - clear);
-    through *= 1 - solidity;
+    const SurfacePoint p = surface_point(r, m);
+    const double solidity = std::clamp(2 * p.opacity - 1, 0.0, 1.0);
+    const bool passes = passing != nullptr && p.finish != nullptr && p.finish->transmission > 0;
+    through = through * ((1 - solidity) * Vec3{1, 1, 1} + (passes ? solidity * passing(p, -r.along) : Vec3{}));
     from = m.distance * (1 + 2 * coplanar_tolerance) + 1e-30;
   }
   return through;

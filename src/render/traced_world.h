@@ -72,6 +72,7 @@ struct SurfacePoint {
   Vec3 at;
   Vec3 start, beyond;  // origins of rays that leave it and that pass through it, clear of the object itself
   Vec3 normal, face;   // of the smooth surface and of the triangle, both towards the ray's origin; unit length
+  Vec3 smooth;         // the normal before a picture or a pattern has bent it; none if none has
   Vec3 color;
   double opacity = 1, shine = 0;
   Material material = Material::plastic;
@@ -107,8 +108,10 @@ class World {
   // Returns what the eye sees behind `last`, or first. Of surfaces in one plane the one drawn last comes first, as if
   // each were drawn over the earlier ones.
   std::optional<Hit> next_layer(const Ray&, const std::optional<Hit>& last) const;
-  // Returns the share of light that comes through, over this distance.
-  double transmittance(const Ray&, double distance) const;
+  // Returns the share of light that comes through, over this distance. `passing`: the share that comes straight through
+  // a surface with a finish that lets light through; by default none.
+  using Passing = Vec3 (*)(const SurfacePoint&, Vec3 toward);
+  Vec3 transmittance(const Ray&, double distance, Passing passing = nullptr) const;
   SurfacePoint surface_point(const Ray&, const Hit&) const;
   // Of surfaces in one plane, the one with the higher rank is drawn later. A line that crosses itself has one rank
   // there.

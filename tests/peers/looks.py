@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Compares how models look: shaded with three.js, traced with Cycles, from the same GLB, camera and sky, in sRGB without a
-# view transform. The models are made by looks_models.py.
+# view transform. The models are made by looks_models.py. Traced light is compared as OpenEXR, cut at white, since programs
+# differ in how they show edges of light above white.
 #   looks.py PROGRAM FOLDER [MODEL…]   FOLDER has node_modules
 # Prints the peak signal-to-noise ratio of each pair, over the whole picture. LOOKS_OUT=FOLDER keeps the pictures and a sheet for each
 # model: Betwixt and the other one, and four times their difference. LOOKS_SIZE=512x384 and LOOKS_SAMPLES=256 change the size and the
@@ -29,17 +30,15 @@ USUAL = {"spheres": ("studio", 31, 31.5), "helmet": ("studio", 36, 34), "coat": 
 EYE, FOV = (0.0, 0.8, 9.0), 32.0
 
 
-def read_picture(path, fine=1):
-    """A picture of our size, or one that is finer: then the mean of its pixels in linear light. So a highlight is cut at white before
-    the mean is taken, as in Betwixt, and not after it."""
-    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], capture_output=True,
-                         check=True).stdout
-    picture = np.frombuffer(raw, np.uint8).reshape(height * fine, width * fine, 3)
-    if fine == 1: return picture
-    shown = picture / 255
-    light = np.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
-    light = light.reshape(height, fine, width, fine, 3).mean((1, 3))
-    return looks_models.as_bytes(np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055))
+def read_picture(path):
+    """A picture, or light as a picture."""
+    light = path.endswith(".exr")
+    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-f", "rawvideo", "-pix_fmt", "gbrapf32le" if light else "rgb24", "-"],
+                         capture_output=True, check=True).stdout
+    if not light: return np.frombuffer(raw, np.uint8).reshape(height, width, 3)
+    green, blue, red, _ = np.frombuffer(raw, np.float32).reshape(4, height, width)
+    c = np.clip(np.stack([red, green, blue], -1), 0, 1)
+    return looks_models.as_bytes(np.where(c <= 0.0031308, 12.92 * c, 1.055 * c ** (1 / 2.4) - 0.055))
 
 
 def decibels(a, b):
@@ -49,7 +48,7 @@ def decibels(a, b):
 
 def draw(model, sky, folder, style, *more):
     name = os.path.splitext(os.path.basename(model))[0]
-    out = f"{folder}/{name}-{style}{'-'.join(more)}.png"
+    out = f"{folder}/{name}-{style}{'-'.join(more)}.{'exr' if style == 'traced' else 'png'}"
     tangent = np.tan(np.radians(FOV / 2)) * width / height
     with open(f"{folder}/{name}.bx", "w") as film:
         film.write(f"""sky "{sky}.hdr"
@@ -76,8 +75,8 @@ with tempfile.TemporaryDirectory() as made_here:
     for sky, light in looks_models.SKIES.items(): looks_models.write_sky(f"{folder}/{sky}.hdr", light())
     names = [n for n in USUAL if not wanted or n in wanted]
     for name in names: looks_models.MODELS[name]().write(f"{folder}/{name}.glb")
-    jobs = [{"model": f"{folder}/{n}.glb", "sky": f"{folder}/{USUAL[n][0]}.hdr", "out": f"{folder}/{n}-cycles.png", "samples": samples,
-             "width": 2 * width, "height": 2 * height, "eye": EYE, "fov": FOV} for n in names if USUAL[n][2]]
+    jobs = [{"model": f"{folder}/{n}.glb", "sky": f"{folder}/{USUAL[n][0]}.hdr", "out": f"{folder}/{n}-cycles.exr", "samples": 4 * samples,
+             "width": width, "height": height, "eye": EYE, "fov": FOV} for n in names if USUAL[n][2]]
     cycles, three = {}, {}
     if again: jobs = [job for job in jobs if not os.path.exists(job["out"])]
     begun = time.time()
@@ -87,7 +86,7 @@ with tempfile.TemporaryDirectory() as made_here:
                                 os.path.join(here, "looks_blender.py"), "--", f"{folder}/jobs.json"], capture_output=True, text=True)
         asked_for = [n for n in names if USUAL[n][2]]
         for n in asked_for:
-            if os.path.exists(f"{folder}/{n}-cycles.png"): cycles[n] = read_picture(f"{folder}/{n}-cycles.png", 2)
+            if os.path.exists(f"{folder}/{n}-cycles.exr"): cycles[n] = read_picture(f"{folder}/{n}-cycles.exr")
         if len(cycles) < len(asked_for): verdict(False, f"Blender: {asked.stdout[-800:]} {asked.stderr[-800:]}")
     else: print("left out: there is no Blender here")
     if wanted: print(f"Cycles {time.time() - begun:.0f} s")

@@ -33,12 +33,27 @@ def linked(tree, kind, links, **values):
     return node.outputs[0]
 
 
+def decoded(picture):
+    """The picture, not multiplied by its alpha. Its colours become light: Cycles interpolates coded ones."""
+    picture.alpha_mode = "CHANNEL_PACKED"
+    if picture.colorspace_settings.name != "sRGB": return picture
+    values = numpy.empty(len(picture.pixels), numpy.float32)
+    picture.pixels.foreach_get(values)
+    colors = values.reshape(-1, 4)[:, :3]
+    colors[:] = numpy.where(colors <= 0.04045, colors / 12.92, ((colors + 0.055) / 1.055) ** 2.4)
+    light = bpy.data.images.new(picture.name, *picture.size, alpha=True, float_buffer=True)
+    light.colorspace_settings.name, light.alpha_mode = "Linear", "CHANNEL_PACKED"
+    light.pixels.foreach_set(values)
+    return light
+
+
 def as_in_gltf(material):
-    """Where Blender 3.4 leaves glTF: colours of pictures are not multiplied by their alpha; masks cut; glass has its colour once,
-    not at each of its sides; facets reflect light more than once; a clear coat has all of its reflection, not a quarter."""
+    """Where Blender 3.4 leaves glTF: colours of pictures are decoded before they are interpolated, and not multiplied by their alpha;
+    masks cut; glass has its colour once, not at each of its sides; facets reflect light more than once; a clear coat has all of its
+    reflection, not a quarter."""
     tree = material.node_tree
     for node in list(tree.nodes):
-        if node.type == "TEX_IMAGE" and node.image: node.image.alpha_mode = "CHANNEL_PACKED"
+        if node.type == "TEX_IMAGE" and node.image: node.image = decoded(node.image)
         if node.type == "BSDF_PRINCIPLED": principled_as_in_gltf(material, tree, node)
 
 
@@ -80,12 +95,10 @@ def render(job):
     scene.cycles.sample_clamp_indirect = scene.cycles.sample_clamp_direct = scene.cycles.blur_glossy = 0
     scene.cycles.max_bounces = scene.cycles.transmission_bounces = scene.cycles.glossy_bounces = 16
     scene.cycles.diffuse_bounces = scene.cycles.transparent_max_bounces = 16
-    scene.view_settings.view_transform, scene.view_settings.look = "Standard", "None"
     scene.render.resolution_x, scene.render.resolution_y = job["width"], job["height"]
     scene.render.resolution_percentage = 100
-    scene.render.dither_intensity = 0
-    scene.render.image_settings.file_format = "PNG"
-    scene.render.image_settings.color_mode = "RGB"
+    scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "OPEN_EXR", "32"
+    scene.render.image_settings.color_mode = "RGBA"
     scene.render.filepath = job["out"]
     bpy.ops.render.render(write_still=True)
 
