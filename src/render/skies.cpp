@@ -90,7 +90,8 @@ SkyModel::Day SkyModel::day_at(double hour) {
   const double low = 1 - smoothstep(0.02, 0.42, high);  // how red the light is
   // A low sun gives a surface that faces it about five times as much light as the sky gives the ground, as formulas of
   // daylight say from 6 to 10 degrees.
-  s.zenith = mix({0.012, 0.018, 0.045}, mix({0.135, 0.245, 0.52}, {0.095, 0.14, 0.29}, low), day);
+  // Above, a clear sky is xy = (0.25 0.255) (CIE): bluer ones made gold green.
+  s.zenith = mix({0.012, 0.018, 0.045}, mix({0.165, 0.245, 0.465}, {0.095, 0.14, 0.29}, low), day);
   s.horizon = mix({0.03, 0.035, 0.06}, mix({0.62, 0.73, 0.86}, {0.58, 0.36, 0.22}, low), day);
   s.glow = day * mix({0.45, 0.42, 0.36}, {1.4, 0.62, 0.18}, low);
   s.light = smoothstep(-0.04, 0.19, high) * mix({1.08, 0.95, 0.76}, {2.0, 0.98, 0.38}, low);
