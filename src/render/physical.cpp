@@ -82,7 +82,7 @@ PhysicalSurfaces::Look* PhysicalSurfaces::need(unsigned features) {
                                     {"emission_map", emission_at},
                                     {"seen", seen_at},
                                     {"slide", slide_at}});
-    glUniform2fv(place(look, "seeds"), shadow_seeds, sunflower().data());
+    glUniform3fv(place(look, "seeds"), shadow_seeds, sunflower().data());
   }
   glUseProgram(look.program.id());
   if (look.frame != frame_number_) set_frame(look), look.frame = frame_number_;

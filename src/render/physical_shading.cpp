@@ -54,7 +54,7 @@ uniform vec4 shadow_shape[MAPS];
 uniform int shadow_end[CASTERS];
 uniform int casting;
 uniform sampler2DArray depths;
-uniform vec2 seeds[SEEDS];
+uniform vec3 seeds[SEEDS];
 #endif
 #if !defined(GROUND)
 uniform float has_finish;  // 0: the instance's own shininess and material

@@ -83,7 +83,7 @@ uniform int shadow_end[CASTERS];  // which of the maps is the first that is no l
 #if defined(RICH)
 uniform int casting;            // how many lights cast
 uniform sampler2DArray depths;  // the same layers, as they are
-uniform vec2 seeds[SEEDS];      // points of a disc of radius 1, evenly spread
+uniform vec3 seeds[SEEDS];      // points of a disc of radius 1, evenly spread, and how far they are from its middle
 #if !defined(GROUND)
 uniform vec4 floor_color;  // and 1, or 0 where there is none
 uniform float floor_height;

@@ -40,32 +40,36 @@ vec2 slope(int i, vec4 seen, vec3 n) {
 float lit_by(int i, vec4 seen, vec3 p, vec3 n, bool wanted) {
   float spread = shadow_shape[i].z, reach = min(spread * max(p.z - shadow_shape[i].w, 0.0), 0.1);
   bool soft = spread > 0.0;
-  float blockers = 0.0, before = 0.0, nearby = 0.0, nearer = 0.0, middle = 1.0;
+  float blockers = 0.0, before = 0.0, nearby = 0.0, nearer = 0.0;
   int looks = wanted && reach > 0.0 ? SEEDS : 0;
   for (int k = 0; k < looks; ++k) {
-    float away = length(seeds[k]);
-    vec2 off = reach * away * away * away * seeds[k];  // much denser in the middle: what is near stands there
-    float there = texture(depths, vec3(p.xy + off, i)).r, far = there < 1.0 ? p.z - there : 0.0;
-    float blocks = step(max(length(off), 1e-9), 1.5 * far * spread);  // wider: it says where to look closely
-    blockers += blocks * far, before += blocks * far * far;
-    float close = 1.0 / max(far, 1e-6), share = far > 0.0 ? clamp(2.5 - length(off) / (far * spread), 0.0, 1.0) : 0.0;
-    middle -= k < 5 ? 0.2 * blocks : 0.0;
-    nearby += share * close * close, nearer += share * close * close * close;
+    float away = seeds[k].z, out_there = reach * away * away * away;  // much denser in the middle: what is near stands there
+    float there = texture(depths, vec3(p.xy + out_there * seeds[k].xy, i)).r, far = there < 1.0 ? spread * (p.z - there) : 0.0;
+    float blocks = step(max(out_there * away, 1e-9), 1.5 * far);  // wider: it says where to look closely
+    float close = blocks / max(far, 1e-9), close2 = close * close;
+    far *= blocks;
+    blockers += far, before += far * far, nearby += close2, nearer += close2 * close;
   }
-  float mean = before / max(blockers, 1e-9), radius = max(spread * mean, 0.5 * shadow_step);
+  float radius = max(before / max(blockers, 1e-12), 0.5 * shadow_step);
   // If something near stands before something far, one penumbra for both would let light into the shadow of what is near, or
   // blur it. So each of them has its own, and the darker one counts.
-  float near = nearby / max(nearer, 1e-30), near_radius = max(spread * near, 0.5 * shadow_step);
+  float near_radius = max(nearby / max(nearer, 1e-30), 0.5 * shadow_step);
   float apart = blockers > 0.0 ? 1.0 - smoothstep(0.5, 0.85, near_radius / radius) : 0.0;
-  vec2 tilt = soft ? slope(i, seen, n) : vec2(0.0);
-  int taps = !wanted ? 0 : !soft ? TAPS * TAPS : blockers > 0.0 ? SEEDS : 0, more = apart > 0.0 ? taps : 0;
-  float sum = 0.0, sum_near = 0.0, narrow = soft ? middle / (1.5 * spread) : 0.0;
-  for (int k = 0; k < taps; ++k) {
-    vec2 off = soft ? radius * seeds[k] : (vec2(k % TAPS, k / TAPS) - 0.5 * float(TAPS - 1)) * shadow_step;
-    sum += texture(shadows, vec4(p.xy + off, i, min(p.z - narrow * length(off) + dot(tilt, off), 1.0)));
+  int taps = !wanted ? 0 : !soft ? TAPS * TAPS : blockers > 0.0 ? SEEDS : 0;
+  vec2 tilt = vec2(0.0);
+  float narrow = 0.0, sum = 0.0, sum_near = 0.0;
+  for (int k = 0; k < (soft ? min(taps, 1) : 0); ++k) {  // a loop, since software skips nothing else
+    tilt = slope(i, seen, n);
+    // Where nothing stands right in the way, what is near counts in its own cone only.
+    narrow = texture(shadows, vec4(p.xy, i, p.z)) * radius / (1.5 * spread);
   }
+  for (int k = 0; k < taps; ++k) {
+    vec2 off = soft ? radius * seeds[k].xy : (vec2(k % TAPS, k / TAPS) - 0.5 * float(TAPS - 1)) * shadow_step;
+    sum += texture(shadows, vec4(p.xy + off, i, min(p.z - narrow * seeds[k].z + dot(tilt, off), 1.0)));
+  }
+  int more = apart > 0.0 && sum > 0.0 ? taps : 0;
   for (int k = 0; k < more; ++k) {
-    vec2 off = near_radius * seeds[k];
+    vec2 off = near_radius * seeds[k].xy;
     sum_near += texture(shadows, vec4(p.xy + off, i, min(p.z + dot(tilt, off), 1.0)));
   }
   sum = more == 0 ? sum : min(sum, sum_near);

@@ -45,13 +45,14 @@ void draw_depth(const std::function<void()>& draw) {
 
 }  // namespace
 
-std::array<float, 2 * shadow_seeds> sunflower() {
-  std::array<float, 2 * shadow_seeds> r;
+std::array<float, 3 * shadow_seeds> sunflower() {
+  std::array<float, 3 * shadow_seeds> r;
   const double golden = pi * (3 - std::sqrt(5.0));
   for (int k = 0; k < shadow_seeds; ++k) {
     const double away = std::sqrt((k + 0.5) / shadow_seeds);
-    r[static_cast<std::size_t>(2 * k)] = static_cast<float>(away * std::cos(golden * k));
-    r[static_cast<std::size_t>(2 * k + 1)] = static_cast<float>(away * std::sin(golden * k));
+    r[static_cast<std::size_t>(3 * k)] = static_cast<float>(away * std::cos(golden * k));
+    r[static_cast<std::size_t>(3 * k + 1)] = static_cast<float>(away * std::sin(golden * k));
+    r[static_cast<std::size_t>(3 * k + 2)] = static_cast<float>(away);
   }
   return r;
 }
@@ -79,7 +80,7 @@ Result<Surfaces::Look> Surfaces::new_look(bool fills, std::size_t variant, const
   look.receives = gl::uniform(look.program, "receives");
   look.part_color = gl::uniform(look.program, "part_color");
   gl::set_samplers(look.program, {{"shadows", shadow_unit}, {"depths", depth_unit}, {"picture", picture_unit}});
-  if ((variant & rich) != 0) glUniform2fv(gl::uniform(look.program, "seeds"), shadow_seeds, sunflower().data());
+  if ((variant & rich) != 0) glUniform3fv(gl::uniform(look.program, "seeds"), shadow_seeds, sunflower().data());
   return look;
 }
 

@@ -72,7 +72,7 @@ class Surfaces {
 // Lookups for a soft shadow, distributed over a disc like the seeds of a sunflower. The software driver unrolls loops
 // over arrays of 32 and fewer, which takes four times as long.
 inline constexpr int shadow_seeds = 40;
-std::array<float, 2 * shadow_seeds> sunflower();
+std::array<float, 3 * shadow_seeds> sunflower();  // x, y, and how far it is from the middle
 // Returns whether several lights, or soft ones, cast shadows.
 bool has_rich_shadows(const Surfaces::FrameSettings&);
 // Sets the uniforms of the shadow maps of a program.
