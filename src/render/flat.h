@@ -10,6 +10,7 @@
 #include "betwixt/picture.h"
 #include "render/columns.h"
 #include "render/coverage.h"
+#include "render/flat_seams.h"
 #include "render/gradients.h"
 #include "render/things.h"
 
@@ -49,6 +50,14 @@ class FlatPainter {
     double front = 0;   // the smallest depth
     double back = 0;    // the largest depth
     std::vector<Paint> parts;
+    LongEdges edges;                    // of an object with one opaque colour
+    std::vector<std::uint32_t> beside;  // objects that share one of them
+  };
+  // What is in a pixel whose share an object covers that has others beside it.
+  struct Seam {
+    int row = -1;  // of the picture; that of another row is over
+    std::uint32_t owner = 0;
+    Color below{0, 0, 0}, sum{0, 0, 0}, result{0, 0, 0};  // sum: of colours by their shares
   };
   struct Span {  // of a row, in pixels
     int left, right;
@@ -58,6 +67,7 @@ class FlatPainter {
   void mark(const Painted&);
   void outline(Painted&, const Thing&) const;
   bool sort();
+  void find_seams();
   // Paints these parts of rows and calls put(y, …, row) for each; light: colours are multiplied by their opacities.
   template <bool light, class Put>
   void paint(const std::vector<Span>& rows, const Put& put) const;
@@ -69,6 +79,9 @@ class FlatPainter {
   static Color over(const Color& below, const Color&, float opacity);
   template <bool light, bool alone>
   static void lay(const Paint&, const RowCoverage&, int y, Color* row);
+  // Adds an object that shares edges with others to a row.
+  template <bool light>
+  static void lay_beside(std::uint32_t number, const Painted&, const RowCoverage&, int y, Color* row, Seam* seams);
   static Color graded_at(const Graded&, std::size_t x, int y);
   static Color plus(const Color& sum, const Color&, float opacity);  // colours by their opacities
 

@@ -146,6 +146,13 @@ Picture drawn(const std::string& script, RenderOptions options) {
   return out;
 }
 
+LinearPicture drawn_light(const std::string& script, RenderOptions options) {
+  options.linear = true;
+  LinearPicture out;
+  EXPECT_TRUE(scenes::renderer(options)->render(program_of(script).frame({}), out));
+  return out;
+}
+
 TEST(Flat, PicturesAreThoseOfSixtyFourSamples) {
   constexpr int width = 320, height = 180, fine = 8;
   const auto graphics = scenes::renderer({fine * width, fine * height, 1, "shaded"});
@@ -214,6 +221,45 @@ TEST(Flat, PartsOfAnObjectLeaveNoSeam) {
       ++blue;
     }
   EXPECT_GT(blue, 1500);
+}
+
+// Slices of one colour are a whole disc, and light is the same: nothing of the background is between them.
+TEST(Flat, SlicesOfAPieLeaveNoSeam) {
+  const std::string script =
+      "film flat\nbackground #00ff00\ncreate p pie of=(5 3 2.2 4.1) radius=3 rotation=(0deg 0deg 11deg)\n"
+      "set p/*.color #0000ff\n";
+  const RenderOptions options{160, 90, 4, "shaded"};
+  const Picture out = drawn(script, options);
+  const LinearPicture light = drawn_light(script, options);
+  int blue = 0;
+  for (int y = 20; y < 70; ++y)
+    for (int x = 55; x < 105; ++x) {
+      if (std::hypot(x - 79.5, y - 44.5) > 26) continue;
+      EXPECT_EQ(scenes::pixel(out, x, y), (scenes::Pixel{0, 0, 255, 255})) << x << ' ' << y;
+      const float* const at = &light.rgba[4 * static_cast<std::size_t>(160 * y + x)];
+      EXPECT_LT(at[1], 1e-3F) << x << ' ' << y;
+      EXPECT_NEAR(at[2], 1, 1e-3) << x << ' ' << y;
+      ++blue;
+    }
+  EXPECT_GT(blue, 1500);
+}
+
+// What lies exactly over another object is drawn as it is over any other: a share of its edges shows what is below.
+TEST(Flat, WhatCoversAnotherIsNotBesideIt) {
+  const auto edge = [](const std::string& below) {
+    return drawn("film flat\nbackground #00ff00\n" + below + "create b rectangle size=(4.05 3.03) color=#0000ff\n",
+                 {160, 90, 4, "shaded"});
+  };
+  const Picture both = edge("create a rectangle size=(4.05 3.03) color=#ff0000\n"), one = edge("");
+  int partly = 0;
+  for (int x = 0; x < 160; ++x) {
+    const double share = scenes::decoded(scenes::pixel(one, x, 45).b / 255.0);
+    if (share < 0.05 || share > 0.95) continue;
+    ++partly;
+    EXPECT_NEAR(scenes::decoded(scenes::pixel(both, x, 45).g / 255.0), (1 - share) * (1 - share), 0.02) << x;
+    EXPECT_NEAR(scenes::decoded(scenes::pixel(both, x, 45).b / 255.0), share, 0.02) << x;
+  }
+  EXPECT_EQ(partly, 2);
 }
 
 TEST(Flat, LayersBlendInLinearLight) {
