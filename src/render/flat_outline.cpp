@@ -63,6 +63,7 @@ void FlatPainter::outline(Painted& to, const Thing& t) const {
   const Vec3 half = t.mesh->box.half();
   const bool thick = !t.pressed && half.z > 1e-6 * std::max(half.x, half.y);
   const double outside = t.mirrored ? 1 : -1;  // the sign of a triangle that is seen from outside: y goes down
+  const bool may_share = t.mesh->parts.size() == 1 && t.shape->kind != Kind::text;
   // The sign of the area of each triangle as seen; 0 if it is not drawn.
   std::vector<signed char> seen(corners.size() / 3);
   std::vector<std::uint32_t> part_of(seen.size());
@@ -88,7 +89,7 @@ void FlatPainter::outline(Painted& to, const Thing& t) const {
       const Point &start = seen[triangle] < 0 ? b : a, &end = seen[triangle] < 0 ? a : b;
       paint.area.add(static_cast<float>(start.x), static_cast<float>(start.y), static_cast<float>(end.x),
                      static_cast<float>(end.y));
-      if (t.mesh->parts.size() == 1)
+      if (may_share)
         to.edges.add(static_cast<float>(start.x), static_cast<float>(start.y), static_cast<float>(end.x),
                      static_cast<float>(end.y));
     }
