@@ -8,7 +8,7 @@
 namespace betwixt::traced {
 namespace {
 
-constexpr int most_bounces = 16, bounces_before_chance = 3;
+constexpr int most_bounces = 64, bounces_before_chance = 3;
 // Paths that reach a light by way of a second surface are limited to this, or single ones would be white dots.
 constexpr double brightest_indirect = 10;
 

@@ -167,10 +167,12 @@ def checks(count, size=256):
     return (np.floor(u * count) + np.floor(v * count)) % 2
 
 
-def domes(count=4, size=256):
+def domes(radius=0.4, count=4, size=256):
+    """Parts of balls that cover the same discs; with the least radius they are halves."""
     u, v = places(size)
     x, y = u * count % 1 - 0.5, v * count % 1 - 0.5
-    return np.sqrt(np.maximum(0.16 - x * x - y * y, 0)) / count
+    ground = np.sqrt(radius * radius - 0.16)
+    return np.maximum(np.sqrt(np.maximum(radius * radius - x * x - y * y, 0)) - ground, 0) / count
 
 
 # ---- models
@@ -225,14 +227,18 @@ def lamps():
     return g
 
 
-def normals():
+def normals(height=None):
     g = Glb()
-    bumps = normals_of(domes(), 1.0)
+    bumps = normals_of(domes() if height is None else height, 1.0)
     for i, (metal, rough) in enumerate([(0, 0.5), (1, 0.2), (1, 0.6)]):
         for j, mirror in enumerate([False, True]):
             m = g.material((0.75, 0.7, 0.65), metal, rough, normalTexture={**g.texture(bumps), "scale": 1.0})
             g.node(g.mesh((plate(1.6, 1.6, 1, mirror), m)), (1.9 * (i - 1), 0.9 - 1.8 * j, 0), (-0.1, 0.1, 0, 0.99))
     return g
+
+
+def bumps():  # so flat that mirrors do not show what is behind them
+    return normals(domes(0.75))
 
 
 def glass(thick=True):
@@ -308,7 +314,7 @@ def colors():
     return g
 
 
-MODELS = {f.__name__: f for f in (spheres, helmet, coat, lamps, normals, glass, panes, masks, many, cloth, tiles, colors)}
+MODELS = {f.__name__: f for f in (spheres, helmet, coat, lamps, normals, bumps, glass, panes, masks, many, cloth, tiles, colors)}
 
 
 # ---- skies
