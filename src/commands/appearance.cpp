@@ -8,6 +8,8 @@
 
 #include "base/names.h"
 #include "commands/command.h"
+#include "scene/colors.h"
+#include "scene/materials.h"
 #include "scene/pixel_filter.h"
 
 namespace betwixt {
@@ -166,6 +168,10 @@ bool ground(Command& k) {
   auto& [s, c, time, layer, script] = k;
   std::optional<Color> color;
   const bool off = c.accept_word("off");
+  const std::string_view word = (c.space(), c.peek_word());
+  if (word == "material" || (material_row(word).word == word && !named_color(word)))
+    return no_choice(c, c.next_word(), "the ground has a color and no material",
+                     "a plane has one: create floor plane size=(200 200) rotation=euler(-90deg 0 0) material=grass");
   if (!off && !c.accept_word("on") && !color_or(k, {"on", "off"}, color.emplace())) return false;
   if (!finish(c)) return false;
   s.appearance.ground = !off, s.appearance.ground_color = color;

@@ -83,7 +83,8 @@ bool which_sky(Command& k, Sky& sky, std::string& file, bool& plain) {
   const auto* const at = std::find(sky_names.begin(), sky_names.end() - 1, w);
   if (at == sky_names.end() - 1 && !plain)
     return no_choice(c, w, "a sky must be on, off, studio, day, overcast, sunset or a \"FILE\"",
-                     did_you_mean(w, {"on", "off", "studio", "day", "overcast", "sunset"}));
+                     w == "night" ? Hint("a night has a dark background, and lamps: background #060a14")
+                                  : did_you_mean(w, {"on", "off", "studio", "day", "overcast", "sunset"}));
   sky.kind = plain ? Sky::none : static_cast<Sky::Kind>(at - sky_names.begin());
   return true;
 }

@@ -51,6 +51,16 @@ TEST(RenderShadow, ASmallBallBesideALargePlaneHasACrispOne) {
   }
 }
 
+// A hill that reaches into the plane is large in the picture, so that near things are small beside it.
+TEST(RenderShadow, AHillBehindLeavesItCrisp) {
+  const RenderOptions options{640, 360, 4, "shaded"};
+  Frame f = small_ball();
+  f.camera.world = look_at({0, 0.4, 0.8}, {0.1, 0, 0});
+  EXPECT_LE(between(draw(f, options)), 6);
+  f.items.push_back(item(sphere(40), translation({0, -20, -90}), {0.4, 0.6, 0.3}, Material::matte));
+  EXPECT_LE(between(draw(f, options)), 6);
+}
+
 // So many objects that the size of the plane does not matter.
 TEST(RenderShadow, ManySmallThingsFarOffLeaveItCrisp) {
   const RenderOptions options{640, 360, 4, "shaded"};
