@@ -118,7 +118,7 @@ void main() {
 }
 )";
 
-// The mean of the whole pattern, where it lies in the plane of what is in their middle.
+// The mean of the whole pattern, densest in the middle, where it lies in the plane of what is in their middle.
 const char* const smooth_fragment = R"(
 uniform sampler2D closed;
 out vec4 color;
@@ -128,13 +128,15 @@ void main() {
   float depth = depth_at(middle), z = away(depth), scale = 13.0 * metres(z) / reach(z);
   vec3 s = slopes(middle, depth);
   float sum = 0.0, all = 0.0;
-  int looks = depth < FARTHEST ? PATTERN * PATTERN : 0;
+  const int side = 2 * PATTERN;
+  int looks = depth < FARTHEST ? side * side : 0;
   for (int k = 0; k < looks; ++k) {
-    ivec2 there = clamp(cell + ivec2(k % PATTERN, k / PATTERN) - PATTERN / 2, ivec2(0), last);
+    ivec2 off = ivec2(k % side, k / side) - PATTERN, there = clamp(cell + off, ivec2(0), last);
+    vec2 middling = 1.0 - abs(vec2(off) + 0.5) / float(PATTERN);  // each part of the pattern counts the same
     ivec2 at = min(SIDE2 * there + SIDE2 / 2, end);
     float apart = abs(depth_at(at) - depth - dot(s.xy, vec2(at - middle))) * scale;
     vec2 measured = texelFetch(closed, there, 0).rg;
-    float weight = measured.g * max(1.0 - apart, 0.0) + 1e-4;
+    float weight = middling.x * middling.y * measured.g * max(1.0 - apart, 0.0) + 1e-4;
     sum += weight * measured.r, all += weight;
   }
   color = vec4(sum / max(all, 1e-30));
@@ -143,6 +145,7 @@ void main() {
 
 const char* const darken_fragment = R"(
 uniform sampler2D seen, closed;
+uniform float bounces;  // 1: light comes from surfaces around too, most of it where much is closed
 out vec4 color;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy), last = textureSize(closed, 0) - 1, corner = at / SIDE2;
@@ -158,7 +161,8 @@ void main() {
     sum += weight * texelFetch(closed, there, 0).r, all += weight;
   }
   if (sum <= 0.0) discard;  // to the byte as it was
-  color = vec4(vec3(1.0 - receives * sum / all), 1.0);
+  float share = sum / all;
+  color = vec4(vec3(1.0 - receives * share * mix(1.0, 0.4 + 0.6 * share, bounces)), 1.0);
 }
 )";
 
@@ -176,7 +180,7 @@ Result<ContactShading> ContactShading::create(const Canvas& canvas) {
     *t = *std::move(made);
   }
   const std::string defines = fmt::format(
-      "#define SIDE2 {}\n#define SLICES 4\n#define STEPS 9\n#define THICK 0.4\n#define PATTERN {}\n#define FARTHEST "
+      "#define SIDE2 {}\n#define SLICES 4\n#define STEPS 9\n#define THICK 1.0\n#define PATTERN {}\n#define FARTHEST "
       "0.99999\n",
       2 * canvas.side(), canvas.height() < 500 ? 2 : 4);
   for (const auto& [program, fragment] :
@@ -207,7 +211,7 @@ void ContactShading::set(const gl::Program& program, const Canvas& canvas, const
   glUniform1f(at("radius"), static_cast<float>(contact_reach * canvas.height() * canvas.side()));
 }
 
-void ContactShading::draw(const Canvas& canvas, const View& view) const {
+void ContactShading::draw(const Canvas& canvas, const View& view, bool bounces) const {
   canvas.copy_to(seen_);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -229,6 +233,7 @@ void ContactShading::draw(const Canvas& canvas, const View& view) const {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   canvas.write_linear();
   set(darken_, canvas, view);
+  glUniform1f(gl::uniform(darken_, "bounces"), bounces ? 1 : 0);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ZERO, GL_SRC_COLOR);
   gl::fill();

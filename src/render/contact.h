@@ -13,8 +13,9 @@ namespace betwixt {
 class ContactShading {
  public:
   static Result<ContactShading> create(const Canvas&);
-  // Darkens opaque pixels by their share of ambient light, which is in their alpha; then alpha is 1.
-  void draw(const Canvas&, const View&) const;
+  // Darkens opaque pixels by their share of ambient light, which is in their alpha; then alpha is 1. `bounces`: less
+  // where little is closed, since what closes it sends light of its own, as in pictures under skies.
+  void draw(const Canvas&, const View&, bool bounces) const;
 
  private:
   void set(const gl::Program&, const Canvas&, const View&) const;

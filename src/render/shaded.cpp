@@ -71,7 +71,7 @@ class Shaded final : public Module {
       surfaces_.draw_setting(now, behind(gradient), encoded);
     else if (!scenery_.plain())
       canvas_.draw_behind(behind(gradient));
-    if (contact) contact_->draw(canvas_, view);
+    if (contact) contact_->draw(canvas_, view, false);
     if (contact && now.clear) put_opacity_back(now);
     if (!hairlines.empty() || !glass.empty()) {
       canvas_.write_linear();
@@ -106,7 +106,7 @@ class Shaded final : public Module {
       physical_.draw_setting(now, behind(gradient), encoded);
     else if (!scenery_.plain())
       canvas_.draw_behind(behind(gradient));
-    if (contact) contact_->draw(canvas_, view);
+    if (contact) contact_->draw(canvas_, view, true);
     physical_.draw_through(canvas_, things_, all.through);
     if (!all.hairlines.empty() || !all.glass.empty()) {
       canvas_.write_linear();
