@@ -49,7 +49,8 @@ PhysicalSurfaces::Look* PhysicalSurfaces::need(unsigned features) {
         {ground, "GROUND"},       {areas, "AREAS"},
         {shadowed, "SHADOWED"},   {contact, "RECEIVES"},
         {rich, "RICH"},           {levels, "LEVELS"},
-        {projects, "PROJECTS"},   {gradient, "GRADIENT"}};
+        {projects, "PROJECTS"},   {gradient, "GRADIENT"},
+        {inner, "INNER"}};
     std::string defines =
         fmt::format("#define TAPS 2\n#define SEEDS {}\n#define CASTERS {}\n#define MAPS {}\n#define PHYSICAL\n",
                     shadow_seeds, (features & rich) != 0 ? Lighting::most_casting : 1,
@@ -148,10 +149,10 @@ unsigned PhysicalSurfaces::features_of(const Batch& batch, const StoredPart& par
   return f;
 }
 
-void PhysicalSurfaces::draw_parts(const Things& things, const Batches& batches, const Batch& batch) {
+void PhysicalSurfaces::draw_parts(const Things& things, const Batches& batches, const Batch& batch, unsigned more) {
   const Thing& t = things[batches.order[batch.first]];
   for (const StoredPart& part : batch.mesh->parts) {
-    const unsigned features = features_of(batch, part, t);
+    const unsigned features = features_of(batch, part, t) | more;
     Look* const look = need(features);
     if (look == nullptr) continue;
     set_finish(*look, batch, t, features);
@@ -219,10 +220,32 @@ void PhysicalSurfaces::need_copy(const Canvas& canvas) {
   canvas.bind();
 }
 
+// Draws what the far walls of clear solids mirror inside, over what is there. Without them a block would have no edges
+// before an even background.
+void PhysicalSurfaces::draw_inner_walls(const Things& things, const Batches& batches) {
+  inner_.set(things, batches.order);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
+  for (const Batch& b : batches.batches) {
+    if (b.mesh->parts.empty() || !b.closed || b.ball || !b.finish || !(b.finish->thickness > 0)) continue;
+    Store::need_triangles(*b.mesh);
+    set_facing(b.mirrored, true);
+    glBindVertexArray(b.mesh->triangles.id());
+    inner_.bind(b.first);
+    draw_parts(things, batches, b, inner);
+  }
+  glCullFace(GL_BACK);
+}
+
 void PhysicalSurfaces::draw_through(const Canvas& canvas, const Things& things,
                                     std::span<const std::uint32_t> numbers) {
   if (numbers.empty()) return;
   need_copy(canvas);
+  canvas.write_linear();
+  encodes_ = false;
   receives_ = false, ++frame_number_;
   const Batches batches = sorted_singles(things, numbers);
   // What is nearer shows what is behind it through it, so each one sees those before it; a copy for each would cost too
@@ -230,18 +253,20 @@ void PhysicalSurfaces::draw_through(const Canvas& canvas, const Things& things,
   constexpr std::size_t most_copies = 6;
   const std::size_t step = std::max<std::size_t>((batches.order.size() + most_copies - 1) / most_copies, 1);
   for (std::size_t first = 0; first < batches.order.size(); first += step) {
+    const std::span<const std::uint32_t> some(batches.order.data() + first,
+                                              std::min(step, batches.order.size() - first));
+    const Batches now = sorted_singles(things, some);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    draw_inner_walls(things, now);
     // The depth stays that of what is opaque: clear objects that are drawn already are farther away.
     canvas.copy_color_to(behind_frame_.id(), first == 0);
     gl::use_texture(behind_depth_at, behind_depth_.id());
     gl::use_texture(behind_at, behind_.id());
     glGenerateMipmap(GL_TEXTURE_2D);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    const std::span<const std::uint32_t> some(batches.order.data() + first,
-                                              std::min(step, batches.order.size() - first));
-    draw_batches(things, sorted_singles(things, some), clear_);
+    draw_batches(things, now, clear_);
   }
 }
 

@@ -48,7 +48,8 @@ class PhysicalSurfaces {
     rich = 1024,      // several shadows, or soft ones
     levels = 2048,    // several maps of one light
     projects = 4096,  // a lamp projects a picture
-    gradient = 8192
+    gradient = 8192,
+    inner = 16384  // the far walls of a clear object, from inside
   };
   struct Look {
     gl::Program program;
@@ -62,11 +63,12 @@ class PhysicalSurfaces {
   void set_frame(Look&);
   void set_finish(Look&, const Batch&, const Thing&, unsigned features);
   unsigned features_of(const Batch&, const StoredPart&, const Thing&) const;
-  void draw_parts(const Things&, const Batches&, const Batch&);
+  void draw_parts(const Things&, const Batches&, const Batch&, unsigned more = 0);
   void draw_batches(const Things&, const Batches&, Instances&);
   void need_sky_light();
   GLuint plain_texture(bool normals);
   void need_copy(const Canvas&);
+  void draw_inner_walls(const Things&, const Batches&);
 
   const bool unclamped_;
   std::unordered_map<unsigned, Look> looks_;
@@ -82,7 +84,7 @@ class PhysicalSurfaces {
   gl::Texture behind_, behind_depth_;
   gl::Framebuffer behind_frame_;
   int behind_width_ = 0, behind_height_ = 0, behind_levels_ = 1;
-  Instances solid_, glass_, clear_;
+  Instances solid_, glass_, clear_, inner_;
   unsigned common_ = 0;  // features of the frame
   std::uint64_t frame_number_ = 0;
   bool encodes_ = false, receives_ = false;

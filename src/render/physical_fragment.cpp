@@ -102,6 +102,13 @@ vec3 bumped(vec3 n, vec3 x, vec3 y, vec2 rise) {
   vec3 made = abs(det) * n - sign(det) * (rise.x * r1 + rise.y * r2);
   return made * inversesqrt(max(dot(made, made), 1e-30));
 }
+#if defined(INNER)
+// The share of light that a wall reflects inside, by the square of the sine of the angle to its normal.
+float reflected_inside(float sine2, float ior, float f0) {
+  float leaving = 1.0 - ior * ior * sine2, rim = 1.0 - sqrt(max(leaving, 0.0)), rim2 = rim * rim;
+  return f0 + (1.0 - f0) * rim2 * rim2 * rim;
+}
+#endif
 #if defined(THROUGH)
 // Whether something nearer than this depth is at a place of the copied picture, or next to it.
 bool stands_before(float depth, vec2 at, vec2 beside) {
@@ -348,6 +355,12 @@ void main() {
 #endif
   vec3 sum = (lit_body + soft) * opacity + shiny + shines;
   opacity = opacity + (1.0 - opacity) * max(once.r, max(once.g, once.b));
+#if defined(INNER)
+  // How slanting light meets the wall depends on where it came in: as for a ball, or straight as for a block.
+  float sine2 = 1.0 - nv * nv;
+  opacity = through.x * mix(reflected_inside(sine2 / (through.y * through.y), through.y, bends * bends), reflected_inside(sine2, through.y, bends * bends), 0.4);
+  sum = mirrored * base.rgb * opacity;
+#endif
 #if defined(COATED)
   float sheen_all = sheen_albedo(nv, sheen.w);
   sum = sum * (1.0 - max(sheen.r, max(sheen.g, sheen.b)) * sheen_all) + sheen_light + sheen.rgb * falling * sheen_all;

@@ -98,5 +98,20 @@ TEST(RenderOverlap, GlassDoesNotShowWhatStandsBeforeIt) {
   }
 }
 
+// A block of glass that faces us, before an even background: its side walls are seen through its front, since they
+// mirror the sky inside.
+TEST(RenderOverlap, BlocksOfGlassHaveWallsBeforeAnEvenBackground) {
+  Frame f = block_and_bar(true, 100, {});
+  f.items.erase(f.items.begin());
+  f.items[0].world = Mat4{};
+  f.surroundings.environment = even_sky(1), f.background = Vec3{0.2, 0.2, 0.2};
+  const LinearPicture p = styled_light(f, "shaded", 128);
+  int last = 64;  // of the block, in the middle row
+  while (last < 127 && light_at(p, last + 1, 64).x > 0.21) ++last;
+  ASSERT_LT(last, 120);
+  EXPECT_GT(light_at(p, last - 2, 64).x, light_at(p, 64, 64).x + 0.1);
+  EXPECT_NEAR(light_at(p, 80, 64).x, light_at(p, 64, 64).x, 0.02);
+}
+
 }  // namespace
 }  // namespace betwixt
