@@ -150,7 +150,8 @@ void Store::need_triangles(StoredMesh& m) {
 }
 
 const std::shared_ptr<StoredMesh>& Store::disc(double radius) {
-  const std::size_t detail = radius < 4 ? 0 : radius < 20 ? 1 : radius < 150 ? 2 : 3;
+  // Its edge is off by a third of a pixel, up to a radius of 1000.
+  const std::size_t detail = radius < 4 ? 0 : radius < 18 ? 1 : radius < 64 ? 2 : radius < 250 ? 3 : 4;
   auto& mesh = discs_[detail];
   if (mesh == nullptr) mesh = this->mesh(std::make_shared<const Mesh>(regular_polygon(8U << detail)));
   return mesh;

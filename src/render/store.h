@@ -80,7 +80,7 @@ class Store {
   };
   Kept<Mesh, StoredMesh> meshes_;
   Kept<Picture, const StoredTexture> textures_;
-  std::shared_ptr<StoredMesh> latest_, discs_[4];
+  std::shared_ptr<StoredMesh> latest_, discs_[5];
 };
 
 }  // namespace betwixt

@@ -64,5 +64,19 @@ TEST(RenderColor, TexturesMultiplyAndStandUpright) {
   EXPECT_GT(lower.b, 250);
 }
 
+// The outline of a ball is a circle, not a polygon: no pixel that is wholly inside it shows what is behind.
+TEST(RenderSurfaces, BallsAreRound) {
+  for (const double radius : {16.0, 62.0, 140.0, 240.0}) {
+    Frame f = frame();
+    const int size = 512;
+    f.items = {item(sphere(radius * 10 / size), {}, {1, 1, 1})};
+    const Picture p = draw(f, {size, size, 4, "shaded"});
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x)
+        if (std::hypot(x + 0.5 - size / 2.0, y + 0.5 - size / 2.0) < radius - 0.95)
+          ASSERT_EQ(pixel(p, x, y).r, 255) << radius << ' ' << x << ' ' << y;
+  }
+}
+
 }  // namespace
 }  // namespace betwixt
