@@ -191,7 +191,7 @@ Status Surfaces::add_finish(const Finish& f, Json& m) {
     extend("KHR_materials_volume", {{"thicknessFactor", f.thickness}}), m["doubleSided"] = false;
   if (f.ior != 1.5) extend("KHR_materials_ior", {{"ior", f.ior}});
   if (f.pattern != Pattern::none)
-    leave_out(film_.made, "the patterns of materials such as oak are left out: their colour and their roughness stay");
+    leave_out(film_.made, "the patterns of materials such as oak are left out: their mean color and roughness stay");
   if (f.tile_x == 1 && f.tile_y == 1 && f.move_x == 0 && f.move_y == 0 && f.turn == 0) return Nothing{};
   const Json transform{{"scale", {f.tile_x, f.tile_y}}, {"offset", {f.move_x, f.move_y}}, {"rotation", -f.turn}};
   for (Json* to : {&pbr["baseColorTexture"], &pbr["metallicRoughnessTexture"], &m["normalTexture"],

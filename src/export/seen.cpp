@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -16,9 +17,19 @@
 #include "exchange/geometry.h"
 #include "export/fit.h"
 #include "program/compiled.h"
+#include "scene/patterns.h"
 
 namespace betwixt {
 namespace {
+
+// Other programs do not have the patterns: they show their mean.
+std::pair<std::shared_ptr<const Finish>, Vec3> without_pattern(std::shared_ptr<const Finish> finish, Vec3 color) {
+  if (!finish || finish->pattern == Pattern::none) return {std::move(finish), color};
+  const PatternPoint mean = mean_of_pattern(*finish, color);
+  Finish even = *finish;  // its pattern stays, so that writers can say what they leave out
+  even.roughness = mean.roughness, even.metalness = mean.metalness;
+  return {std::make_shared<const Finish>(even), mean.color};
+}
 
 constexpr std::size_t most_triangles = 20'000'000, usual_triangles = 4'000'000;
 constexpr std::size_t most_points = 1'000'000, fewest_forms = 24, most_forms = 600;  // of one object
@@ -51,7 +62,8 @@ class Watch {
         if (look.texture != Evaluation::Look::none) s.texture = e.texture(look.texture);
         if (look.gradients != Evaluation::Look::none) graded_ = true;
         s.video = program_.compiled().drawables[i].video >= 0;
-        if (look.finish != Evaluation::Look::none) s.finish = e.finish(look.finish), s.own_color = look.color;
+        if (look.finish != Evaluation::Look::none)
+          std::tie(s.finish, s.own_color) = without_pattern(e.finish(look.finish), look.color);
       }
       const Shape& shape = *e.shape(look.shape);
       const std::int32_t skin = program_.compiled().drawables[i].skin;

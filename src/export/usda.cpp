@@ -295,7 +295,7 @@ class UsdMaker : UsdText {
       input("color3f inputs:emissiveColor = " + row(of(f.emission), 3));
       for (const auto& [name, is] : finish_inputs(f)) input(fmt::format("float inputs:{} = {}", name, number(is)));
       if (f.pattern != Pattern::none || f.has_pictures())
-        leave_out(made_, "the patterns and pictures of materials are left out: their colours and numbers stay");
+        leave_out(made_, "the patterns and pictures of materials are left out: their mean colors and numbers stay");
     } else {
       input("color3f inputs:diffuseColor = " + row(s.material == Material::glow ? KeyValue{} : color, 3));
       if (s.material == Material::glow) input("color3f inputs:emissiveColor = " + row(color, 3));

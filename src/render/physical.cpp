@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "render/balls.h"
-#include "render/patterns.h"
 #include "render/physical_shading.h"
 #include "render/physical_units.h"
 #include "render/shading.h"
+#include "scene/patterns.h"
 
 namespace betwixt {
 namespace {

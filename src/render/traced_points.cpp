@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The points of surfaces that rays hit: place, normals, colour and material.
-#include "render/patterns.h"
 #include "render/traced_world.h"
+#include "scene/patterns.h"
 
 namespace betwixt::traced {
 namespace {

@@ -17,6 +17,8 @@
 #include "betwixt/export.h"
 #include "betwixt/language.h"
 #include "betwixt/pose.h"
+#include "scene/materials.h"
+#include "scene/patterns.h"
 #include "support/folder.h"
 
 namespace betwixt {
@@ -320,6 +322,29 @@ TEST(Gltf, FinishesGoWithTheirExtensions) {
   EXPECT_EQ(m(3)["emissiveFactor"][0], 1);
   EXPECT_EQ(m(3)["extensions"]["KHR_materials_sheen"]["sheenColorFactor"][0], 1);
   EXPECT_EQ(m(4)["pbrMetallicRoughness"]["metallicFactor"], 0.5);
+}
+
+// Other programs have no patterns, so they get their mean: that of the points on a large box, chosen at random.
+TEST(Gltf, PatternsBecomeTheirMean) {
+  for (const char* name : {"metallic-paint", "concrete", "rust"}) {
+    const Glb file = as_glb(fmt::format("range 1f 2f\ncreate a box material={}\n", name));
+    const MaterialRow& row = material_row(name);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(-10, 10);
+    constexpr int count = 20000;
+    Vec3 color;
+    double roughness = 0;
+    for (int k = 0; k < count; ++k) {
+      Vec3 at{place(random), place(random), place(random)}, normal;
+      at[k % 3] = 10, normal[k % 3] = 1;
+      const PatternPoint p = pattern_at(row.finish, row.color, at, normal, 0);
+      color = color + 1.0 / count * p.color, roughness += p.roughness / count;
+    }
+    const Json pbr = file.json["materials"][0]["pbrMetallicRoughness"];
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(pbr["baseColorFactor"][static_cast<std::size_t>(i)], color[i], 0.01) << name;
+    EXPECT_NEAR(pbr["roughnessFactor"], roughness, 0.01) << name;
+  }
 }
 
 // 6 plots with 4 million triangles each, if each frame had its own: fewer meshes are kept, evenly over the film.

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "render/patterns.h"
 #include "render/physical_scenes.h"
 #include "render/sky_light.h"
 #include "scene/materials.h"
+#include "scene/patterns.h"
 
 namespace betwixt {
 namespace {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Betwixt authors
 // SPDX-License-Identifier: Apache-2.0
-#include "render/patterns.h"
+#include "scene/patterns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace betwixt {
@@ -49,7 +50,7 @@ inline float smoothstep(float from, float to, float x) {
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wimplicit-float-conversion"
 #define BETWIXT_SHADER(...) __VA_ARGS__
-#include "render/patterns.inc"
+#include "scene/patterns.inc"
 #undef BETWIXT_SHADER
 #pragma clang diagnostic pop
 
@@ -59,7 +60,7 @@ vec3 narrow(Vec3 v) { return {v.x, v.y, v.z}; }
 
 #define BETWIXT_SHADER(...) #__VA_ARGS__
 const char* const pattern_shader =
-#include "render/patterns.inc"
+#include "scene/patterns.inc"
     ;
 #undef BETWIXT_SHADER
 
@@ -72,6 +73,22 @@ PatternPoint pattern_at(const Finish& f, Vec3 color, Vec3 at, Vec3 normal, doubl
           static_cast<double>(made.rough),
           static_cast<double>(made.metal),
           static_cast<double>(made.height)};
+}
+
+PatternPoint mean_of_pattern(const Finish& f, Vec3 color) {
+  constexpr int count = 6000;
+  constexpr double wide = 4;  // several bricks and boards
+  PatternPoint mean;
+  for (int k = 0; k < count; ++k) {
+    // Points that fill a cube evenly: multiples of three roots, without their whole numbers.
+    const auto part = [&](double step) { return wide * (k * step - std::floor(k * step)); };
+    const Vec3 at{part(0.8191725134), part(0.6710436067), part(0.5497004779)};
+    const std::array<Vec3, 3> across{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const PatternPoint p = pattern_at(f, color, at, across[static_cast<std::size_t>(k % 3)], 0);
+    mean.color = mean.color + 1.0 / count * p.color;
+    mean.roughness += p.roughness / count, mean.metalness += p.metalness / count, mean.height += p.height / count;
+  }
+  return mean;
 }
 
 }  // namespace betwixt

@@ -18,5 +18,7 @@ struct PatternPoint {
 };
 // `width`: how wide a pixel is there, in object space. Details that are finer are left out.
 PatternPoint pattern_at(const Finish&, Vec3 color, Vec3 at, Vec3 normal, double width);
+// The mean over a body, for those who have no patterns.
+PatternPoint mean_of_pattern(const Finish&, Vec3 color);
 
 }  // namespace betwixt
