@@ -39,7 +39,7 @@ Vec3 studio_radiance(Vec3 d) {
                over = cross(n, across);
     const double share =
         within(dot(d, across) / deep, box.width, box.soft) * within(dot(d, over) / deep, box.height, box.soft);
-    light = light + share * box.light;
+    light = light + 0.9 * share * box.light;
   }
   return light;
 }
@@ -114,7 +114,7 @@ SkyModel::SkyModel(const Sky& sky) : sky_(sky) {
 }
 
 std::optional<SkySun> SkyModel::sun() const {
-  if (sky_.kind == Sky::studio) return SkySun{normalize(softboxes[0].toward), {0.58, 0.56, 0.525}, 0.16};
+  if (sky_.kind == Sky::studio) return SkySun{normalize(softboxes[0].toward), {0.72, 0.695, 0.65}, 0.16};
   if (!(day_.light.x > 0) || day_.sun.y <= 0) return std::nullopt;
   return SkySun{day_.sun, day_.light, 0.0175};
 }
