@@ -204,6 +204,22 @@ struct TypedReader {
                               row_of(type).angles ? fmt::format("{:.4g}deg", limit * 180 / pi) : write_number(limit)),
                   c.since(start), function == fn::fov ? "the angle of view of a camera must be less than 180deg" : "");
   }
+  // Returns what leads from a word of other programs to the words of a function.
+  Hint hint_for(const std::string& s, const std::vector<std::string_view>& words) const {
+    struct Row {
+      std::string_view function, word, leads;
+    };
+    constexpr Row rows[] = {{"shines", "spot", "cone=40deg makes a lamp a spotlight"},
+                            {"shines", "area", "shape=rectangle size=(2 1) makes a lamp an area"},
+                            {"shines", "directional", "shines=sun"},
+                            {"shape", "area", "shape=rectangle size=(2 1), or shape=disc"},
+                            {"shape", "spot", "cone=40deg makes a lamp a spotlight"},
+                            {"anchor", "centre", "anchor=middle; align=centre is across"},
+                            {"anchor", "center", "anchor=middle; align=centre is across"}};
+    for (const Row& r : rows)
+      if (r.function == spec.name && r.word == s) return std::string(r.leads);
+    return did_you_mean(s, words);
+  }
   bool is_choice(const std::string& s) {
     const auto words = choices(spec);
     if (std::find(words.begin(), words.end(), s) != words.end()) return true;
@@ -212,7 +228,7 @@ struct TypedReader {
     const std::string_view about = s.empty() ? std::string_view(start, 0) : c.since(start);
     constexpr std::size_t most_listed = 12;
     if (words.size() <= most_listed)
-      return c.fail(ErrorCode::type, fmt::format("{} must be {}", spec.name, all), about, did_you_mean(s, words));
+      return c.fail(ErrorCode::type, fmt::format("{} must be {}", spec.name, all), about, hint_for(s, words));
     const Hint near = did_you_mean(s, words);
     return c.fail(ErrorCode::type, fmt::format("there is no {} '{}'", spec.name, s.substr(0, 60)), about,
                   near.empty() ? fmt::format("{} is {}", spec.name, all) : near);
