@@ -42,7 +42,7 @@ script = f"""window.canvas = document.createElement("canvas"); canvas.width = {w
   window.show = async (name) => {{
     const engine = await Betwixt.engine(), text = await (await get(name)).text(), files = {{}};
     const bold = new Uint8Array(await (await fetch("/fonts/DejaVuSans-Bold.ttf")).arrayBuffer());
-    if (text.includes("weight=bold")) files["DejaVuSans-Bold.ttf"] = bold;
+    if (/weight=bold|\\btable\\b/.test(text)) files["DejaVuSans-Bold.ttf"] = bold;
     await engine.prepare(files, text);
     if (window.film) film.dispose();
     window.film = engine.open(text, {{ name, files }});
