@@ -34,7 +34,7 @@ struct Annotation {
   std::string accent() const { return theme_color(k.scene, &Theme::accent); }
   std::string line_color() const { return palette(k.scene, 1); }
   // A sheet of the accent is faint on a bright background, so it is less transparent there.
-  const char* sheet() const { return fitting_theme(k.scene).paper.g > 0.5 ? "0.4" : "0.7"; }
+  const char* sheet() const { return theme_of(k.scene).paper.g > 0.5 ? "0.4" : "0.7"; }
   // A margin that suits the size of the object.
   double margin() const { return std::clamp(0.25 * std::min(width(), height()), 0.08, 0.25); }
   template <class... A>

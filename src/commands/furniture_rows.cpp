@@ -193,17 +193,11 @@ void make_scatter(Furnishing& f) { color(f, f.tint(1)); }
 
 }  // namespace
 
-const Theme& fitting_theme(const Scene& s) {
-  const auto bright = [](const Color& c) { return 0.3 * c.r + 0.6 * c.g + 0.1 * c.b > 0.6; };
-  const bool on_paper = s.background && !s.appearance.clear && bright(*s.background) &&
-                        bright(s.appearance.below.value_or(*s.background));
-  return s.appearance.theme->name.empty() && on_paper ? *find_theme("light") : theme_of(s);
-}
 std::string palette(const Scene& s, std::size_t n) {
-  const auto& all = fitting_theme(s).palette;
+  const auto& all = theme_of(s).palette;
   return write_color(all[n % all.size()]);
 }
-std::string theme_color(const Scene& s, Color Theme::*which) { return write_color(fitting_theme(s).*which); }
+std::string theme_color(const Scene& s, Color Theme::*which) { return write_color(theme_of(s).*which); }
 
 Value Furnishing::value(std::string_view function) const {
   const auto f = find_built_in(object().kind, function);

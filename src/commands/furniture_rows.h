@@ -16,8 +16,6 @@ namespace betwixt {
 // What a kind takes at `create` besides its functions.
 enum class Takes : std::uint8_t { nothing, numbers, cells, series };  // series: numbers, or pairs of them
 
-// Returns the theme of a film. Without one, that is the light theme on a bright background, otherwise the dark one.
-const Theme& fitting_theme(const Scene&);
 // Returns the color number n of the theme's palette, from 0; it begins again after the last.
 std::string palette(const Scene&, std::size_t n);
 std::string theme_color(const Scene&, Color Theme::*);

@@ -204,20 +204,9 @@ struct TypedReader {
                               row_of(type).angles ? fmt::format("{:.4g}deg", limit * 180 / pi) : write_number(limit)),
                   c.since(start), function == fn::fov ? "the angle of view of a camera must be less than 180deg" : "");
   }
-  // Returns what leads from a word of other programs to the words of a function.
   Hint hint_for(const std::string& s, const std::vector<std::string_view>& words) const {
-    struct Row {
-      std::string_view function, word, leads;
-    };
-    constexpr Row rows[] = {{"shines", "spot", "cone=40deg makes a lamp a spotlight"},
-                            {"shines", "area", "shape=rectangle size=(2 1) makes a lamp an area"},
-                            {"shines", "directional", "shines=sun"},
-                            {"shape", "area", "shape=rectangle size=(2 1), or shape=disc"},
-                            {"shape", "spot", "cone=40deg makes a lamp a spotlight"},
-                            {"anchor", "centre", "anchor=middle; align=centre is across"},
-                            {"anchor", "center", "anchor=middle; align=centre is across"}};
-    for (const Row& r : rows)
-      if (r.function == spec.name && r.word == s) return std::string(r.leads);
+    for (const OtherWord& other : spec.instead)
+      if (other.word == s) return std::string(other.leads);
     return did_you_mean(s, words);
   }
   bool is_choice(const std::string& s) {

@@ -29,9 +29,9 @@ Ball around_all(const Things& things, std::span<const std::uint32_t> casters, Ve
 
 namespace {
 
-constexpr double coarse = 6;    // pixels a texel, where it is most visible
-constexpr double minor = 0.2;   // of the largest in the picture: smaller objects do not count for the resolution
-constexpr double large = 0.25;  // of the picture's width: those that are larger, as hills are, count as that
+constexpr double coarse = 6;        // pixels a texel, where it is most visible
+constexpr double minor = 0.2;       // of the largest in the picture: smaller objects do not count for the resolution
+constexpr double most_size = 0.25;  // of the picture's width: those that are larger, as hills are, count as that
 constexpr std::size_t most_levels = 3;
 
 // A caster, its pixels a metre where it is most visible, and its approximate size in the picture, wherever in it.
@@ -158,7 +158,7 @@ std::vector<Shadows::Numbers> Shadows::levels(Things& things, const Made& light)
     double largest = 0;
     for (const std::uint32_t i : all)
       if (const Seen s = seen(i, things); is_fine(ball_of(things[i], light.anchor), s.pixels))
-        major.push_back(s), largest = std::max(largest, std::min(s.size, large * things.view().width));
+        major.push_back(s), largest = std::max(largest, std::min(s.size, most_size * things.view().width));
     std::erase_if(major, [&](const Seen& s) { return s.size < minor * largest; });
     std::stable_sort(major.begin(), major.end(), [](const Seen& a, const Seen& b) { return a.pixels > b.pixels; });
   };

@@ -126,6 +126,8 @@ inline const FunctionSpec finish_functions[] = {
      .rest = Text(std::string("point")),
      .kinds = bit(Kind::light),
      .words = "point|disc|rectangle",
+     .instead = {{"area", "shape=rectangle size=(2 1), or shape=disc"},
+                 {"spot", "cone=40deg makes a lamp a spotlight"}},
      .sentence = "The shape of a lamp: a point, or an area that shines to its front (its local -z).",
      .written = "point, disc or rectangle",
      .example = "set lamp.shape rectangle"},

@@ -24,14 +24,21 @@ constexpr KindBits all_kinds = ~KindBits{0};
 // The value `none` of an optional colour.
 inline constexpr Color no_color{-1, -1, -1};
 
+// A word of other programs for a value, and what does the same here.
+struct OtherWord {
+  std::string_view word, leads;
+  friend bool operator==(const OtherWord&, const OtherWord&) = default;
+};
+
 struct FunctionSpec {
   std::string name = {};
   Type type = Type::scalar;
   Value rest = {};             // the default
   KindBits kinds = all_kinds;  // a bit per Kind; all: those that have a place
   Unit unit = Unit::none;
-  std::string words = {};             // the valid words of a text: "point|sun"
-  double low = -1e300, high = 1e300;  // the range of valid numbers
+  std::string words = {};               // the valid words of a text: "point|sun"
+  std::vector<OtherWord> instead = {};  // of other words: hints of errors
+  double low = -1e300, high = 1e300;    // the range of valid numbers
   // Puts a value into a shape: numbers as they are held, a double or a Vec3. Null if it is not part of a shape.
   void (*shape)(Shape&, const Value&, const Scene&) = nullptr;
   bool by_script = false;                                      // read once, with the script: code cannot compute it

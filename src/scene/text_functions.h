@@ -92,6 +92,8 @@ inline const FunctionSpec text_functions[] = {
      .rest = Text(std::string("baseline")),
      .kinds = bit(Kind::text),
      .words = "baseline|top|middle|bottom",
+     .instead = {{"centre", "anchor=middle; align=centre is across"},
+                 {"center", "anchor=middle; align=centre is across"}},
      .shape = [](Shape& s, const Value& v,
                  const Scene&) { s.letters.anchor = word_in(anchor_names, v, Anchor::baseline); },
      .sentence =

@@ -86,8 +86,11 @@ std::span<const ThemeColor> theme_colors() {
 }
 
 const Theme& theme_of(const Scene& s) {
-  const Theme& own = *s.appearance.theme;
-  return own.name.empty() ? themes()[0] : own;
+  if (const Theme& own = *s.appearance.theme; !own.name.empty()) return own;
+  const auto bright = [](const Color& c) { return 0.3 * c.r + 0.6 * c.g + 0.1 * c.b > 0.6; };
+  const bool on_paper = s.background && !s.appearance.clear && bright(*s.background) &&
+                        bright(s.appearance.below.value_or(*s.background));
+  return *find_theme(on_paper ? "light" : "dark");
 }
 
 }  // namespace betwixt

@@ -37,7 +37,7 @@ struct ThemeColor {
 std::span<const ThemeColor> theme_colors();
 
 struct Scene;
-// Returns the theme of a film; without one, the dark theme.
+// Returns the theme of a film. Without one, that is the light theme on a bright background, otherwise the dark one.
 const Theme& theme_of(const Scene&);
 
 }  // namespace betwixt
