@@ -65,6 +65,21 @@ TEST(Materials, AWordThatIsNoneIsToldBriefly) {
   EXPECT_TRUE(hint.starts_with("material is plastic, matte, metal, glow, gold, ")) << hint;
 }
 
+// Without a theme, what names and counts can be read on any even background, and code on its own panel.
+TEST(Themes, TheBackgroundChoosesOne) {
+  for (const std::string paper : {"white", "#f4f6f9", "#e8e0d0", "#202428", "black", "navy"}) {
+    const LoadedFilm s(
+        "background " + paper +
+        "\ncreate c columns of=(1 2) keys=(\"a\" \"b\")\ncreate k code text=\"x = 1\" language=python\n");
+    ASSERT_TRUE(s.loaded.diagnostics.empty()) << said(s.loaded.diagnostics);
+    EXPECT_GE(contrast(*s.loaded.document.scene().background, color_of(s, "c/a/label")), 4.5) << paper;
+    EXPECT_GE(contrast(*s.loaded.document.scene().background, color_of(s, "c/b/number")), 4.5) << paper;
+    EXPECT_GE(contrast(color_of(s, "k/panel"), color_of(s, "k")), 4.5) << paper;
+  }
+  const LoadedFilm s("background white\nbackground transparent\ncreate c columns of=(1 2) keys=(\"a\" \"b\")\n");
+  EXPECT_EQ(color_of(s, "c/a/label"), find_theme("dark")->label);
+}
+
 // Gold is gold under any theme.
 TEST(Themes, LeaveMaterialsTheirColors) {
   const LoadedFilm s("theme dark\ncreate ball sphere material=gold\ncreate plain sphere material=metal\n");
